@@ -1,4 +1,4 @@
-"""The mechanism as a figure of the page: where it starts, where it stops, twelve positions, hodographs.
+"""The mechanism as a figure of the page: the position in which it starts, and the one in which it stops.
 
 Enters: a `Mechanism`, its velocity equations and a motion.  Leaves: `Drawing`, upright, as wide as a column.
 Used by `scene_run.py`.
@@ -35,11 +35,11 @@ from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 from coursework.words.sentences import joined, say, say_count
 
-HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
-TALL, MANY = 110.0, 7  # mm, where so many links with their names stand too close; their data fill that page anyway
-ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
-ARROWS = (ARROW, 10.5, 15.5, 8.5)  # the next ones where it would end in a hinge
-AT_HINGE = 7.0  # mm: so far the sense of a rotation still stands at its hinge
+HIGHEST = 86.0  # mm: height limit, so that the drawing with its caption leaves room on the first page
+TALL, MANY = 110.0, 7  # mm: height limit from so many links on: their names stand close, their data fill that page anyway
+ARROW = 13.0  # mm, of a driven velocity: the arrow shows its direction, not its size
+ARROWS = (ARROW, 10.5, 15.5, 8.5)  # mm: the next ones if the arrow would end in a joint or hinge
+AT_HINGE = 7.0  # mm: the name of a driven rotation that is farther from its hinge gets a thin line that leads to it
 VELOCITY = 'stroke="black" stroke-width="0.4"'
 
 
@@ -50,10 +50,10 @@ def draw_start(
     start: list[float],
     clear: Callable[[], Motion] | None = None,
 ) -> Drawing | None:
-    """Return `figure#mechanism`: the start position, None where the file places no points.
+    """Return `figure#mechanism`: the start position, None if the file places no points.
 
     `start` are all coordinates at t = 0 (rad, m); rails and slots are as long as the travel of their sliders in `motion`.
-    Where links lie on one line at the start, the drawing shows the row of `clear` in which least coincides.
+    If links lie on one line at the start, the drawing shows the row of the motion `clear()` in which they coincide least.
     """
     outline = read_outline(mechanism)
     if outline is None or not outline.names:
@@ -61,7 +61,7 @@ def draw_start(
     read, row = read_poses(outline, equations), 0
     t, coordinates = np.zeros(1), np.array([start])
     if clear is not None and coincides(outline, read(t, coordinates)):
-        with suppress(InputError, ArithmeticError):  # what has no exact motion is drawn where it starts
+        with suppress(InputError, ArithmeticError):  # a mechanism without an exact motion is drawn in its start position
             shown = clear()
             if len(shown.t) and all_rows(equations, shown):
                 row = clearest(outline, read(shown.t, shown.coordinates))
@@ -80,7 +80,7 @@ def draw_start(
 
 
 def draw_stop(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, stop: Stop) -> Drawing | None:
-    """Return `figure#dead-point`: the position in which the motion stops, None where that is not known."""
+    """Return `figure#dead-point`: the position in which the motion stops, None if that is not known."""
     outline = read_outline(mechanism)
     names = [coordinate.name for coordinate in equations.variant.coordinates]
     if outline is None or not outline.names or set(names) - set(stop.coordinates):
@@ -97,7 +97,7 @@ def draw_stop(mechanism: Mechanism, equations: VelocityEquations, motion: Motion
 def _mechanism(
     mechanism: Mechanism, outline: Outline, poses: Poses, values: Mapping[str, float] | None = None, *, dragged: bool = False
 ) -> tuple[Board, str]:
-    """Return the first row with names, lengths and what drives it; with the `values` of its coordinates also their angles."""
+    """Return board and SVG of the first row with names, lengths and drives; with `values` of coordinates also their angles."""
     arrows = {name: way for name in outline.driven if (way := driven_way(poses, name))}
     true_size = _on_nothing(outline, poses, 0, 1000.0)
     around = [(true_size.place[name], SEVERAL) for name in crowded_hinges(true_size, mechanism)]
@@ -141,7 +141,7 @@ def _mechanism(
 
 
 def _length(painter: Painter, name: str, way: complex) -> float:
-    """Return how long the arrow of a driven velocity is (mm): so that it ends in no hinge and on no joint."""
+    """Return the length (mm) of the arrow of a driven velocity, chosen so that it ends in no hinge and on no joint."""
     at, along = painter.at[name], way.conjugate()
     free = (long for long in ARROWS if not painter.at_joint(at + long * along) and not painter.in_ground(at + long * along))
     return next(free, ARROW)
@@ -150,7 +150,7 @@ def _length(painter: Painter, name: str, way: complex) -> float:
 def room(
     outline: Outline, poses: Poses, rows: list[int], arrows: Mapping[str, complex], mm: float
 ) -> Iterator[tuple[complex, float]]:
-    """Yield what takes room at so many mm a metre, with the origin at 0."""
+    """Yield circles (middle and radius in mm) that must fit on the sheet at `mm` mm per metre, with the origin at 0."""
     for row in rows:
         painter = _on_nothing(outline, poses, row, mm)
         yield from painter.extent()
@@ -159,19 +159,19 @@ def room(
 
 
 def _on_nothing(outline: Outline, poses: Poses, row: int, mm: float) -> Painter:
-    """Return who would draw a row at so many mm a metre, with the origin at 0, to ask how much room that takes."""
+    """Return a painter of one row at `mm` mm per metre, with the origin at 0, only to ask how much room the row takes."""
     return Painter(Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0)), outline, poses, row, lambda z: (z * mm).conjugate(), mm)
 
 
 def driven_way(poses: Poses, name: str) -> complex:
-    """Return the direction in which a drive moves a point in the first row in which it does."""
+    """Return the unit vector of a point's driven velocity in the first row in which it moves, 0 if it never does."""
     return next((complex(v / abs(v)) for v in poses.velocity(name) if abs(v) > 0), 0j)
 
 
 def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> list[str]:
-    """Draw the fixed points from which places are counted where nothing else does; return them.
+    """Draw the fixed points from which other points are measured, if nothing else shows them; return their names.
 
-    They are those of the guides of the frame, and the origin where hinges are given from there.
+    They are the points from which guides of the frame are placed, and the origin if given positions of hinges refer to it.
     """
     points = dict(mechanism.points)
     riders = [through.name for through, _ in mechanism.variant.frame.rails if through.name in points]
@@ -202,7 +202,7 @@ def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> list[str]:
 
 
 def _origin(painter: Painter, sheet: Sheet, points: Mapping[str, Formula]) -> list[str]:
-    """Mark the origin where the file gives it no name but counts from there; return what it is called."""
+    """Mark the origin if the file does not name it but measures from it; return its name in a list, [] if it is not marked."""
     at = painter.put(0j)
     if any(map(is_origin, points.values())) or inside(at - 1, at + 1, sheet.field) != (at - 1, at + 1):
         return []
@@ -219,7 +219,7 @@ def _between(ends: tuple[complex, complex], at: complex) -> bool:
 
 
 def _driven_words(outline: Outline, variant: Variant) -> str:
-    """Return how arrows show what is driven; what no arrow shows is named."""
+    """Return a sentence on how arrows show the drives; drives without an arrow are named."""
     turned = tuple(rate for rate, _ in outline.cranks)
     others = tuple(rate for rate in variant.given_rates if rate not in turned)
     told = [say("drawing.mechanism.driven", points=outline.driven)] if outline.driven else []

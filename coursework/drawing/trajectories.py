@@ -31,16 +31,16 @@ from coursework.words.sentences import say
 POSITIONS = 12
 TRACE = 'fill="none" stroke="black" stroke-width="0.35" stroke-dasharray="1.6 0.9"'
 CURVE = 'fill="none" stroke="black" stroke-width="0.3"'
-LONGEST = 38.0  # mm of the longest velocity of a hodograph
-MOST_MARKED = 13  # rows named beside a hodograph; of more rows every second, fifth, tenth … is named
-AT_REST = 1e-9  # of the size of the mechanism, or of the largest velocity
+LONGEST = 38.0  # mm: limit for the longest velocity of a hodograph
+MOST_MARKED = 13  # rows numbered beside a hodograph; if there are more, every second, fifth, tenth … is numbered
+AT_REST = 1e-9  # relative to the size of the mechanism, or to the largest velocity
 
 
 def draw_positions(mechanism: Mechanism, equations: VelocityEquations, period: Motion) -> Drawing | None:
-    """Return `figure#positions`: twelve positions at equal times, the first in full, and where the points go.
+    """Return `figure#positions`: twelve positions at equal times, the first in full, and the trajectories of the points.
 
-    None where the file places no points or nothing moves; `period` is the motion over a period at equal times, the last of
-    which repeats the first.
+    None if the file places no points or the period has fewer than two rows.  `period` is the motion over a period at equal times;
+    its last row repeats the first.
     """
     outline = read_outline(mechanism)
     if outline is None or not outline.names or len(period.t) < 2:
@@ -79,7 +79,7 @@ def draw_positions(mechanism: Mechanism, equations: VelocityEquations, period: M
 
 
 def draw_hodographs(mechanism: Mechanism, equations: VelocityEquations, period: Motion, rows: Motion) -> tuple[Drawing, ...]:
-    """Return `figure#hodograph-X` of every named point X of a link that moves: the tips of its velocity from one pole."""
+    """Return `figure#hodograph-X` of every named point X of a link that moves: the tips of its velocity, drawn from one pole."""
     outline = read_outline(mechanism)
     if outline is None or len(period.t) < 2 or not len(rows.t):
         return ()

@@ -1,1 +1,1 @@
-"""What a person takes along from a run: frames of numbers, plots, files for other programs."""
+"""What a person takes away from a run: data frames, plots, files for other programs."""

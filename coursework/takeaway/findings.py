@@ -1,4 +1,4 @@
-"""The findings of a run as a person holds them: a tuple that tells itself in a line, and as a table in a notebook.
+"""The findings of a run for a person: a tuple that prints as one line, and as a table in a notebook.
 
 Enters: `Finding`s.  Leaves: `Findings`.  Used by `run.py`.
 """
@@ -12,7 +12,7 @@ from coursework.words.html_table import html_table
 
 
 class Findings(tuple[Finding, ...]):
-    """What each check has found, in the order of the checks.
+    """The findings of all checks, in the order of the checks.
 
     >>> import coursework
     >>> coursework.solve("31", scheme="rk4").checks

@@ -1,7 +1,7 @@
 """Rows of a motion as pandas frames: the table, its points, and the exact motion at any time.
 
 Enters: a `Scene` and a `Motion` of it.  Leaves: frames, `ExactRows`.  Raises `InputError`.
-Used by `run.py`; imports pandas, which no file of a run needs.
+Used by `run.py`; it imports pandas, which the files of a run do not need.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     import pandas as pd
 
 _LEVELS = {"": "position", "v": "velocity", "a": "acceleration"}
-_SHORTEST = 1e-9  # of the time: a row asked for so little beyond the last is that row
+_SHORTEST = 1e-9  # relative to the last time: a time so little beyond it means the last row
 
 
 def time_index(t: Array) -> pd.Index[float]:
-    """Return times (s) as their texts say them: 0.35, not 0.35000000000000003."""
+    """Return times (s) rounded to 12 digits, as they are printed: 0.35, not 0.35000000000000003."""
     import pandas as pd
 
     return pd.Index([float(f"{time:.12g}") for time in t.tolist()], name="t")
@@ -45,7 +45,7 @@ def point_frame(scene: Scene, motion: Motion) -> pd.DataFrame:
 
 @caching
 class ExactRows(Motion):
-    """Rows of the motion itself: a `Motion` that knows its points, and what lies between its rows.
+    """Rows of the exact motion: a `Motion` that also has its points, and rows at any time between.
 
     >>> import coursework
     >>> exact = coursework.solve("31").exact
@@ -60,12 +60,12 @@ class ExactRows(Motion):
 
     @property
     def points(self) -> pd.DataFrame:
-        """Return the points as `point_frame` gives them."""
+        """Return the points as the frame of `point_frame`."""
         assert self.scene is not None
         return point_frame(self.scene, self)
 
     def at(self, t: ArrayLike) -> ExactRows:
-        """Return the rows at a time, or at times, in s, in the order given.
+        """Return the rows at one or several times (s), in the order given.
 
         Raises `InputError` for a time outside the motion.
         """
@@ -81,7 +81,7 @@ class ExactRows(Motion):
 
 
 def exact_rows(scene: Scene, motion: Motion, places: NDArray[np.intp] | None = None) -> ExactRows:
-    """Return rows of an exact motion, all of them or those at some places."""
+    """Return the rows of an exact motion, or only those at `places`."""
     values = {one.name: getattr(motion, one.name) for one in fields(Motion)}
     if places is not None:
         arrays = (name for name, value in values.items() if isinstance(value, np.ndarray) and len(value) == len(motion.t))

@@ -1,4 +1,4 @@
-"""Plots by matplotlib, as a person takes them into a text of his own.
+"""Plots by matplotlib, for a user's own text.
 
 Enters: a `Run` or a study.  Leaves: matplotlib Axes with labels, units and a legend.  Raises `InputError`.
 Used by `run.py` and `study.py`; nothing else imports it, so no page waits for matplotlib.
@@ -20,14 +20,14 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-# Lines that stay apart in black and white: the rows are dots, the motion a line.
+# Lines that can be told apart in black and white: the rows are dots, the exact motion is a line.
 ROWS: dict[str, Any] = {"linestyle": "--", "marker": "o", "markersize": 3.5}
 MOTION: dict[str, Any] = {"linestyle": "-", "linewidth": 1.2}
-BETWEEN = 8  # points of the exact line from row to row
+BETWEEN = 8  # points of the exact line per row
 
 
 def plot_run(run: SceneRun, names: Sequence[str], exact: bool, ax: Axes | None) -> Any:
-    """Return Axes as `Run.plot` says."""
+    """Return the Axes that `Run.plot` describes."""
     listed = names or run.motion.velocity_names
     for name in listed:
         if not _is_drawn(run, name):
@@ -65,7 +65,7 @@ def _columns(ax: Axes, run: SceneRun, names: Sequence[str], unit: str, exact: bo
 
 
 def _between(run: SceneRun, name: str) -> tuple[Any, Any]:
-    """Return times and values of the exact motion, some between any two rows."""
+    """Return times and values of the exact motion, with further points between the rows."""
     import numpy as np
 
     t = run.scene.exact.t
@@ -77,7 +77,7 @@ def _between(run: SceneRun, name: str) -> tuple[Any, Any]:
 
 
 def _is_drawn(run: SceneRun, name: str) -> bool:
-    """Return whether a motion has a column; of "B.vx" the unit says whether there is such a point."""
+    """Return whether a motion has a column; for "B.vx", `unit_of` tells later whether there is such a point."""
     return name in run.motion.names or _is_acceleration(run.motion, name) or "." in str(name)
 
 
@@ -102,7 +102,7 @@ def _column(run: SceneRun, motion: Motion, name: str) -> Any:
 
 
 def plot_study(study: AccuracyStudy, ax: Axes | None) -> Axes:
-    """Return Axes as `Study.plot` says."""
+    """Return the Axes that `Study.plot` describes."""
     drawn = _axes(ax)
     marks = "os^Dv*Ph<>"
     methods = dict.fromkeys(row.method for row in study.rows if not row.failed)

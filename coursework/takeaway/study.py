@@ -1,4 +1,4 @@
-"""The study of accuracy as a person holds it: drawn by matplotlib where asked, as the page draws it in a notebook.
+"""The study of accuracy for a person: a plot by matplotlib on request, the page's drawing in a notebook.
 
 Enters: an `AccuracyStudy` and its run.  Leaves: `Study`.  Used by `run.py`.
 """
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @frozen
 class Study(AccuracyStudy):
-    """An `AccuracyStudy` that can be looked at."""
+    """An `AccuracyStudy` that can be plotted."""
 
     run: SceneRun | None = None
 
@@ -49,5 +49,5 @@ class Study(AccuracyStudy):
 
 
 def study_of(study: AccuracyStudy, run: SceneRun) -> Study:
-    """Return a study that knows its run."""
+    """Return a study that has its run."""
     return Study(**{one.name: getattr(study, one.name) for one in fields(AccuracyStudy)}, run=run)

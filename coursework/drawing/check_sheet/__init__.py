@@ -1,1 +1,1 @@
-"""The check by drawing: one row on a sheet, what is read from it, and what that comes to."""
+"""The check by drawing: one row on a sheet, what is read off it, and the values that follow."""

@@ -1,7 +1,7 @@
 """Velocities that no single construction gives, solved from the same geometry: rigid links, guides, sleeves, given velocities.
 
-Enters: a `Pose` and what is known so far.  Leaves: what is determined of the rest.
-Used by `instant_centres.py`.  No velocity equation of the file enters: it stays a check of them.
+Enters: a `Pose` and the velocities known so far.  Leaves: `Solved`, the other velocities as far as they are determined.
+Used by `instant_centres.py`.  No velocity equation of the file enters, so the result is an independent check of them.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from coursework.drawing.check_sheet.pose import Pose
 from coursework.system.angles import dot
 from coursework.system.frozen import frozen
 
-Row = tuple[dict[int, float], float]  # factors of the unknowns by their columns, and what they make together
-NOUGHT = 1e-13  # of the largest velocity found: what is smaller is round-off
-FREE = 1e-9  # of the largest singular value: below it a combination of velocities is not determined
+Row = tuple[dict[int, float], float]  # one equation: coefficients by column, and the right-hand side
+NOUGHT = 1e-13  # relative to the largest velocity found: smaller values are round-off
+FREE = 1e-9  # relative to the largest singular value: below it a combination of velocities is not determined
 
 
 @frozen
@@ -28,7 +28,7 @@ class Solved:
 
 
 def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
-    """Return all that rigid links, guides and sleeves determine, given velocities of points (m/s)."""
+    """Return all velocities that rigid links, guides and sleeves determine, given the `velocities` of some points (m/s)."""
     unknowns = _unknowns_of(pose)
     rows = [*unknowns.given(pose, velocities), *unknowns.rigid(pose), *unknowns.sliding(pose)]
     matrix = np.zeros((len(rows), unknowns.count))
@@ -47,7 +47,7 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
 
 @frozen
 class _Unknowns:
-    """Where they stand: `column` of x of a point's velocity (m/s), y behind it; `turn` of a link's rate times `size` (m/s)."""
+    """Columns of the unknowns: `column` of a point's vx (m/s), vy is next to it; `turn` of a link's rate times `size` (m/s)."""
 
     column: Mapping[str, int]
     turn: Mapping[str, int]
@@ -61,7 +61,7 @@ class _Unknowns:
         return {self.column[name]: factor * along.real, self.column[name] + 1: factor * along.imag}
 
     def given(self, pose: Pose, velocities: Mapping[str, complex]) -> Iterator[Row]:
-        """Yield what is known of points: their velocities, the lines that guide them."""
+        """Yield the equations of points: known velocities, and guides along which points move."""
         for name, velocity in velocities.items():
             if name in self.column:
                 yield {self.column[name]: 1.0}, velocity.real
@@ -71,7 +71,7 @@ class _Unknowns:
                 yield self.vector(name, 1j * along), 0.0
 
     def rigid(self, pose: Pose) -> Iterator[Row]:
-        """Yield how the points of a link move together, and what is known of its rate."""
+        """Yield the equations of links: their points move as on a rigid body; guided links do not turn; known and equal rates."""
         for body in pose.bodies:
             first = body.points[0] if body.points else ""
             for name in body.points[1:]:
@@ -89,7 +89,7 @@ class _Unknowns:
                 yield {self.turn[body.name]: 1.0, self.turn[same[body.rate]]: -1.0}, 0.0
 
     def sliding(self, pose: Pose) -> Iterator[Row]:
-        """Yield that a rider keeps to its bar, how fast it slides where that is known, and what turns with the bar."""
+        """Yield the equations of slides: the rider stays on its bar, its speed may be driven, its block turns with the bar."""
         for slide in pose.slides:
             first = next((body.points[0] for body in pose.bodies if body.name == slide.link), slide.rider)
             arm = 1j * (pose.positions[slide.rider] - pose.positions[first])

@@ -1,6 +1,6 @@
-"""The plan of velocities of the graph-analytical check: drawn from what the construction found, beside what the table says.
+"""The plan of velocities of the graph-analytical check: drawn from the constructed velocities, with those of the table beside.
 
-Enters: a `Sketch`, the `Findings`, and how all moves by the table.  Leaves: `CheckPlan`.
+Enters: a `Sketch`, the `Findings`, and the motion by the table.  Leaves: `CheckPlan`.
 Used by `graph_check.py`, `readings.py` and `graph_words.py`.
 """
 
@@ -25,7 +25,7 @@ from coursework.system.frozen import frozen
 class CheckPlan:
     """The polygons of one row, and the velocities (m/s) from the pole to each image, as `drawn` and as `tabled`.
 
-    `specials` are the special points of links, by name: all lie on the sheet of the position.
+    `specials` are the special points of links by name; all of them lie on the sheet of the position.
     """
 
     polygons: Polygons
@@ -40,29 +40,29 @@ class CheckPlan:
         return self.polygons.found
 
     def has(self, start: str, end: str) -> bool:
-        """Return whether a vector between two images, "" for the pole, is drawn by itself."""
+        """Return whether the plan draws the vector from one image to another itself; `start` is "" for the pole."""
         here = (s for s in self.polygons.segments if s.plan == VELOCITY)
         return any((s.start, s.end) == (start or POLE, end) for s in here)
 
     def moves(self, name: str) -> bool:
-        """Return whether an image can be told from the pole."""
+        """Return whether the image of a point can be told from the pole."""
         return abs(self.drawn[name]) > SEEN * self.scale.longest
 
     @property
     def solved(self) -> set[str]:
-        """Return the points whose velocity no two lines gave."""
+        """Return the points whose image was computed, because no two lines of the plan meet in it."""
         return {one.point for one in self.steps if one.rule == "solved"}
 
 
 def plan_of(sketch: Sketch, findings: Findings, table: Kinematics) -> CheckPlan | None:
-    """Return the plan of a row, None where the geometry leaves something open; `table` holds one row."""
+    """Return the plan of a row, None if the geometry leaves a velocity open; `table` holds that one row."""
     links = [bar for bar in sketch.outline.bars if bar.corners]
     if findings.missing or any(bar.link not in findings.omegas for bar in links if len(bar.corners) > 1):
         return None
     sheet, taken = lay_out(sketch, findings), dict[tuple[str, ...], Centre]()
 
     def on_sheet(place: complex, ends: tuple[str, ...]) -> bool:
-        """Take a special point that has room beside all that is on the sheet."""
+        """Return whether a special point fits on the sheet beside all that is there; if so, keep it in `taken`."""
         wanted = {**taken, ends: Centre(place, ends)}
         tried = lay_out(sketch, replace(findings, specials={"".join(key): special for key, special in wanted.items()}))
         if fits := tried.near >= sheet.near and all(map(tried.holds, wanted.values())):
@@ -83,7 +83,7 @@ def _images(sketch: Sketch, drawn: Polygons) -> dict[str, complex]:
 
 
 def _constructed(sketch: Sketch, findings: Findings) -> Kinematics:
-    """Return how all moves by the construction; points that are no points of the file are carried by their links."""
+    """Return the motion as constructed; a point without a constructed velocity is carried by its link."""
     velocities = {**findings.velocities}
     places = {name: complex(at[sketch.row]) for name, at in sketch.poses.at.items()}
     for bar in sketch.outline.bars:

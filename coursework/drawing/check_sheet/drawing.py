@@ -1,7 +1,7 @@
 """The drawing of the graph-analytical check: mechanism, velocities, centres, true to scale, readable in black and white.
 
 Enters: a `Sketch` and the `Findings`.  Leaves: SVG text, the same on every run, one user unit = 1 mm, size in mm.
-Everything a file may name is escaped (`sheet.plain`).
+All names from a file are escaped (`sheet.plain`).
 Used by `graph_check.py`.
 """
 
@@ -27,21 +27,21 @@ from coursework.drawing.plans.foot import draw_foot
 from coursework.words.sentences import say
 
 VELOCITY = 'stroke="black" stroke-width="0.4"'
-READ = 1e4  # 1/m: a place is read off a drawing 1:1 to 0.1 mm
-FAR = 12.0  # mm of way that the name of a centre off the sheet rather takes than standing nearer to the arrow of another
-MISTAKEN = 8.0  # mm of way that any other name rather takes
-AT_LINK = 6.0  # mm: so far the sense of a rotation still stands at its link
-CLOSE = 0.05  # of the mechanism: a centre so near a point lies almost on it
-SHORTEST = 0.5  # mm: a shorter arrow is none
-SMALL = 4.0  # mm: beside a shorter arrow its name stands farther off
+READ = 1e4  # 1/m: off a drawing 1:1 a position is read to 0.1 mm
+FAR = 12.0  # mm of covered lines: price of a far centre's name where it could be taken for another's
+MISTAKEN = 8.0  # mm of covered lines: the same price for any other name
+AT_LINK = 6.0  # mm: a link's name with its rotation that stands farther off gets a thin line that leads to the link
+CLOSE = 0.05  # relative to the size of the mechanism: a centre this near to a point lies almost on it
+SHORTEST = 0.5  # mm: a shorter arrow is not drawn
+SMALL = 4.0  # mm: the name of a shorter arrow stands farther off
 
 
 def draw(
     sketch: Sketch, findings: Findings, row: int, time: float, written: Callable[[str], str] = str, *, blank: bool = False
 ) -> Drawing:
-    """Return `figure#graph-check`, one row (from 1) at a time (s); `written` puts its sentences into the language of a page.
+    """Return `figure#graph-check` of one `row` (from 1) at a `time` (s); `written` translates its sentences for a page.
 
-    A `blank` sheet has the mechanism and its driven velocity, and leaves the construction to the student.
+    A `blank` sheet shows only the mechanism and its driven velocity, and leaves the construction to the student.
     """
     layout = lay_out(sketch, findings)
     if blank:
@@ -56,7 +56,7 @@ def draw(
 
 
 def _seen(sketch: Sketch, findings: Findings) -> str:
-    """Return what to look at: a centre on a point that therefore hardly moves, or the fastest point."""
+    """Return a sentence on what to look at: a centre near a point, which therefore hardly moves, or else the fastest point."""
     size, places = sketch.pose.size, sketch.pose.positions
     points = {body.name: body.points for body in sketch.pose.bodies}
     for link, centre in findings.drawn.items():
@@ -69,7 +69,7 @@ def _seen(sketch: Sketch, findings: Findings) -> str:
 
 
 class _Drawing:
-    """One sheet being drawn, from what lies behind to what stands in front."""
+    """One sheet being drawn, from the background to the foreground."""
 
     def __init__(self, sketch: Sketch, findings: Findings, layout: Layout, written: Callable[[str], str]) -> None:
         self.sketch, self.findings, self.layout, self.written = sketch, findings, layout, written
@@ -80,7 +80,7 @@ class _Drawing:
         self.points = list(dict.fromkeys((*sketch.outline.names, *(name for body in sketch.pose.bodies for name in body.points))))
         self.letter = centre_letter(sketch)
         self.marks: list[tuple[Word, list[Place], Segment]] = []
-        self.far: list[tuple[Word, list[Place], list[Segment]]] = []  # of a centre off the sheet each arrow is named, one in full
+        self.far: list[tuple[Word, list[Place], list[Segment]]] = []  # centres off the sheet: each arrow is named, one in full
         self.middle = self.painter.middle
 
     def svg(self, title: str) -> str:
@@ -102,7 +102,7 @@ class _Drawing:
     # what was found
 
     def velocity(self, name: str) -> None:
-        """Draw the velocity of a point; one too short to be seen is written beside its point."""
+        """Draw the velocity of a point; if its arrow is too short to be seen, only write its value beside the point."""
         velocity = self.findings.velocities.get(name)
         if velocity is None or name in self.sketch.pose.fixed:
             return
@@ -117,13 +117,13 @@ class _Drawing:
         self.marks.append((("V", lowered_name(name), value), places if seen else places[:1], (tip - arrow / 2, tip)))
 
     def construction(self, centre: Centre) -> None:
-        """Draw the lines that lead from two points to a centre, or to where they leave the sheet."""
+        """Draw the lines that lead from two points to a centre, or to the border if it is off the sheet."""
         if centre.at is not None:
             for name in centre.lines:
                 self.sheet.line(self.at[name], self.layout.put(centre.at), AXIS)
 
     def cross(self, link: str, centre: Centre) -> None:
-        """Mark a centre with a cross and its name; a far one with arrows at the border and its coordinates."""
+        """Mark a centre with a cross and its name; if it is off the sheet, with arrows at the border and its coordinates."""
         if centre.at is None or not centre.lines:
             return
         layout = self.layout
@@ -175,7 +175,7 @@ class _Drawing:
                 self.sheet.label((short(bar.link), "", value), link_places(self.painter, bar), BOLD, turn=turning, owner=belongs)
 
     def foot(self, title: str) -> None:
-        """Draw the bar by which a print is checked, and say the scales."""
+        """Draw the bar for checking the scale of a print, and write the scales."""
         layout = self.layout
         moving = any(self.findings.velocities.values())
         speeds = say("drawing.speeds", speed=decimal(layout.speed)) if moving else ""

@@ -1,8 +1,8 @@
 """The graph-analytical check: one row drawn to scale, angular velocities by instantaneous centres, beside the table.
 
 Enters: velocity equations, the rows of a scheme and the exact rows.  Leaves: `GraphCheck`.  Computed on request only.
-From the row it takes the positions and the driven velocity, nothing else (`instant_centres.py`); the drawing is made when
-somebody looks at it (`drawing.py`).
+The check takes only the positions and the driven velocity from the row (`instant_centres.py`); the drawing is made when
+it is asked for (`drawing.py`).
 Used by `assigning/handout.py`, `quantities.py` and `scene_run.py`.
 """
 
@@ -45,10 +45,10 @@ GraphRow = tuple[str, float, float, float, str]
 class GraphCheck:
     """The check of one `row` (from 1) at `time` (s).
 
-    `rows` (name, measured, table value, measured - table, unit): angular velocities, speeds of joints, centres; nan where
-    the table has no such value.  `true` reads the same off the exact row: name -> (value, unit), nothing where there is none.
-    `notes` are sentences: how each centre was found, what the drawing does not determine, how far the row does not close.
-    `plan` is that of velocities, None where centres on the sheet give all.
+    `rows` (name, measured, table value, measured - table, unit): angular velocities, speeds of joints, centres; nan if the
+    table has no such value.  `true()` measures the same in the exact row: name -> (value, unit), empty without an exact row.
+    `notes` are sentences: how each centre was found, what the drawing does not determine, by how much links and rails are off.
+    `plan` is the plan of velocities, None if centres on the sheet give everything.
     """
 
     row: int
@@ -66,23 +66,23 @@ class GraphCheck:
 
     @property
     def exact(self) -> tuple[tuple[str, float, float, str], ...]:
-        """Return (name, exact value, table - exact, unit) of each: the scheme's error in that row."""
+        """Return (name, exact value, table - exact, unit) of each quantity: the error of the scheme in that row."""
         true = self.true()
         return tuple((name, true[name][0], table - true[name][0], unit) for name, _, table, _, unit in self.rows if name in true)
 
     @property
     def centres(self) -> dict[str, complex | None]:
-        """Return the centres that were constructed by link (m), None for a link that translates."""
+        """Return the constructed centres (m) by link, None for a link that translates."""
         return {name: centre.at for name, centre in self.findings.centres.items() if centre.lines}
 
     def drawing(self, written: Callable[[str], str] = str, *, blank: bool = False) -> Drawing:
-        """Return the drawing; `written` puts its sentences into the language of a page, `blank` leaves the construction out."""
+        """Return the drawing; `written` translates its sentences for a page, `blank` leaves the construction out."""
         from coursework.drawing.check_sheet.drawing import draw
 
         return draw(self.sketch, self.findings, self.row, self.time, written, blank=blank)
 
     def sheets(self, written: Callable[[str], str] = str, *, blank: bool = False) -> tuple[Drawing, ...]:
-        """Return all sheets: `figure#graph-check` and, where it is needed, `figure#check-plan`; none if nothing is read."""
+        """Return all sheets: `figure#graph-check` and, if needed, `figure#check-plan`; none if nothing can be read off."""
         if self.unread:
             return ()
         position = self.drawing(written, blank=blank)
@@ -99,7 +99,7 @@ class GraphCheck:
 
     @property
     def unread(self) -> str:
-        """Return why there is no sheet: nothing can be read off it; "" where something was."""
+        """Return a sentence on why nothing can be read off and there is no sheet, "" if something was read."""
         if any(self.findings.velocities.values()) and any(one.read is not None for one in self.readings):
             return ""
         return say("graph.unread", row=self.row, time=self.time, why=why_unread(self.sketch, self.findings, self.plan))
@@ -111,9 +111,9 @@ class GraphCheck:
 
 
 def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, exact: Motion) -> GraphCheck | None:
-    """Return the check of the variant's check row, None where the table ends before it.
+    """Return the check of the variant's check row, None if the table ends before it.
 
-    Raises `InputError` where the file lacks what a drawing needs.
+    Raises `InputError` if the file lacks what a drawing needs.
     """
     variant = equations.variant
     row = _required_row(variant, motion)
@@ -143,7 +143,7 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     readings = read_off(sketch, findings, layout, values, None)
     moves = any(findings.velocities.values())
     if moves and (findings.planned or any(one.computed and not one.rests for one in readings)):
-        # Where a plan is drawn at all, or a row would rest on no reading, it serves all links whose centre is off the sheet.
+        # If a plan is needed anyway, or a row would rest on no reading, the plan serves all links whose centre is off the sheet.
         seen = {name for name, centre in findings.drawn.items() if centre.at is None or not centre.lines or name in layout.near}
         far = tuple(body.name for body in sketch.pose.bodies if body.name in findings.drawn and body.name not in seen)
         findings = replace(findings, beyond=far)
@@ -159,14 +159,14 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
 def _plan(
     equations: VelocityEquations, motion: Motion, row: int, sketch: Sketch, findings: Findings
 ) -> CheckPlan | None:  # fmt: skip
-    """Return the plan of velocities of a row (from 0), drawn and by the table."""
+    """Return the plan of velocities of a row (from 0), as drawn and by the table."""
     only = slice(row, row + 1)
     here = replace(motion, t=motion.t[only], coordinates=motion.coordinates[only], velocities=motion.velocities[only])
     return plan_of(sketch, findings, kinematics_of(sketch.outline, equations, here, np.zeros_like(here.velocities)))
 
 
 def _required_row(variant: Variant, motion: Motion) -> int:
-    """Return the check row.  Raises `InputError` naming all that is missing."""
+    """Return the check row.  Raises `InputError` that names all that is missing."""
     wanted = (
         ("[points]", variant.points or variant.groups),
         ("[links]", variant.links or variant.groups),
@@ -181,13 +181,13 @@ def _required_row(variant: Variant, motion: Motion) -> int:
 
 
 def _refused(variant: Variant, message: Sentence) -> InputError:
-    """Return the fault at the line that asks for the check; asked for by the command line it stands in no line."""
+    """Return the error at the line that asks for the check; line 0 if the command line asked for it."""
     line = variant.nearest_line("ask", "quantities") if "graph_check" in variant.ask else 0
     return InputError([Fault(message, variant.file, line)])
 
 
 def _sought(sketch: Sketch, findings: Findings) -> list[Body]:
-    """Return the links whose angular velocity the drawing yields: no sliders, no driven cranks, each rate once."""
+    """Return the links whose angular velocity the drawing gives: no sliders, no driven cranks, one link for each rate."""
     named: dict[str, Body] = {}
     for body in sketch.pose.bodies:
         if body.name in findings.omegas and not body.guide and body.rate not in sketch.pose.rates:
@@ -196,7 +196,7 @@ def _sought(sketch: Sketch, findings: Findings) -> list[Body]:
 
 
 def _drawn_centres(sketch: Sketch, findings: Findings) -> dict[str, tuple[str, complex]]:
-    """Return the centres that had to be found, link -> (name, place in m)."""
+    """Return the centres that had to be constructed, link -> (name, position in m)."""
     letter = centre_letter(sketch)
     return {name: (letter + name, c.at) for name, c in findings.centres.items() if c.lines and c.at is not None}
 
@@ -215,7 +215,7 @@ def _measured(sketch: Sketch, findings: Findings) -> dict[str, tuple[float, str]
 def _tabled(
     equations: VelocityEquations, motion: Motion, row: int, sketch: Sketch, findings: Findings
 ) -> dict[str, float]:  # fmt: skip
-    """Return the same quantities from the table: its rates, the speeds and centres that follow from them."""
+    """Return the same quantities from the table: its rates, and the speeds and centres that follow from them."""
     names = list(sketch.moving)
     components = [part for name in names for part in equations.symbols.vectors[name]]
     only = slice(row, row + 1)

@@ -1,4 +1,4 @@
-"""What the graph-analytical check says in words: names, how each centre was found, how far the row does not close.
+"""What the graph-analytical check says in words: names, how each centre was found, by how much the row violates its lengths.
 
 Enters: a `Sketch` and the `Findings`.  Leaves: sentences.  Used by `graph_check.py`.
 """
@@ -17,36 +17,36 @@ from coursework.drawing.paper.symbols import LOWERED, lowered_name
 from coursework.drawing.plans.steps import crossing
 from coursework.words.sentences import joined, say
 
-# A link longer or shorter than at the start by less than this share of the mechanism is round-off, not drift.
+# Relative to the mechanism: a smaller change of a link's length since the start is round-off, not drift.
 RIGID = 1e-9
 
 
 def centre_letter(sketch: Sketch) -> str:
-    """Return the letter of instantaneous centres: P, or I where a point of the file is called P or like a centre."""
+    """Return the letter of instantaneous centres: P, or I if a point of the file is called P or has the name of a centre."""
     contacts = {contact for _, contact in sketch.wheels.values()}
     return letter_of_centres(sketch.pose.positions, contacts, [body.name for body in sketch.pose.bodies])
 
 
 def letter_of_centres(points: Collection[str], contacts: Collection[str], links: Iterable[str]) -> str:
-    """Return the same of points, those among them at which wheels roll, and links."""
+    """Return the letter of centres, given the points, those among them at which wheels roll, and the links."""
     taken = ("P" in points and "P" not in contacts) or any(f"P{link}" in points for link in links)
     return "I" if taken else "P"
 
 
 def _centre(body: Body, letter: str) -> str:
-    """Return how the centre of a link is called in a sentence: P₃."""
+    """Return the name of a link's centre in a sentence: P₃."""
     if body.name.isascii() and body.name.isdecimal():
         return letter + lowered(body.name)
     return say("drawing.centre", letter=letter, link=body.name)
 
 
 def lowered(digits: str) -> str:
-    """Return digits as they stand below a letter; other letters as they are."""
+    """Return text with its digits as subscripts; other characters stay as they are."""
     return digits.translate(LOWERED)
 
 
 def omega_name(body: Body) -> str:
-    """Return how the angular velocity of a link is called: ω₃ for the rate w3, else the name of its rate or link."""
+    """Return the name of a link's angular velocity: ω₃ for the rate w3, else the name of its rate or link."""
     short = re.fullmatch(r"(?:w|omega)_?(\d+)", body.rate or "")
     if short or (body.rate is None and body.name.isdecimal() and body.name.isascii()):
         digits = short[1] if short else body.name
@@ -55,7 +55,7 @@ def omega_name(body: Body) -> str:
 
 
 def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> list[str]:
-    """Return how each link was dealt with, in the order of the file."""
+    """Return sentences on how the velocity of each link was found, in the order of the file."""
     sentences: list[str] = []
     sleeves = {(slide.link, slide.rider) for slide in sketch.pose.slides}
     solved = plan.solved if plan is not None else set(sketch.pose.positions)
@@ -83,9 +83,9 @@ def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> lis
 
 
 def why_unread(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> str:
-    """Return why a drawing has nothing that could be read."""
+    """Return a sentence on why nothing can be read off a drawing."""
     if not any(findings.velocities.values()):
-        # Rates of driven lengths stand among the known ones, and no velocity of a point follows from such a rate alone.
+        # The known rates include those of driven lengths, and no velocity of a point follows from such a rate alone.
         return say("graph.unread_lengths" if any(sketch.pose.rates.values()) else "graph.unread_still")
     if findings.missing:
         return say("graph.unread_left")
@@ -113,7 +113,7 @@ def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], le
 
 
 def drift(sketch: Sketch) -> list[str]:
-    """Return which links and rails the row does not keep: there the drawing and the table differ by as much."""
+    """Return a sentence, in a list, on links and rails that the row violates, so that drawing and table differ; [] if none."""
     now, start = sketch.pose.positions, sketch.start
     allowed = RIGID * sketch.pose.size
     found = []

@@ -1,7 +1,7 @@
 """One position and the driven velocity -> instantaneous centres, angular velocities, velocities of points, as on paper.
 
 Enters: a `Pose` in SI, points and vectors as complex numbers x + iy.  Leaves: `Findings`.
-It knows positions and known velocities only, none of the velocity equations: that is what makes it a check of them.
+It uses only positions and known velocities, none of the velocity equations, so it is an independent check of them.
 Source: Ponomarev, coursework guide, graph-analytical check (mathematics.md section 3); Aronhold's construction link by link.
 Used by `check_plan.py`, `drawing.py`, `graph_check.py`, `graph_words.py`, `layout.py` and `readings.py`.
 """
@@ -17,17 +17,17 @@ from coursework.drawing.check_sheet.pose import Body, Pose
 from coursework.system.angles import cross, dot
 from coursework.system.frozen import changing, frozen
 
-# Sine of the angle below which two lines count as parallel: positions of an Euler row are good to 1e-15, so nothing
-# that is parallel by construction comes near it, and a centre 1e9 times farther than the mechanism is a translation.
+# Sine of the angle below which two lines count as parallel.  Positions of an Euler row are good to 1e-15, so lines that
+# are parallel by construction stay far below it, and a centre 1e9 times farther off than the mechanism is a translation.
 PARALLEL = 1e-9
-FAR = 100.0  # of the mechanism: a centre farther away than this is found on no paper, the link translates
+FAR = 100.0  # times the size of the mechanism: a centre farther away fits on no paper, so the link translates
 
 
 @frozen
 class Centre:
-    """An instantaneous centre: `at` (m), None = at infinity (translation); `lines` from these points lead to it.
+    """An instantaneous centre at `at` (m), None for one at infinity (translation); lines from the points `lines` lead to it.
 
-    `lines` is empty for a centre that is there without drawing: a hinge or a contact, named by `point`.
+    `lines` is empty for a centre that need not be constructed: a hinge or a contact, named by `point`.
     """
 
     at: complex | None
@@ -39,9 +39,9 @@ class Centre:
 class Findings:
     """What the drawing yields, by name: `centres` and `omegas` (rad/s) of links, `velocities` (m/s) of points.
 
-    `planned` are links that no centre gives: they follow from the plan of velocities, as do those `beyond`, whose centre is
-    off the sheet; `missing` those that the geometry does not determine.  `specials` are special points of links, by name,
-    which the plan of velocities needs.
+    Links in `planned` have no constructible centre, the centres of links in `beyond` are off the sheet: both follow from the
+    plan of velocities.  The geometry does not determine the links in `missing`.  `specials` are the special points of links,
+    by name, that the plan of velocities needs.
     """
 
     centres: Mapping[str, Centre]
@@ -54,7 +54,7 @@ class Findings:
 
     @property
     def drawn(self) -> dict[str, Centre]:
-        """Return the centres that are drawn: those that were found without a plan."""
+        """Return the centres that are drawn: those found without a plan."""
         return {name: centre for name, centre in self.centres.items() if name not in self.planned}
 
 
@@ -72,14 +72,14 @@ def construct(pose: Pose) -> Findings:
         body.name
         for body in pose.bodies
         if (body.name not in paper.omegas and len(body.points) > 1) or not paper.velocities.keys() >= {*body.points}
-    )  # that a block turns is asked by nobody
+    )  # nobody asks for the rotation of a block, which has one point
     centres = {name: paper.within_reach(centre) for name, centre in paper.centres.items()}
     return Findings(centres, paper.omegas, paper.velocities, missing, planned)
 
 
 @changing
 class _Paper:
-    """What is on the paper so far; every step adds to it and takes nothing away."""
+    """What is on the paper so far; every step adds to it and removes nothing."""
 
     pose: Pose
     centres: dict[str, Centre] = field(default_factory=dict)
@@ -97,7 +97,7 @@ class _Paper:
             self._move(name, velocity)
 
     def draw(self) -> None:
-        """Draw on until nothing new is found."""
+        """Repeat the constructions until nothing new is found."""
         known = -1
         while known != (known := self.known()):
             for body in self.pose.bodies:
@@ -106,11 +106,11 @@ class _Paper:
                 self.carry_on(body)
 
     def finished(self, body: Body) -> bool:
-        """Return whether the rotation of a link and the velocities of its points are known."""
+        """Return whether the angular velocity of a link and the velocities of all its points are known."""
         return body.name in self.omegas and all(name in self.velocities for name in body.points)
 
     def take(self, velocities: Mapping[str, complex], omegas: Mapping[str, float]) -> None:
-        """Write down what was solved elsewhere."""
+        """Write down velocities and angular velocities that were solved elsewhere."""
         for name, velocity in velocities.items():
             self._move(name, velocity)
         for body in self.pose.bodies:
@@ -120,7 +120,7 @@ class _Paper:
                     self.rates.setdefault(body.rate, omegas[body.name])
 
     def within_reach(self, centre: Centre) -> Centre:
-        """Return a centre, at infinity where it is too far to be told from that."""
+        """Return the centre, at infinity if it is too far away to be found on paper."""
         if centre.at is None or not centre.lines or abs(centre.at - self._at(centre.lines[0])) <= FAR * self.pose.size:
             return centre
         return Centre(None, centre.lines)
@@ -129,7 +129,7 @@ class _Paper:
         return len(self.centres) + len(self.omegas) + len(self.velocities) + len(self.directions)
 
     def _move(self, name: str, velocity: complex) -> None:
-        """Write a velocity down; what is known already stays."""
+        """Write down the velocity of a point unless it is already known."""
         if name not in self.velocities:
             self.velocities[name] = velocity
             if velocity:
@@ -139,7 +139,7 @@ class _Paper:
         return self.pose.positions[name]
 
     def find_centre(self, body: Body) -> None:
-        """Find the centre: a point at rest, or where the perpendiculars to two known directions meet."""
+        """Find the centre: a point at rest, or the intersection of the perpendiculars to two known directions."""
         if body.name in self.centres:
             return
         if body.guide:
@@ -151,7 +151,7 @@ class _Paper:
             self.centres[body.name] = centre
 
     def _by_rate(self, body: Body) -> Centre | None:
-        """Return the centre of a link that turns at a known rate about a point with known velocity."""
+        """Return the centre of a link from its known rate and the known velocity of a point, None if either is unknown."""
         moving = [name for name in body.points if name in self.velocities]
         omega = self.rates.get(body.rate or "")
         if omega is None or not moving:
@@ -160,7 +160,7 @@ class _Paper:
 
     def _by_directions(self, body: Body) -> Centre | None:
         ways = {name: self.directions[name] for name in body.points if name in self.directions}
-        for slide in self.pose.slides:  # the point of the bar in a sleeve that stands moves along the bar
+        for slide in self.pose.slides:  # the point of a bar inside a sleeve at rest moves along the bar
             if slide.link == body.name and self.velocities.get(slide.rider) == 0:
                 ways[slide.rider] = slide.along
         pairs = list(itertools.combinations(ways, 2))
@@ -175,7 +175,7 @@ class _Paper:
         return None
 
     def _by_proportion(self, body: Body) -> Centre | None:
-        """Return the centre on the common perpendicular of two parallel known velocities."""
+        """Return the centre on the common perpendicular of two parallel known velocities, None if there are none."""
         moving = [name for name in body.points if name in self.velocities]
         for a, b in itertools.combinations(moving, 2):
             gap = self.velocities[a] - self.velocities[b]
@@ -210,12 +210,12 @@ class _Paper:
         return 0.0 if point and point not in self.pose.fixed and self._held(body, centre) else None
 
     def _held(self, body: Body, centre: complex) -> bool:
-        """Return whether another point may not move across its arm: with the driven point at rest, so is the link."""
+        """Return whether a point's known direction is not across its arm: then a link whose driven point rests does not turn."""
         arms = ((self._at(name) - centre, self.directions[name]) for name in body.points if name in self.directions)
         return any(abs(dot(arm, along)) > PARALLEL * abs(arm) for arm, along in arms)
 
     def carry_on(self, body: Body) -> None:
-        """Write down what the link now says about its points: the direction, and with ω the velocity."""
+        """Write down what the link now determines of its points: the direction and, if ω is known, the velocity."""
         if body.name not in self.centres:
             return
         at = self.centres[body.name].at

@@ -1,7 +1,7 @@
-"""How a mechanism lies on the page: scale from the row of drawing standards, scale of the velocities, page upright or lying.
+"""How a mechanism lies on the page: scale from the series of drawing standards, scale of velocities, upright or landscape.
 
 Enters: a `Sketch` and the `Findings`.  Leaves: `Layout`.  Used by `drawing.py` and `check_plan.py`.
-Source of the row: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...); the coursework of 1995 asks for 1:10.
+Source of the series: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...); the coursework of 1995 asks for 1:10.
 """
 
 from __future__ import annotations
@@ -17,20 +17,20 @@ from coursework.drawing.plans.foot import FOOT
 from coursework.system.frozen import frozen
 
 PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
-LANDSCAPE = (257.0, 138.0)  # mm: the same page lying, with room for heading and caption
+LANDSCAPE = (257.0, 138.0)  # mm: the same page in landscape, with room for heading and caption
 EDGE = 3.0  # mm
-SHALLOW = 100.0  # mm: a lower drawing leaves half a lying page empty, and most of the page before it
-COARSER = 2.0  # so many times smaller it may be drawn to stand among the text instead
+SHALLOW = 100.0  # mm: a lower drawing leaves half of a landscape page empty, and most of the page before it
+COARSER = 2.0  # an upright drawing among the text may be this many times smaller instead
 SCALES = tuple(sorted(m * 10.0**k for k in range(-2, 9) for m in (1.0, 2.0, 2.5, 4.0, 5.0)))
-ARROWS = (45.0, 30.0, 20.0)  # mm: the longest velocity is at most as long
-ROOM = {"point": 8.0, "hinge": 11.0, "tip": 6.0, "rim": 3.0}  # mm around, for symbols and labels
+ARROWS = (45.0, 30.0, 20.0)  # mm: limits of the longest velocity; the first that fits is taken
+ROOM = {"point": 8.0, "hinge": 11.0, "tip": 6.0, "rim": 3.0}  # mm around each such place, for symbols and labels
 CENTRE_ROOM = 6.0
 CROSS = 1.5  # mm: the arms of the cross that marks a centre
 
 
 @frozen
 class Layout(Board):
-    """A board with `speed` m/s per mm, `wide` on a lying page; `near` are the links whose centre lies on the sheet."""
+    """A board with `speed` m/s per mm of a velocity; `wide`: landscape; `near`: the links whose centre lies on the sheet."""
 
     speed: float
     wide: bool
@@ -42,7 +42,7 @@ class Layout(Board):
 
     @property
     def field(self) -> Rectangle:
-        """Return left, top, right, bottom of the room for the drawing."""
+        """Return left, top, right and bottom (mm) of the room for the drawing."""
         return (EDGE, EDGE, self.width - EDGE, self.height - FOOT)
 
     def holds(self, centre: Centre) -> bool:
@@ -53,15 +53,15 @@ class Layout(Board):
         return left + CROSS <= at.real <= right - CROSS and top + CROSS <= at.imag <= bottom - CROSS
 
     def has(self, specials: Mapping[str, Centre]) -> int:
-        """Return how many special points lie on the sheet."""
+        """Return how many of the special points lie on the sheet."""
         return sum(self.holds(special) for special in specials.values())
 
 
 def lay_out(sketch: Sketch, findings: Findings) -> Layout:
-    """Return the layout with the largest scale at which links and velocities fit; of two ways, that with more centres.
+    """Return the layout with the largest scale at which links and velocities fit, on the page that shows more centres.
 
-    A lying page that would stay half empty is worth no more than an upright one on which all is drawn a little smaller.
-    Where nothing fits (a mechanism of many kilometres) the smallest scale is taken.
+    If a landscape page would stay half empty, an upright one on which all is drawn somewhat smaller is preferred.
+    If nothing fits (a mechanism of many kilometres), the smallest scale is taken.
     """
     shallow: Layout | None = None
     for scale in _possible(sketch) if sketch.pose.size > 0 else (1.0,):
@@ -81,7 +81,7 @@ def lay_out(sketch: Sketch, findings: Findings) -> Layout:
 
 
 def _possible(sketch: Sketch) -> Iterator[float]:
-    """Yield the scales at which the points alone would not already be longer than the longer side of a page."""
+    """Yield the scales at which the points alone are not already longer than the longer side of a page."""
     places = [sketch.pose.positions[name] * 1000 for name in _points(sketch)]
     extent = max((max(way) - min(way) for way in zip(*((z.real, z.imag) for z in places), strict=True)), default=0.0)
     return (scale for scale in SCALES if extent <= max(PAGE + LANDSCAPE) * scale)
@@ -109,7 +109,7 @@ def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide:
     middle = complex(left + right, low + high) / 2
     drawn = [centre.at * mm for centre in findings.drawn.values() if centre.at is not None and centre.lines]
     specials = [special.at * mm for special in findings.specials.values() if special.at is not None]
-    # The nearest first: a far one must not take the room of those that fit.
+    # The nearest first: a far centre must not take the room of those that fit.
     for at in (*sorted(drawn, key=lambda at: abs(at - middle)), *specials):
         if fits([*circles, (at, CENTRE_ROOM)]):
             circles.append((at, CENTRE_ROOM))
@@ -117,12 +117,12 @@ def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide:
     width = max(PAGE[0], right - left + 2 * EDGE)
     origin = complex((width - right - left) / 2, EDGE + high)
     sheet = Layout(scale, width, high - low + EDGE + FOOT, origin, speed, wide, frozenset())
-    # One whose name has little room may lie on the sheet all the same.
+    # A centre with too little room for its name may still lie on the sheet.
     return replace(sheet, near=frozenset(name for name, centre in findings.drawn.items() if sheet.holds(centre)))
 
 
 def _needed(sketch: Sketch, findings: Findings, mm: float, speed: float) -> Iterator[Circle]:
-    """Yield what must be on the sheet (mm, y up)."""
+    """Yield circles (middle and radius in mm, y up) of what must be on the sheet."""
     positions = sketch.pose.positions
     for name in _points(sketch):
         yield positions[name] * mm, ROOM["hinge" if name in sketch.hinges else "point"]

@@ -1,4 +1,4 @@
-"""One position of a mechanism with what is known of its velocities, before anything is constructed.
+"""One position of a mechanism with its known velocities, before anything is constructed.
 
 Enters: numbers from `sketch.py`.  Leaves: `Pose`, points and vectors as complex numbers x + iy in SI.
 Used by `instant_centres.py`, `by_plan.py`, `sketch.py`, `graph_words.py` and `graph_check.py`.
@@ -14,7 +14,7 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Body:
-    """A rigid link: its material points, the name of its rate; `guide` the unit direction in which a slider translates."""
+    """A rigid link: its material points and the name of its rate; `guide` is the unit direction in which a slider translates."""
 
     name: str
     points: tuple[str, ...]
@@ -24,9 +24,9 @@ class Body:
 
 @frozen
 class Slide:
-    """A point `rider` slides on a link in a unit direction; the `block` there, "" for a bare pin, turns with the link.
+    """A point `rider` slides on a link in the unit direction `along`; the `block` there ("" for a bare pin) turns with the link.
 
-    `speed` (m/s) is that along the link where it is driven.
+    `speed` (m/s) is the sliding speed along the link if it is driven, else None.
     """
 
     rider: str
@@ -40,9 +40,9 @@ class Slide:
 class Pose:
     """One position (m).
 
-    `fixed` points are at rest (hinges of the frame, contacts that roll on it); `guided` points move along a unit
-    direction; `velocities` (m/s) of driven points and `rates` (rad/s) of driven links are known.  `slides` are the guides
-    that move: in a slotted lever, or of a bar in a sleeve.
+    `fixed` points are at rest (hinges of the frame, contacts that roll on it); `guided` points move along a unit direction.
+    `velocities` (m/s) of driven points and `rates` (rad/s) of driven links are known.  `slides` are the guides that move:
+    slots of levers, and sleeves in which a bar slides.
     """
 
     positions: Mapping[str, complex]

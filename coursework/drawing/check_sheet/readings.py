@@ -1,4 +1,4 @@
-"""What a student reads off the drawing: lengths to half a millimetre, and what follows from them by one relation each.
+"""What a student reads off the drawing: lengths to half a millimetre, and the value that follows from each by one relation.
 
 Enters: a `Sketch`, the `Findings`, the layout of the sheet, the plan of velocities, the values of the table.
 Leaves: `Reading`s, in order of working.
@@ -29,11 +29,11 @@ from coursework.words.sentences import say
 class Reading:
     """One quantity of the check.
 
-    `name` is ω₃ or V_C, a magnitude in `unit`; `length` the distance it needs, `read` that distance in mm of paper, None where
-    it is given, not needed or off the sheet: then it is `computed` (mm), to as much as is read; `relation` how it follows;
-    `found` its value from what was read, `table` that of the table (nan where it has none); `explained` is the part of the
-    value that half the last digit of every length that leads to it can change, at the worst: the parts of all added up.
-    `rests` says whether any of them was read; `images` are the small letters in a length of the plan.
+    `name` is ω₃ or V_C, a magnitude in `unit`; `length` names the distance that it needs, `read` is that distance in mm of paper.
+    `read` is None if the distance is given, not needed or off the sheet; off the sheet it is `computed` (mm), to as many digits.
+    `relation` says how the value follows, `found` is the value, `table` that of the table (nan if none).  `explained` is the
+    relative error that half the last digit of every length used can cause at worst: the sum of their relative errors.
+    `rests` says whether any of them was read; `images` are the small letters of a length in the plan.
     """
 
     name: str
@@ -50,14 +50,14 @@ class Reading:
 
     @property
     def difference(self) -> float:
-        """Return how much the drawing is above the table, as a part of the table."""
+        """Return (drawing - table) / table, nan if the table has 0."""
         return (self.found - self.table) / self.table if self.table else float("nan")
 
 
 def read_off(
     sketch: Sketch, findings: Findings, layout: Layout, table: Mapping[str, float], plan: CheckPlan | None
 ) -> tuple[Reading, ...]:  # fmt: skip
-    """Return the readings of a sheet and of its plan; `table` name -> value, signs aside."""
+    """Return the readings of a sheet and of its plan; `table` maps names to magnitudes."""
     ruler = _Ruler(sketch, findings, layout, {**table}, plan)
     ruler.work()
     return tuple(ruler.readings)
@@ -65,7 +65,7 @@ def read_off(
 
 @frozen
 class _Length:
-    """A length (m) as it enters a relation: `read` mm of paper, `computed` mm, or neither where it is given."""
+    """A length (m) in a relation: `read` or `computed` in mm of paper; both are None if it is given."""
 
     name: str
     metres: float
@@ -75,7 +75,7 @@ class _Length:
 
     @property
     def part(self) -> float:
-        """Return the part of the length that half the last digit is."""
+        """Return half the last digit as a part of the length, 0 if the length is given."""
         paper = self.computed if self.read is None else self.read
         return 0.0 if paper is None else unsure(paper)
 
@@ -84,7 +84,7 @@ NO_LENGTH = _Length("", 0.0)
 
 
 def unsure(length: float) -> float:
-    """Return the part of a length read (mm) that half the last digit is; all of it, where nothing can be told from nought.
+    """Return half the last digit as a part of a length read (mm), at most 1; it is 1 if the length reads 0.
 
     >>> unsure(5.0), unsure(0.0)
     (0.05, 1.0)
@@ -94,7 +94,7 @@ def unsure(length: float) -> float:
 
 @changing
 class _Ruler:
-    """The working: speeds and angular velocities known so far, as read, and the `parts` of them that are unsure."""
+    """The working: the speeds and angular velocities found so far from readings, and `parts`, their relative errors."""
 
     sketch: Sketch
     findings: Findings
@@ -104,12 +104,12 @@ class _Ruler:
     speeds: dict[str, float] = field(default_factory=dict)
     omegas: dict[str, float] = field(default_factory=dict)
     parts: dict[str, float] = field(default_factory=dict)
-    resting: set[str] = field(default_factory=set)  # names of what rests on a reading
+    resting: set[str] = field(default_factory=set)  # names of the values that rest on a reading
     images: dict[str, list[str]] = field(default_factory=dict)
     readings: list[Reading] = field(default_factory=list)
 
     def work(self) -> None:
-        """Go from link to link by centres, and from image to image where the plan is needed."""
+        """Work link by link by centres, and image by image if a plan is needed."""
         pose = self.sketch.pose
         self.speeds.update((name, abs(velocity)) for name, velocity in pose.velocities.items())
         self.omegas.update((b.name, abs(pose.rates[b.rate])) for b in pose.bodies if b.rate and b.rate in pose.rates)
@@ -127,23 +127,23 @@ class _Ruler:
 
     @property
     def by_plan(self) -> tuple[str, ...]:
-        """Return the links that are worked by the plan."""
+        """Return the links whose velocities come from the plan."""
         return (*self.findings.planned, *self.findings.beyond)
 
     # by instantaneous centres
 
     def ready(self, body: Body) -> bool:
-        """Return whether a link can be worked: its centre is there and it or a point of it has a known velocity."""
+        """Return whether a link can be worked: its centre is known, and so is its rotation or the speed of one of its points."""
         if body.name in self.by_plan or body.name not in self.findings.centres:
             return False
         return body.name in self.omegas or bool(self.carrier(body)) or not self.asked(body)
 
     def asked(self, body: Body) -> bool:
-        """Return whether a link has anything to be found."""
+        """Return whether the angular velocity of a link is to be found: it is no slider and has several points."""
         return not body.guide and len(body.points) > 1
 
     def carrier(self, body: Body) -> str:
-        """Return the point with a known speed that lies farthest from the centre, "" where none is apart from it."""
+        """Return the point with a known speed that is farthest from the centre, "" if there is none or it lies on the centre."""
         centre = self.findings.centres[body.name]
         apart = {name: self.arm(centre, name) for name in body.points if name in self.speeds}
         farthest = max(apart, key=lambda name: apart[name], default="")
@@ -153,7 +153,7 @@ class _Ruler:
         return 0.0 if centre.at is None else abs(self.sketch.pose.positions[name] - centre.at)
 
     def to_centre(self, body: Body, name: str) -> _Length:
-        """Return a distance from a centre: given where that is a point of the file, computed where it lies off the sheet."""
+        """Return the distance of a point from the centre: given if the centre is named, computed if it is off the sheet."""
         centre = self.findings.centres[body.name]
         called = f"{centre.point or centre_letter(self.sketch) + lowered(body.name)}{name}"
         if centre.point:
@@ -161,7 +161,7 @@ class _Ruler:
         return self.measured(called, self.arm(centre, name), body.name in self.layout.near)
 
     def measured(self, called: str, metres: float, on_sheet: bool = True) -> _Length:
-        """Return a length as the ruler gives it on the sheet, computed to as much where it runs off the sheet."""
+        """Return a length as a ruler reads it on the sheet, or computed and rounded in the same way if it runs off the sheet."""
         paper = read_length(metres * 1000 / self.layout.scale)
         metres = paper * self.layout.scale / 1000
         return _Length(called, metres, paper) if on_sheet else _Length(called, metres, computed=paper)
@@ -187,13 +187,13 @@ class _Ruler:
                 self.carry(body, self.to_centre(body, name), name)
 
     def turn(self, body: Body, length: _Length, known: str) -> None:
-        """Write down the angular velocity of a link from the speed of a point and its distance from what is at rest."""
+        """Write down a link's angular velocity from the speed of the point `known` and its distance from a point at rest."""
         relation = say("drawing.read.omega", point=known.replace("'", "′"), length=length.name)
         found = self.speeds[known] / length.metres
         self.omega(body, length, relation, found, self.parts.get(f"V_{known}", 0.0) + length.part, f"V_{known}")
 
     def carry(self, body: Body, length: _Length, name: str) -> None:
-        """Write down the speed of a point from the angular velocity of its link and its distance from what is at rest."""
+        """Write down the speed of a point from the angular velocity of its link and its distance from a point at rest."""
         relation = say("drawing.read.speed", omega=omega_name(body), length=length.name)
         part = self.parts.get(omega_name(body), 0.0) + length.part
         self.speed(name, length, relation, self.omegas[body.name] * length.metres, part, omega_name(body))
@@ -201,7 +201,7 @@ class _Ruler:
     # by the plan of velocities
 
     def step(self, one: Found) -> None:
-        """Read what one step of the plan gives: a velocity, the sliding beside it, and the links that now turn as known."""
+        """Read what one step of the plan gives: a velocity, the sliding velocity beside it, and rotations that follow now."""
         point, fixed = one.point, self.sketch.pose.fixed
         if one.rule in {"rolls", "meshes"}:
             return
@@ -251,13 +251,13 @@ class _Ruler:
         return called
 
     def rotation(self, body: Body, start: str, end: str) -> None:
-        """Find how a link turns from the velocity of one of its points, about a pivot or about another point."""
+        """Find the rotation of a link from the velocity of its point `end`, about a pivot or relative to the point `start`."""
         length = self.between(body, start, end)
         if length.metres:
             self.turn(body, length, end if start in self.sketch.pose.fixed else self.vector(start, end))
 
     def between(self, body: Body, start: str, end: str) -> _Length:
-        """Return the distance of two points of a link, given or, to the point under what slides, read."""
+        """Return the distance of two points of a link: given, or read if one is the point of a guide under its slider."""
         at = self.sketch.pose.positions
         apart = abs(at[end.rstrip("'")] - at[start.rstrip("'")])
         given = start in body.points and end in body.points
@@ -265,7 +265,7 @@ class _Ruler:
         return _Length(called, apart) if given else self.measured(called, apart)
 
     def planned(self, body: Body) -> None:
-        """Take a link as it follows from all links together."""
+        """Take the velocities of a link that only all links together determine, without a reading."""
         if self.asked(body) and body.name not in self.omegas:
             self.omega(body, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.omegas[body.name]), 0.0)
         for name in body.points:
@@ -275,14 +275,14 @@ class _Ruler:
     # what is written down
 
     def omega(self, body: Body, length: _Length, relation: Sentence, found: float, part: float, known: str = "") -> None:
-        """Write an angular velocity down, from what is `known`."""
+        """Write down an angular velocity, found from the value named `known`."""
         name = omega_name(body)
         self.omegas[body.name] = found
         if all(one.name != name for one in self.readings):
             self.note(name, length, relation, found, "rad/s", part, known)
 
     def speed(self, point: str, length: _Length, relation: Sentence, found: float, part: float, known: str = "") -> None:
-        """Write a speed down; that of a contact is none of the check's."""
+        """Write down a speed; it becomes a reading unless the point is at rest or a contact."""
         self.speeds[point] = found
         shown = point in self.sketch.moving or all(point not in body.points for body in self.sketch.pose.bodies)
         self.note(f"V_{point}", length, relation, found, "m/s", part, known, shown=shown)

@@ -1,8 +1,8 @@
 """One row of a motion -> what stands on the paper before anything is constructed.
 
 Enters: a mechanism, its velocity equations and a row.  Leaves: `Sketch`.
-Used by `graph_check.py`.  What slides or rolls where is told by the outline, which goes by names: a point that merely happens
-to lie on a rail slides on nothing.
+Used by `graph_check.py`.  The outline says by name what slides or rolls where: a point that merely happens to lie on a rail
+is no slider.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
-# A contact touches what it touches at the start, where positions are exact but for rounded data of a task sheet.
+# Relative to the mechanism: a contact this near to a rail or circle at the start touches it; task sheets have rounded data.
 INCIDENT = 1e-6
-# Below this cosine one component of a driven velocity says nothing about the speed along a rail.
+# Below this cosine between rail and axis, that component of a driven velocity does not give the speed along the rail.
 STEEP = 1e-6
-ROUND_OFF = 1e-12  # of the largest value of a law
+ROUND_OFF = 1e-12  # relative to the largest value of a law
 
 
 @frozen
 class Sketch:
     """The position: `pose` for the construction, and what only the drawing needs.
 
-    `off_rails` and `off_tracks` are points that slide or roll on what is fixed, with how far they have left it (m).
-    `start` holds the positions of row 1; `wheels` link -> (centre, contact); `racks` link -> contact with its gear;
-    `moving` the points of links, contacts apart, that are not at rest; `outline`, `poses` and `row` (from 0) are what is painted.
+    `off_rails` and `off_tracks` are points that slide or roll on fixed guides, with their distance from these (m).
+    `start` holds the positions of row 1; `wheels` maps link -> (centre, contact); `racks` maps link -> contact with its gear;
+    `moving` are the points of links, without contacts, that are not at rest; `outline`, `poses` and `row` (from 0) are painted.
     """
 
     pose: Pose
@@ -57,7 +57,7 @@ class Sketch:
 
 
 def read_sketch(outline: Outline, equations: VelocityEquations, lengths: DrivenLengths) -> Callable[[Motion, int], Sketch]:
-    """Return `read(motion, row)` (row from 0), compiled once for every row; `lengths` are those that are driven."""
+    """Return `read(motion, row)` (row from 0), compiled once for all rows; `lengths` are the driven lengths."""
     variant, posed = equations.variant, read_poses(outline, equations)
     pushed = [name for name in given_points(outline, variant) if name not in outline.driven]
     components = [part for name in pushed for part in equations.symbols.vectors[name]]
@@ -96,7 +96,7 @@ def _sketch(
     fixed = frozenset({*hinges, *resting})
     driven_racks = {rack.link: rack.contact for rack in racks(outline, poses.pose(0)) if rack.contact not in resting}
     moving = dict.fromkeys(name for body in bodies for name in body.points if name not in fixed | contacts)
-    carried = {block.link for block in outline.blocks if block.open}  # on links that move: these turn with them
+    carried = {block.link for block in outline.blocks if block.open}  # blocks on moving links: they turn with these links
     bodies = [
         replace(body, guide=guided[body.points[0]]) if _is_slider(body, guided) and body.name not in carried else body
         for body in bodies
@@ -119,13 +119,13 @@ def _sketch(
 
 
 def _body(bar: Bar, wheels: Mapping[str, tuple[str, str]]) -> Body:
-    """Return a bar as a rigid link with its named points, of a wheel its contact as well."""
+    """Return a bar as a rigid link with its named points; a wheel also has its contact."""
     points = dict.fromkeys(name for name in (*bar.corners, *wheels.get(bar.link, ())) if not name.startswith("~"))
     return Body(bar.link, tuple(points), bar.rate or None)
 
 
 def _slides(outline: Outline, poses: Poses, row: int, speeds: Mapping[tuple[str, str], float]) -> Iterator[Slide]:
-    """Yield what slides on a link that moves, with the block that turns as the link does."""
+    """Yield the slides on links that move, each with the block that turns with the link."""
     blocks = {(block.at, block.base, block.toward): block.link for block in outline.blocks if block.open}
     for slot in outline.slots:
         for rider in slot.riders:
@@ -135,7 +135,7 @@ def _slides(outline: Outline, poses: Poses, row: int, speeds: Mapping[tuple[str,
 
 
 def _off_tracks(outline: Outline, poses: Poses, row: int, near: float) -> Iterator[tuple[str, float]]:
-    """Yield the contacts that lie on a fixed circle in row 1, with how far they have left it (m)."""
+    """Yield the contacts that lie on a fixed circle in row 1, with their distance (m) from it in `row`."""
     for track in outline.tracks:
         for wheel in outline.wheels:
             first, off = (
@@ -148,18 +148,18 @@ def _off_tracks(outline: Outline, poses: Poses, row: int, near: float) -> Iterat
 
 
 def _seen(values: Array, row: int) -> float:
-    """Return what a law says in a row, nought where that is round-off: a drive that turns round stands still."""
+    """Return the value of a law in a row, 0 if it is only round-off, as when a drive reverses."""
     value = float(values[row])
     return value if abs(value) > ROUND_OFF * float(np.max(np.abs(values))) else 0.0
 
 
 def _is_slider(body: Body, guided: Mapping[str, complex]) -> bool:
-    """Return whether a link is a block or rack: one point, in a straight guide, and no rate because it does not turn."""
+    """Return whether a link is a block or rack: it has one point, on a straight guide, and no rate because it does not turn."""
     return body.rate is None and len(body.points) == 1 and body.points[0] in guided
 
 
 def _driven(name: str, drive: Mapping[str, float], guided: Mapping[str, complex]) -> complex | None:
-    """Return the velocity a drive gives to a point: both components, or one along its rail."""
+    """Return the velocity that a drive gives to a point: both components, or one along its rail; None if there is none."""
     x, y = drive.get(f"V{name}x"), drive.get(f"V{name}y")
     if x is not None and y is not None:
         return complex(x, y)

@@ -20,7 +20,7 @@ from coursework.variant.formula.tree import named
 
 @frozen
 class Reading:
-    """A force in N: `computed`, and `read` off its polygon, `mm` to half a mm at a scale of `unit` N a mm."""
+    """A force in N: `computed`, and `read` off its polygon, where it is `mm` long (to half a mm), with `unit` N per mm."""
 
     name: str
     computed: float
@@ -35,7 +35,7 @@ class Reading:
 
 @frozen
 class ForcePlans:
-    """`plans` of the groups, the last first; `levers` of the drives; `row` (from 0) is the one on paper."""
+    """`plans` of the groups, the last group first; `levers` of the drives; `row` (from 0) is the one on paper."""
 
     analysis: ForceAnalysis
     row: int
@@ -43,7 +43,7 @@ class ForcePlans:
     levers: tuple[Lever, ...]
 
     def readings(self) -> list[Reading]:
-        """Return what is found by each polygon, as computed and as read."""
+        """Return the forces that each polygon gives, as computed and as read."""
         found = []
         for plan in self.plans:
             unit = scale_of(plan, self.row)
@@ -54,7 +54,7 @@ class ForcePlans:
         return found
 
     def group_drawing(self, number: int, written: Callable[[str], str]) -> Drawing:
-        """Return a group (from 0) with its forces and their polygon."""
+        """Return the drawing of a group (from 0) with its forces and their polygon."""
         rows, plan = self.analysis.rows, self.plans[number]
         links = []
         for body in plan.bodies:
@@ -64,12 +64,12 @@ class ForcePlans:
         return draw_group(plan, figure, number + 1, written)
 
     def lever_drawings(self, written: Callable[[str], str]) -> list[Drawing]:
-        """Return the lever of each drive."""
+        """Return the drawing of the lever of each drive."""
         time = float(self.analysis.rows.motion.t[self.row])
         return [draw_lever(lever, self.row, time, written) for lever in self.levers]
 
     def rows(self) -> Iterator[tuple[object, ...]]:
-        """Yield the lines of `polygons.csv`, row by row: the sides of each polygon; SI."""
+        """Yield the lines of `polygons.csv`, row by row: the sides of each polygon (SI)."""
         for row, t in enumerate(self.analysis.rows.motion.t.tolist()):
             for plan in self.plans:
                 group = "-".join(plan.bodies)
@@ -79,5 +79,5 @@ class ForcePlans:
 
 
 def make_force_plans(analysis: ForceAnalysis, row: int) -> ForcePlans:
-    """Return the plans of forces; `row` (from 0) goes on paper."""
+    """Return the plans of forces; `row` (from 0) is the one drawn on paper."""
     return ForcePlans(analysis, row, group_plans(analysis), levers_of(analysis, row))

@@ -1,4 +1,4 @@
-"""One group on paper: the group to its scale with the forces on it, and beside it the polygon of these forces to theirs.
+"""One group on paper: the group to its scale with the forces on it, beside it the polygon of these forces to a scale of forces.
 
 Enters: a `GroupPlan` and a row.  Leaves: `Drawing`.
 Used by `force_plans.py`.
@@ -19,9 +19,9 @@ from coursework.drawing.plans.plan_scale import LONGEST
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
-ARROW = 13.0  # mm of a force beside the group: there its direction counts, in the polygon its size
-HIGHEST, LEFT_PART = 70.0, 74.0  # mm
-SHORT = 0.4  # mm: what is shorter is not drawn
+ARROW = 13.0  # mm of a force at the group: it shows only the direction; the polygon shows the size
+HIGHEST, LEFT_PART = 70.0, 74.0  # mm: height and width of the group on the sheet
+SHORT = 0.4  # mm: shorter lines are not drawn
 GIVEN = 'stroke="black" stroke-width="0.45"'
 PENS = {KNOWN: GIVEN, DIRECTION: 'stroke="black" stroke-width="0.3"', FOUND: 'stroke="black" stroke-width="0.3"'}
 LINK = 'stroke="black" stroke-width="0.7" fill="none"'
@@ -38,7 +38,7 @@ class Figure:
 
 
 def scale_of(plan: GroupPlan, row: int) -> float:
-    """Return N a mm, the smallest of 1, 2, 5 · 10^k with which no force of a polygon is longer than 80 mm, nor it all higher."""
+    """Return N per mm, the smallest of 1, 2, 5 · 10^k at which neither a force nor the whole polygon is longer than 80 mm."""
     tips = [0j]
     for vector in plan.vectors:
         tips.append(tips[-1] + complex(vector.force[row]))
@@ -48,7 +48,7 @@ def scale_of(plan: GroupPlan, row: int) -> float:
 
 
 def draw_group(plan: GroupPlan, figure: Figure, number: int, written: Callable[[str], str]) -> Drawing:
-    """Return `figure#forces-N`: the group with its forces, and their polygon."""
+    """Return `figure#forces-N`: the group with its forces, and beside it their polygon."""
     row, unit = figure.row, scale_of(plan, figure.row)
     shown = [vector for vector in plan.vectors if vector.size(row) > SHORT * unit]
     points = dict(point for link in figure.links for point in link)
@@ -129,7 +129,7 @@ def _draw_polygon(sheet: Sheet, plan: GroupPlan, shown: Sequence[ForceVector], t
 
 
 def _chord(plan: GroupPlan, shown: Sequence[ForceVector], tips: Sequence[complex]) -> tuple[complex, complex] | None:
-    """Return where the inner reaction lies in the polygon: across what acts on the first link."""
+    """Return the line of the inner reaction in the polygon, which closes the forces on the first link; None if it has none."""
     first = [place for place, vector in enumerate(shown) if vector.body == plan.bodies[0]]
     last = next((place for place in first if place + 1 not in first), None)
     if last is None:

@@ -1,6 +1,6 @@
-"""Zhukovsky's lever: the velocity plan turned by a right angle, every force at the image of its point; read as with a ruler.
+"""Zhukovsky's lever: the velocity plan turned by a right angle, with every force at the image of its point; read with a ruler.
 
-Enters: a `ForceAnalysis`, the velocities that a unit of each drive makes, a row.  Leaves: `Lever`s, `Drawing`s.
+Enters: a `ForceAnalysis`, the velocities for a unit of each drive, a row.  Leaves: `Lever`s, `Drawing`s.
 Used by `force_plans.py`.
 
 The plan is turned clockwise, so that the moment of a force about the pole is its power for a unit of the drive:
@@ -27,14 +27,14 @@ from coursework.effects.kinetostatics.virtual_power import twists, unit_motions
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
-ARROW = 14.0  # mm of a force: on a lever its direction and its line count
+ARROW = 14.0  # mm of a force: on a lever it shows direction and line of action, not size
 ARM = 'stroke="black" stroke-width="0.25" stroke-dasharray="1.2 0.8"'
 PEN = 'stroke="black" stroke-width="0.45"'
 
 
 @frozen
 class Arm:
-    """A force (complex N) at the image of its point (mm from the pole): its arm `h` (mm, + counter-clockwise) as read."""
+    """A force (complex N) at the image of its point (mm from the pole); `h` (mm, + counter-clockwise) is its arm as read."""
 
     name: str
     word: tuple[str, str, str]
@@ -45,9 +45,9 @@ class Arm:
 
 @frozen
 class Lever:
-    """The lever of one drive in a row: `unit` is m (or m/rad) of velocity for a unit of the drive a mm.
+    """The lever of one drive in a row; 1 mm of it is a velocity of `unit` m (or m/rad) for a unit of the drive.
 
-    `couples` is the sum of M w (N m or N), `read` what the drive must do by the arms as read, `computed` what it must do.
+    `couples` is the sum of M w (N m or N); `read` is what the drive must supply by the arms as read, `computed` as calculated.
     """
 
     drive: str
@@ -59,7 +59,7 @@ class Lever:
 
 
 def levers_of(found: ForceAnalysis, row: int) -> tuple[Lever, ...]:
-    """Return the lever of each drive in a row (from 0); none where the geometry does not give the velocities."""
+    """Return the lever of each drive in a row (from 0); none if the geometry does not determine the velocities."""
     rows, scheme = found.rows, found.rows.scheme
     velocities = unit_motions(rows, found.equations)
     if velocities is None or not np.isfinite(found.reactions.rows[row]).all():
@@ -67,7 +67,7 @@ def levers_of(found: ForceAnalysis, row: int) -> tuple[Lever, ...]:
     moves = twists(rows, found.equations, velocities)[row]
     places = {body.name: place for place, body in enumerate(scheme.bodies)}
     if any(one.direction.kind == "couple" and one.off in places for one in drives_of(scheme)):
-        return ()  # a motor between two links that move has no lever of its own
+        return ()  # a motor between two moving links has no lever of its own
     levers = []
     for index, name in enumerate(found.drive_names):
         arms, couples = [], 0.0

@@ -3,8 +3,8 @@
 Enters: a `ForceAnalysis`.  Leaves: `GroupPlan`s, the last group first; numbers of all rows.
 Used by `group_sheet.py`, `lever.py` and `force_plans.py`.
 
-Of a dyad with links i and j: the part across link i of the outer reaction, what is known on i, what is known on j, the part
-across j, then the two parts along the links, which close: so the reaction between i and j is a chord.
+The order for a dyad with links i and j: the part of the outer reaction across link i, the known forces on i, those on j, the
+part across j, then the two parts along the links, which close the polygon.  So the reaction between i and j is a chord.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
 
-KNOWN, DIRECTION, FOUND = "known", "direction", "found"  # given; its direction alone is; neither
+KNOWN, DIRECTION, FOUND = "known", "direction", "found"  # fully given; given in direction only; unknown
 SUPERSCRIPT = {"t": "ᵗ", "n": "ⁿ"}
 _LETTERS = {"inertia": ("F", "in"), "weight": ("G", ""), "friction": ("F", "fr")}
 
 
 @frozen
 class ForceVector:
-    """A force (n,) complex N on a body of a group, at a place (n,) complex m; `name` of it, `word` as a drawing writes it."""
+    """A force (n,) complex N on a body of a group, at a place (n,) complex m; `name` and, as a drawing writes it, `word`."""
 
     name: str
     word: tuple[str, str, str]
@@ -37,13 +37,13 @@ class ForceVector:
     role: str
 
     def size(self, row: int) -> float:
-        """Return its size (N) in a row (from 0)."""
+        """Return the size of the force (N) in a row (from 0)."""
         return float(abs(self.force[row]))
 
 
 @frozen
 class Moment:
-    """The sum `about` (n,) N m of what is known on a link about its inner pin `point`, its `length` (m), what it gives."""
+    """The moments about a link's inner pin `point`: known ones `about` (n,) N m; force `across` (N) at an arm `length` (m)."""
 
     body: str
     point: str
@@ -55,9 +55,9 @@ class Moment:
 
 @frozen
 class GroupPlan:
-    """The forces on the `bodies` of one group in the order of its polygon; `moments` give the parts across its links.
+    """The forces on the `bodies` of one group in the order of the polygon; the `moments` give the parts across its links.
 
-    `inner`: the name and the force (n,) of its inner pair, None where it is no dyad.
+    `inner` is the name and the force (n,) of the joint between both links of a dyad, None for other groups.
     """
 
     bodies: tuple[str, ...]
@@ -67,7 +67,7 @@ class GroupPlan:
 
 
 def word_of(action: Action) -> tuple[str, str, str]:
-    """Return how a drawing writes a known force: F with in2, G with 2, a load by its name."""
+    """Return how a drawing writes a known force: F with index in2, G with index 2, a load by its name."""
     if action.effect not in _LETTERS:
         return name_word(action.name)
     letter, low = _LETTERS[action.effect]
@@ -75,7 +75,7 @@ def word_of(action: Action) -> tuple[str, str, str]:
 
 
 def group_plans(found: ForceAnalysis) -> tuple[GroupPlan, ...]:
-    """Return the plans of all groups, the last first; none where the order of the groups is not known, or forces are not."""
+    """Return the plans of all groups, the last first; none if the order of the groups is unknown or a force is not finite."""
     scheme = found.rows.scheme
     if not scheme.groups or not np.isfinite(found.reactions.rows).all():
         return ()
@@ -86,7 +86,7 @@ def group_plans(found: ForceAnalysis) -> tuple[GroupPlan, ...]:
 
 
 def reactions_on(found: ForceAnalysis, body: str) -> Iterator[tuple[str, str, Complex, Complex, bool]]:
-    """Yield what joints and drives do to a body: name, the other body, force (n,), place (n,), whether it is a drive."""
+    """Yield the forces of joints and drives on a body: name, the other body, force (n,), place (n,), whether it is a drive."""
     rows, names = found.rows, found.reactions.names
     held: dict[str, tuple[Unknown, Complex]] = {}
     for name, unknown in zip(names, rows.scheme.unknowns, strict=True):
@@ -104,7 +104,7 @@ def reactions_on(found: ForceAnalysis, body: str) -> Iterator[tuple[str, str, Co
 
 
 def _turned(name: str, unknown: Unknown) -> str:
-    """Return the name of a force for the link that it comes from: R12 of link 2, R21 of link 1."""
+    """Return the name of a reaction as it acts on the other link: R12 acts on link 2, R21 on link 1."""
     return f"{name[0]}{unknown.on}{unknown.off}" if len(unknown.on) == len(unknown.off) == 1 else name
 
 
@@ -156,7 +156,7 @@ def _dyad(
 def _parted(
     found: ForceAnalysis, vector: ForceVector, pin: ForceVector, known: list[ForceVector]
 ) -> tuple[tuple[ForceVector, ForceVector], Moment]:
-    """Return the parts of an outer reaction across its link and along it, and the moment that gives the first."""
+    """Return the parts of an outer reaction across and along its link, and the moment equation that gives the part across."""
     way = pin.at - vector.at
     length, unit = np.abs(way), way / np.abs(way)
     normal = (np.conj(1j * unit) * vector.force).real
@@ -173,7 +173,7 @@ def _parted(
 
 
 def _moment_of_forces(found: ForceAnalysis, place: int) -> Array:
-    """Return the moment (n,) about the centre of mass of the known forces on a body, without its couples."""
+    """Return the moment (n,) of the known forces on a body about its centre of mass, without couples."""
     body, rows = found.rows.scheme.bodies[place], found.rows
     total = np.zeros(rows.count)
     for action in found.actions:
@@ -183,7 +183,7 @@ def _moment_of_forces(found: ForceAnalysis, place: int) -> Array:
 
 
 def point_at(scheme: ForceScheme, found: ForceAnalysis, at: Complex) -> str:
-    """Return the name of the joint at a place, "" where it has none."""
+    """Return the name of the joint at a place, "" if it has none."""
     for unknown in scheme.unknowns:
         if unknown.at is not None and unknown.at.op == "name" and np.array_equal(found.rows.vector(unknown.at), at):
             return unknown.at.name

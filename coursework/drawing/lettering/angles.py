@@ -1,6 +1,6 @@
-"""Angles as arcs between two directions with their letters: those a file gives, and coordinates in their positive sense.
+"""Angles as arcs between two directions, with letters: those that a file gives, and coordinates in their positive sense.
 
-Given are the slope of a guide and the bend of a link.  A coordinate has an arrow where it ends; its arc says data-angle="phi1".
+The given ones are slopes of guides and bends of links.  A coordinate has an arrow at its end; its arc says data-angle="phi1".
 Enters: a `Painter` whose mechanism is drawn, and the `Mechanism`.  Leaves: thin arcs, and `Arc` for their letters.
 Used by `drawing/figures.py`.
 """
@@ -27,31 +27,31 @@ from coursework.variant.formula.tree import Formula, constant, signed, terms
 
 PEN = 'fill="none" stroke="black" stroke-width="0.15"'
 LINE = 'stroke="black" stroke-width="0.15"'
-RADII = (7.0, 9.0, 11.0, 13.5)  # mm, the first the best
-FARTHER = 1.0  # mm of lines that an arc rather covers than having a radius 1 mm larger
-PAST = 1.5  # mm: the line from which an angle is measured ends that far behind its arc
-PIECE = 0.05  # rad of an arc that is drawn straight
-CHORDS, CHORD = 6, 0.5  # so many does an arc count for where words are placed, or one for so many rad
-ALONG, REACHED = 0.02, 0.9  # rad: a link that near to a direction shows it, where it reaches the arc, to this part
-SMALLEST = 0.03  # rad: a smaller angle is not seen
-AROUND = (5.0, 6.0, 7.5, 9.0, 11.0, 13.5, 17.0, 21.0, 26.0)  # mm, of the arcs of coordinates
-HIDDEN = 20.0  # mm of lines that it rather covers than having its arrow end in a hinge, or being no angle of its link
-RING = 1.25  # mm: the line from which an angle is measured begins beside the joint
-MISTAKEN = 14.0  # mm of lines that a letter rather covers than being taken for another angle's
-HEAD, ROOM = 1.7, 3.0  # mm: their arrow, and how long an arc is that shows it well
-TOO_SHORT = 6.0  # mm of lines that an arc rather covers than being 1 mm shorter than that
-OVER, LONGER = 3.0, 0.5  # such an arc, often a long one, minds more what it covers, and being 1 mm longer
-SENSE = 0.6  # rad: what is nought is told, beside an arc that only shows where it would grow
+RADII = (7.0, 9.0, 11.0, 13.5)  # mm, the first is the best
+FARTHER = 1.0  # mm of covered lines: price of a radius 1 mm larger
+PAST = 1.5  # mm: the side of an angle ends this far beyond its arc
+PIECE = 0.05  # rad: an arc is drawn in straight pieces of at most this angle
+CHORDS, CHORD = 6, 0.5  # when words are placed an arc counts as at least this many chords, or one per this angle (rad)
+ALONG, REACHED = 0.02, 0.9  # rad: a link this near to a direction shows it, if it is at least this part of the radius long
+SMALLEST = 0.03  # rad: smaller angles are not drawn
+AROUND = (5.0, 6.0, 7.5, 9.0, 11.0, 13.5, 17.0, 21.0, 26.0)  # mm: radii for the arcs of coordinates
+HIDDEN = 20.0  # mm of covered lines: price of an arrow that ends in a hinge, or of an angle 0 whose axis no link shows
+RING = 1.25  # mm: the side of an angle begins this far from its joint
+MISTAKEN = 14.0  # mm of covered lines: price of a letter that could be taken for another angle's
+HEAD, ROOM = 1.7, 3.0  # mm: arrow head of a coordinate, and length of an arc that shows it well
+TOO_SHORT = 6.0  # mm of covered lines: price of each mm by which an arc is shorter than ROOM
+OVER, LONGER = 3.0, 0.5  # arcs of coordinates are often long: weight of what they cover, price of each mm of length
+SENSE = 0.6  # rad: an angle that is 0 gets an arc of this size, which only shows its positive sense
 NOUGHT = 1e-9  # rad
-PARTS = (0.5, 0.75, 0.25, 0.9)  # of an arc: beside these its letter may stand
-ONE = 1e-6  # mm: places that near to each other are one
+PARTS = (0.5, 0.75, 0.25, 0.9)  # parts of an arc's length at which its letter may stand
+ONE = 1e-6  # mm: places this near to each other are one
 
 
 @frozen
 class Angle:
-    """The angle `name` from the direction `begin` by `turn` (rad, as on the sheet) at one of the places `at`.
+    """The angle `name` from the direction `begin` by `turn` (rad, in the sense of the sheet), drawn at one of the places `at`.
 
-    One that is `counted` from an axis has an arrow where it ends; `tail` is written behind its name.
+    A coordinate is `counted` from an axis and has an arrow at its end; `tail` is written behind its name.
     """
 
     name: str
@@ -64,7 +64,7 @@ class Angle:
 
 @frozen
 class Arc:
-    """The arc of an angle, through a few of its points, about the place `at`; `word` names it, `sides` are drawn beside it."""
+    """The arc of an angle, by a few of its points, about the place `at`; `word` names it, its `sides` are drawn as lines."""
 
     word: Word
     points: tuple[complex, ...]
@@ -73,9 +73,9 @@ class Arc:
 
 
 def draw_angles(painter: Painter, mechanism: Mechanism, values: Mapping[str, float] | None = None) -> list[Arc]:
-    """Draw the given angles, each once; return their arcs, for `angle_names`.
+    """Draw each given angle once; return the arcs, for `angle_names`.
 
-    With the `values` of coordinates (rad, m) these are drawn too, each that is an angle.
+    With `values` of the coordinates (rad, m), those coordinates that are angles are drawn too.
     """
     arcs: dict[str, Arc] = {}
     for angle in (*_slopes(painter, mechanism), *_bends(painter, mechanism)):
@@ -88,16 +88,16 @@ def draw_angles(painter: Painter, mechanism: Mechanism, values: Mapping[str, flo
 
 
 def room_of_angles(painter: Painter, mechanism: Mechanism, values: Mapping[str, float]) -> Iterator[tuple[complex, float]]:
-    """Yield the places (m) about which the coordinates turn, with the room (mm) that the smallest arc takes around them."""
+    """Yield the places (m) about which coordinates turn, each with the radius (mm) that a small arc around it takes."""
     for turn in _turns(painter, mechanism, values):
         yield from ((at, AROUND[1] + PAST) for at in turn.at[:1])
 
 
 def _coordinates(painter: Painter, mechanism: Mechanism, values: Mapping[str, float]) -> Iterator[Angle]:
-    """Yield the coordinates that are angles as they lie on the sheet, whose y goes down."""
+    """Yield the coordinates that are angles as they appear on the sheet, whose y points down."""
     for turn in _turns(painter, mechanism, values):
         places = tuple(_known(painter, painter.put(at)) for at in turn.at)
-        if SMALLEST < turn.size < math.tau - SMALLEST:  # an arc that comes round to its axis is nearly nought, not a turn
+        if SMALLEST < turn.size < math.tau - SMALLEST:  # nearly a whole turn counts as nearly 0
             yield Angle(turn.coordinate, places, turn.axis.conjugate(), -turn.sense * turn.size, counted=True)
         else:
             tail = " = 0" if min(turn.size, math.tau - turn.size) < NOUGHT else " ≈ 0"
@@ -109,7 +109,7 @@ def _turns(painter: Painter, mechanism: Mechanism, values: Mapping[str, float]) 
 
 
 def _known(painter: Painter, at: complex) -> complex:
-    """Return the point that lies at a place of the sheet, the place itself where there is none."""
+    """Return the named point at a place of the sheet, the place itself if there is none."""
     return next((point for point in painter.at.values() if abs(point - at) < ONE), at)
 
 
@@ -124,7 +124,7 @@ def angle_names(painter: Painter, arcs: Sequence[Arc]) -> None:
 
 
 def _slopes(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
-    """Yield the slopes of guides, fixed or of a link, from the direction that the rest of their formula says."""
+    """Yield the slopes of guides, fixed or on a link, measured from the direction that the rest of their formula gives."""
     points = dict(painter.outline.points)
     for rail, (a, b) in painter.rails.items():
         toward = points[rail.toward]
@@ -133,7 +133,7 @@ def _slopes(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
             yield from _angle(mechanism, toward.args[1].args[1], (a, a + 0.35 * (b - a)), along)
     for slot in painter.outline.slots:
         toward = points[slot.toward]
-        if slot.toward.startswith("~"):  # made for the direction; a corner of a link says nothing of a slope
+        if slot.toward.startswith("~"):  # a point made for the direction; a corner of a link gives no slope
             way = painter.at[slot.toward] - painter.at[slot.base]
             yield from _angle(mechanism, toward.args[1].args[1], (painter.at[slot.at],), way / abs(way))
 
@@ -150,7 +150,7 @@ def _bends(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
 
 
 def _angle(mechanism: Mechanism, formula: Formula, at: tuple[complex, ...], along: complex) -> Iterator[Angle]:
-    """Yield the one datum of a direction, the rest of which is a coordinate or a number; the sheet turns the other way round."""
+    """Yield the only datum in the angle of a direction, if the rest are coordinates or numbers; the sheet reverses its sense."""
     given = {datum.name: datum.value for datum in mechanism.variant.given if datum.si == "rad"}
     parts = list(signed(formula))
     data = [(part.name, sign) for part, sign in parts if part.op == "name" and part.name in given]
@@ -166,7 +166,7 @@ def _is_direction(part: Formula) -> bool:
 
 
 def _place(painter: Painter, angle: Angle, radii: Sequence[float]) -> Arc | None:
-    """Draw an angle where its arc covers least; return the arc, None where there is no room."""
+    """Draw an angle where its arc covers least; return the arc, None if there is no room."""
     sheet = painter.sheet
     best, chosen = math.inf, None
     for at in angle.at:
@@ -203,14 +203,14 @@ def _place(painter: Painter, angle: Angle, radii: Sequence[float]) -> Arc | None
 
 
 def _sides(angle: Angle) -> Iterator[complex]:
-    """Yield the directions that bound an angle; of one that is nought only its axis."""
+    """Yield the directions of both sides of an angle; for an angle of 0 only its axis."""
     yield angle.begin
     if not angle.tail:
         yield angle.begin * cmath.exp(1j * angle.turn)
 
 
 def _head(painter: Painter, at: complex, points: Sequence[complex]) -> None:
-    """Draw the arrow where an arc ends."""
+    """Draw the arrow at the end of an arc."""
     tip = points[-1]
     size = min(HEAD, 0.6 * abs(tip - at) * abs(cmath.phase((tip - at) / (points[0] - at)) or math.pi))
     behind = min(points, key=lambda point: (round(abs(abs(point - tip) - size), 9), -points.index(point)))
@@ -220,12 +220,12 @@ def _head(painter: Painter, at: complex, points: Sequence[complex]) -> None:
 
 
 def _is_shown(painter: Painter, at: complex, direction: complex, radius: float) -> bool:
-    """Return whether a link that begins at a place and reaches the arc, or a fixed guide there, goes in a direction."""
+    """Return whether a link from `at` that reaches the arc, or a fixed guide through `at`, already shows a direction."""
     ways = [end - at for line in painter.sheet.heavy for end in line if at in line and abs(end - at) > REACHED * radius]
     ways += [b - at for a, b in painter.rails.values() if abs(at - a) + abs(b - at) < abs(b - a) + 0.01]
     return any(abs(cmath.phase(way / direction)) < ALONG for way in ways if way)
 
 
 def segments_of(arcs: Sequence[Arc]) -> list[Segment]:
-    """Return the arcs as short lines, which have words of their own."""
+    """Return the arcs as short lines; each is a rival of words that belong to something else."""
     return [line for arc in arcs for line in itertools.pairwise(arc.points)]

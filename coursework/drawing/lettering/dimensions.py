@@ -1,4 +1,4 @@
-"""Dimension lines: lengths of the file between points that no link's part joins, as between the pivots of the frame.
+"""Dimension lines: lengths of the file between points that no part of a link joins, as between the pivots of the frame.
 
 Enters: a `Painter` whose mechanism is drawn, and the `Mechanism`.  Leaves: thin lines with arrows at both ends, words on them.
 Used by `drawing/figures.py`.
@@ -27,28 +27,28 @@ from coursework.system.angles import dot
 from coursework.system.frozen import frozen
 
 PEN = 'stroke="black" stroke-width="0.15"'
-SHORTEST = 0.8  # mm: a shorter length is not seen
+SHORTEST = 0.8  # mm: shorter lengths are not dimensioned
 TIGHT = 4.5  # mm: the arrows of a shorter dimension stand outside and point at each other
-OUTSIDE = 5.0  # mm: so long are they then
-LEVELS = (0.0, 5.0, 7.0, 9.5, 12.0, 15.0, 19.0)  # mm beside its points
-CLEAR = 5.0  # mm beyond all points: there a dimension crosses no link
-AWAY = 0.5  # mm of lines that a dimension rather covers than standing 1 mm farther off
-LEADS = 0.9  # of what its extension lines cover: they cross links as in any drawing
-THROUGH = 250.0  # mm of lines that it rather covers than crossing a link
-HIDDEN = 60.0  # mm of lines that it rather covers than a place in the ground of a hinge, or than an arrow that ends there
-SAMPLE = 1.5  # mm between the places at which a line is looked at
-PAST, OFF = 1.0, 1.8  # mm: an extension line ends that much past the arrow, and begins that far from its point
+OUTSIDE = 5.0  # mm: length of these arrows
+LEVELS = (0.0, 5.0, 7.0, 9.5, 12.0, 15.0, 19.0)  # mm: distances of a dimension line from its points
+CLEAR = 5.0  # mm beyond all points, where a dimension crosses no link
+AWAY = 0.5  # mm of covered lines: price of standing 1 mm farther off
+LEADS = 0.9  # weight of what extension lines cover: they cross links as in any drawing
+THROUGH = 250.0  # mm of covered lines: price of crossing a link
+HIDDEN = 60.0  # mm of covered lines: price of each sampled place, or arrow head, in the ground of a hinge
+SAMPLE = 1.5  # mm between the places at which a line is sampled
+PAST, OFF = 1.0, 1.8  # mm: an extension line ends this far past the arrow, and begins this far from its point
 BELOW = 7.0  # mm: the ground of a hinge ends there
 HEAD = 1.8  # mm
-AT_POINT = 2.5  # mm: a dimension line straight between its points is not looked at there
-ORIGIN = "0"  # what the origin is called where the file gives it no name; no point has it
-WAYS = 32  # in which the radius of a ring is looked at
-SEVERAL = 13.5  # mm around a hinge from which more than one dimension is counted
+AT_POINT = 2.5  # mm: near its points a dimension line straight between them is not sampled
+ORIGIN = "0"  # name of the origin if the file gives it none; no point can have it
+WAYS = 32  # directions in which the radius of a ring is tried
+SEVERAL = 13.5  # mm of room around a hinge from which there is more than one dimension
 
 
 @frozen
 class Dimension:
-    """A length, said by `word`, between two points in a direction of the sheet."""
+    """A length, written as `word`, between two points along a direction of the sheet."""
 
     word: Word
     begin: str
@@ -57,7 +57,7 @@ class Dimension:
 
 
 def draw_dimensions(painter: Painter, mechanism: Mechanism, marks: Sequence[str]) -> list[tuple[Word, Segment]]:
-    """Draw the dimension lines between named points and `marks`; return their words and lines, for `dimension_names`."""
+    """Draw the dimension lines between named points and `marks`; return their words and lines for `dimension_names`."""
     found = []
     rims = {frozenset((track.centre, wheel.contact)) for track in painter.rings for wheel in painter.outline.wheels}
     for one in _dimensions(painter, mechanism, (*painter.names, *marks)):
@@ -77,13 +77,13 @@ def dimension_names(painter: Painter, drawn: list[tuple[Word, Segment]]) -> None
 
 
 def crowded_hinges(painter: Painter, mechanism: Mechanism) -> list[str]:
-    """Return the hinges from which there is more than one dimension; around them they need `SEVERAL` mm."""
+    """Return the hinges from which there is more than one dimension; each needs `SEVERAL` mm of room."""
     counts = Counter(name for one in _dimensions(painter, mechanism, painter.names) for name in (one.begin, one.end))
     return [name for name, count in counts.items() if count > 1 and name in painter.outline.hinges]
 
 
 def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) -> Iterator[Dimension]:
-    """Yield what is to be dimensioned: given lengths between points that are drawn, places of fixed points, offsets of guides."""
+    """Yield what is to be dimensioned: given lengths between shown points, coordinates of fixed points, offsets of guides."""
     given = {datum.name for datum in mechanism.variant.given}
     drawn = {frozenset(ends) for bar in painter.outline.bars for ends in itertools.pairwise(bar.corners)}
     drawn |= {frozenset((wheel.centre, wheel.contact)) for wheel in painter.outline.wheels}
@@ -114,7 +114,7 @@ def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) ->
 
 
 def _place(painter: Painter, one: Dimension) -> Segment | None:
-    """Draw a dimension where it covers least; return its line, None where there is no room."""
+    """Draw a dimension where it covers least; return its line, None if there is no room."""
     a, b = painter.at[one.begin], painter.at[one.end]
     across = 1j * one.along
     heights = (dot(across, a), dot(across, b))
@@ -165,7 +165,7 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
 
 
 def _radius(painter: Painter, one: Dimension, rims: set[frozenset[str]]) -> Segment | None:
-    """Draw the radius of a ring where it covers least, rather below; return it, None for what is no such radius."""
+    """Draw the radius of a ring where it covers least, preferably downwards; return its line, None if `one` is no such radius."""
     if {one.begin, one.end} not in rims:
         return None
     centre, contact = (one.begin, one.end) if one.begin in {track.centre for track in painter.rings} else (one.end, one.begin)
@@ -190,14 +190,14 @@ def _crossed(painter: Painter, line: Segment) -> int:
 
 
 def _ends(begin: complex, end: complex) -> Segment:
-    """Return the ends of a dimension line; of a tight one those of its arrows outside."""
+    """Return the ends of a dimension line; if it is tight, those of its outside arrows."""
     way = end - begin
     outer = OUTSIDE * way / abs(way)
     return (begin, end) if abs(way) > TIGHT else (begin - outer, end + outer)
 
 
 def _extension(painter: Painter, foot: tuple[str, complex], end: complex) -> Segment | None:
-    """Return the line from beside a point to past the end of a dimension, None where they are one."""
+    """Return the extension line from beside a point to past the end of a dimension, None if there is no room for one."""
     name, at = foot
     way = end - at
     if abs(way) <= OFF:

@@ -1,6 +1,6 @@
-"""Names in a drawing: of points, of links, of lengths beside the parts of links that have them.
+"""Names in a drawing: of points, of links, and of lengths beside the parts of links that have them.
 
-Enters: a `Painter` whose mechanism is drawn.  Leaves: words on its sheet; what a word belongs to as `Owner`.
+Enters: a `Painter` whose mechanism is drawn.  Leaves: words on its sheet; what each word belongs to as `Owner`.
 Used by `drawing/figures.py`, `dimensions.py` and `drawing/check_sheet/drawing.py`.
 """
 
@@ -24,11 +24,11 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.system.angles import dot
 from coursework.variant.formula.tree import Formula, named, terms
 
-PARTS = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # of a line: where the word of it may stand, the middle first
-SHORT = 2.5  # mm: a shorter line bears no name
-SAME = 1e-9  # of a length: two that agree within that are the same
-NEAR_HINGE = (0.15, 0.3, 0.45)  # of a crank
-SPOKES = 32  # a wheel's name may stand within its rim
+PARTS = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # parts of a line's length at which its word may stand, the middle first
+SHORT = 2.5  # mm: shorter lines get no name
+SAME = 1e-9  # relative: two lengths this near to each other are the same
+NEAR_HINGE = (0.15, 0.3, 0.45)  # parts of a crank's length
+SPOKES = 32  # radii that stand for a wheel's disc, within which its name may stand
 
 
 def point_names(painter: Painter) -> None:
@@ -40,7 +40,7 @@ def point_names(painter: Painter) -> None:
 
 
 def _away(painter: Painter, name: str) -> complex:
-    """Return the direction from a point in which its links are not."""
+    """Return the direction from a point in which it has no links."""
     at, places = painter.at[name], painter.at
     arms = [places[p] - at for bar in painter.outline.bars if name in bar.corners for p in bar.corners if places[p] != at]
     lean = sum((arm / abs(arm) for arm in arms), 0j)
@@ -48,7 +48,7 @@ def _away(painter: Painter, name: str) -> complex:
 
 
 def link_lines(painter: Painter, bar: Bar) -> list[Segment]:
-    """Return the lines (mm) of a link: its bars, slots and rack, its point where it has none."""
+    """Return the lines (mm) of a link: its bars, slots and rack; its point if it has none of these."""
     found = [(painter.at[a], painter.at[b]) for a, b in itertools.pairwise(bar.corners)]
     for slot in painter.outline.slots:
         if slot.link == bar.link:
@@ -59,7 +59,7 @@ def link_lines(painter: Painter, bar: Bar) -> list[Segment]:
 
 
 def link_owner(painter: Painter, bar: Bar) -> Owner:
-    """Return what the name of a link belongs to: its lines, the disc of its wheel; all other links and arrows are its rivals."""
+    """Return what a link's name belongs to: its lines and the disc of its wheel; all other links and arrows are rivals."""
     own = link_lines(painter, bar)
     rivals = [line for line in painter.sheet.heavy if not any(lies_on(line, mine) for mine in own)] + painter.grounds
     for wheel in painter.outline.wheels:
@@ -73,7 +73,7 @@ def link_owner(painter: Painter, bar: Bar) -> Owner:
 
 
 def beside(painter: Painter, line: Segment, gap: float, towards: int = 1) -> list[Place]:
-    """Return the places beside a line, rather on the side away from the middle of the mechanism; `towards` -1: on the other."""
+    """Return the places beside a line, on the side away from the middle of the mechanism; `towards` -1 means the other side."""
     a, b = line
     side = 1j * (b - a) * towards
     outside = side if dot(1j * (b - a), (a + b) / 2 - painter.middle) > 0 else -side
@@ -81,7 +81,7 @@ def beside(painter: Painter, line: Segment, gap: float, towards: int = 1) -> lis
 
 
 def link_places(painter: Painter, bar: Bar) -> list[Place]:
-    """Return the places beside which the name of a link may stand: its longest part first; its wheel; its block."""
+    """Return the places where the name of a link may stand: in or beside its wheel, else at its block, then along its parts."""
     wheel = next((w for w in painter.outline.wheels if w.link == bar.link), None)
     if wheel is not None:
         centre = painter.at[wheel.centre]
@@ -96,7 +96,7 @@ def link_places(painter: Painter, bar: Bar) -> list[Place]:
 
 
 def rate_places(painter: Painter, bar: Bar, hinge: str) -> list[Place]:
-    """Return the places beside which the rate of a crank may stand: its hinge, else the part of it near the hinge."""
+    """Return the places where the rate of a crank may stand: at its hinge, else along the crank near the hinge."""
     at = painter.at[hinge]
     ways = [end - at for line in link_lines(painter, bar) if at in line for end in line if end != at][:1]
     return [(at, at - painter.middle, 2.5), *((at + part * way, 1j * way, 1.0) for way in ways for part in NEAR_HINGE)]
@@ -111,7 +111,7 @@ def link_names(painter: Painter) -> None:
 
 
 def part_lengths(painter: Painter, mechanism: Mechanism, near: Sequence[Segment]) -> None:
-    """Write the lengths that the file gives beside the parts of links that have them; `near` lines have words of their own."""
+    """Write the given lengths beside the parts of links that have them; lines in `near` have words of their own."""
     known = lengths(mechanism)
     drawn = [(bar.corners[k], bar.corners[k + 1]) for bar in painter.outline.bars for k in range(len(bar.corners) - 1)]
     drawn += [(wheel.centre, wheel.contact) for wheel in painter.outline.wheels]
@@ -123,7 +123,7 @@ def part_lengths(painter: Painter, mechanism: Mechanism, near: Sequence[Segment]
     named += [(offset.length, *offset.stub) for offset in offsets(painter, mechanism) if offset.stub]
     for track, (_, radius) in zip(painter.outline.tracks, mechanism.variant.frame.circles, strict=True):
         wheel = wheel_on(painter.outline, painter.poses.pose(0), track)
-        # Along a link between the two centres it would read as a length of that link.
+        # Along a link between the two centres the radius would read as a length of that link.
         if wheel and not any({track.centre, wheel.centre} <= {*bar.corners} for bar in painter.outline.bars):
             named.append((radius, painter.at[track.centre], painter.at[wheel.contact]))
     for place, (length, a, b) in enumerate(named):
@@ -136,7 +136,7 @@ def part_lengths(painter: Painter, mechanism: Mechanism, near: Sequence[Segment]
 
 
 def _unsaid(mechanism: Mechanism, known: Mapping[frozenset[str], Formula]) -> dict[str, float]:
-    """Return the given lengths (m) that help to place points, but say no length between two yet, nor where one lies."""
+    """Return the given lengths (m) that help to place points but are written neither between two points nor as a coordinate."""
     said = {length.name for length in known.values()} | {
         part.name for _, formula in mechanism.points if formula.op == "pair" for arg in formula.args for part in terms(arg)
     }
@@ -148,14 +148,14 @@ def _unsaid(mechanism: Mechanism, known: Mapping[frozenset[str], Formula]) -> di
 
 
 def _measured(painter: Painter, ends: tuple[str, str], free: Mapping[str, float]) -> Formula | None:
-    """Return the one datum as long as a part whose length the file leaves to be computed: the third side of a triangle."""
+    """Return the only datum as long as a part without a given length, such as the third side of a triangle; else None."""
     size = abs(painter.place[ends[1]] - painter.place[ends[0]])
     alike = [name for name, value in free.items() if abs(value - size) <= SAME * size]
     return named(alike[0]) if len(alike) == 1 else None
 
 
 def lies_on(line: Segment, other: Segment) -> bool:
-    """Return whether a line has a part in common with another along it, to 0.1 mm."""
+    """Return whether two segments overlap along the same line, to 0.1 mm."""
     a, b = other
     if a == b or line[0] == line[1]:  # a point
         return False

@@ -1,4 +1,4 @@
-"""How far guides lead beside the points they belong to: as a part of a link that is drawn, or as a dimension across the guide.
+"""Offsets of guides from the points they belong to: drawn as a part of a link, or as a dimension across the guide.
 
 Enters: a `Painter` whose mechanism is drawn, and the `Mechanism`.  Leaves: `Offset`.
 Used by `naming.py` and `dimensions.py`.
@@ -14,13 +14,13 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
 
-NOWHERE = 1e-9  # mm: between two points that near to each other there is no direction
-SAME = 1e-6  # of the way to its block: an offset measured and given agree within that
+NOWHERE = 1e-9  # mm: two points this near to each other define no direction
+SAME = 1e-6  # relative to the distance of the block: a measured and a given offset agree within this
 
 
 @frozen
 class Offset:
-    """A datum `length` from a `point` to the guide on which a `rider` slides, `across` it; `stub`: the part drawn so far out."""
+    """A datum `length` from a `point`, in direction `across`, to the guide of a `rider`; `stub`: its drawn part, or None."""
 
     length: Formula
     point: str
@@ -30,7 +30,7 @@ class Offset:
 
 
 def offsets(painter: Painter, mechanism: Mechanism) -> Iterator[Offset]:
-    """Yield the offsets that are data, each where a block slides at that distance."""
+    """Yield the offsets that are data, each if a block really slides at that distance."""
     given = {datum.name for datum in mechanism.variant.given}
     for group in mechanism.variant.groups:
         sides = [(guide.through, guide.offset, named(group.meets or "")) for guide in group.guides]

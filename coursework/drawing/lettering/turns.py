@@ -1,6 +1,6 @@
-"""Coordinates that are angles: about which points of the drawing each turns, from which direction, in which sense.
+"""Coordinates that are angles: the points of the drawing about which each turns, from which direction, in which sense.
 
-Enters: a `Mechanism`, and what its names stand for in one position.  Leaves: `Turn`.
+Enters: a `Mechanism`, and the values of its names in one position.  Leaves: `Turn`.
 Used by `angles.py` and `assigning/senses.py`.
 """
 
@@ -17,8 +17,8 @@ from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any,
 
 Values = Mapping[str, complex]
 Sum = list[tuple[Formula, int]]  # terms with their signs
-Signed = tuple[tuple[Formula, int], ...]  # the same, of a record
-SAME = 1e-9  # m: places that near to each other are one
+Signed = tuple[tuple[Formula, int], ...]  # the same, as a field of a record
+SAME = 1e-9  # m: places this near to each other are one
 
 
 @frozen
@@ -26,7 +26,7 @@ class Turn:
     """A `coordinate` (rad) that is measured at one of the places `at` (m, x + iy) from the direction `axis`.
 
     It turns by `size`, from 0 to less than a whole turn, in its positive `sense`: +1 counter-clockwise, -1 clockwise.
-    The angle of the axis is the sum `beside`, empty for the x axis; `line` are the points, from and to, of what turns, or "".
+    The angle of the axis is the sum `beside`, empty for the x axis; `line` names the two ends of the turning arm, or is "".
     """
 
     coordinate: str
@@ -40,9 +40,9 @@ class Turn:
 
 @frozen
 class _Arm:
-    """A term "L @ angle" that begins at a place; `part` is 1 or -1 for + or - coordinate in its angle, beside the `rest`.
+    """A term "L @ angle" that begins at a place; its angle is `part` (1 or -1) times the coordinate, plus the `rest`.
 
-    `line` are the points between which it leads where a file writes it so, else "".
+    `is_named`: a point of the file lies there; `line` names both ends of the arm if the file writes it so, else "".
     """
 
     begin: complex
@@ -53,7 +53,7 @@ class _Arm:
 
 
 def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
-    """Yield every coordinate that is an angle, where the file says what turns with it; `values` hold points as x + iy."""
+    """Yield every coordinate that is an angle, if the file tells what turns with it; `values` hold points as x + iy."""
     variant = mechanism.variant
     moving = {coordinate.name for coordinate in variant.coordinates}
     for coordinate in variant.coordinates:
@@ -70,7 +70,7 @@ def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
         least, _, arm = ranked[0]
         same = [one for rank, _, one in ranked if rank == least and (one.part, one.rest) == (arm.part, arm.rest)]
         line = next((one.line for one in same if one.line), "")
-        # A constant beside it does not change from where the coordinate itself counts.
+        # A constant added to the coordinate does not change the axis from which the coordinate itself is measured.
         counts = arm.part < 0 or any(moving & {*part.names()} for part, _ in arm.rest)
         axis = cmath.exp(1j * sum(sign * evaluate_any(part, values).real for part, sign in arm.rest)) if counts else 1 + 0j
         beside, places = arm.rest if counts else (), tuple(dict.fromkeys(one.begin for one in same))
@@ -78,14 +78,14 @@ def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
 
 
 def _rank(arm: _Arm, moving: set[str]) -> tuple[int, bool]:
-    """Return how well an arm shows its coordinate: by itself, beside a constant, beside another coordinate; at a named point."""
+    """Return how well an arm shows its coordinate, best first: alone, plus a constant, plus a coordinate; at a named point."""
     if not arm.rest and arm.part > 0:
         return 0, not arm.is_named
     return (2 if any(moving & {*part.names()} for part, _ in arm.rest) else 1), not arm.is_named
 
 
 def _arms(mechanism: Mechanism, values: Values, coordinate: str) -> Iterator[_Arm]:
-    """Yield the arms that turn with a coordinate, in the points, closures and what the motion keeps."""
+    """Yield the arms that turn with a coordinate, found in points, closures and `holds`."""
     corners = [values[name] for name, _ in mechanism.points if name in values]
     for parts, is_gap, end in _sums(mechanism):
         for place, (part, _) in enumerate(parts):
@@ -98,14 +98,14 @@ def _arms(mechanism: Mechanism, values: Values, coordinate: str) -> Iterator[_Ar
                 continue
             try:
                 begin = _gap_begin(parts, place, values) if is_gap else _begin(parts, place, values)
-            except (KeyError, FormulaFault):  # a length that a law of time gives
+            except (KeyError, FormulaFault):  # a length given by a law of time
                 continue
             line = _line(mechanism, parts, end)
             yield _Arm(begin, any(abs(begin - corner) < SAME for corner in corners), own[0], rest, line)
 
 
 def _begin(parts: Sum, place: int, values: Values) -> complex:
-    """Return where the arm at a place of a sum begins; with a minus it leads from its end to where the sum was before."""
+    """Return where the arm at a place of a sum begins; an arm with a minus is taken from its end, so it begins after its term."""
     ends = parts[: place + (parts[place][1] < 0)]
     return sum((sign * evaluate_any(part, values) for part, sign in ends), 0j)
 
@@ -117,7 +117,7 @@ def _gap_begin(parts: Sum, place: int, values: Values) -> complex:
 
 
 def _line(mechanism: Mechanism, parts: Sum, end: str) -> str:
-    """Return the points of "D + r1 @ phi1" that leads to the point `end`: "DA"; "" where a sum says something else."""
+    """Return the two ends, such as "DA", of the arm in "D + r1 @ phi1", a sum that leads to the point `end`; else ""."""
     *before, (_, sign) = parts
     origin = next((name for name, formula in mechanism.points if is_origin(formula)), "")
     begin = before[0][0].name if len(before) == 1 and before[0][0].op == "name" and before[0][1] > 0 else ""
@@ -126,7 +126,7 @@ def _line(mechanism: Mechanism, parts: Sum, end: str) -> str:
 
 
 def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool, str]]:
-    """Yield the sums in which vectors stand, whether one is the gap between two points, the point that it leads to or ""."""
+    """Yield sums of vectors: the terms, whether the sum is a gap between two points, and the point that it leads to, or ""."""
     sides = [(formula, name) for name, formula in mechanism.points]
     met = {formula: name for name, formula in mechanism.points}
     for one in mechanism.constraints:
@@ -138,7 +138,7 @@ def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool, str]]:
 
 
 def _centre(mechanism: Mechanism, rate: str, values: Values) -> complex | None:
-    """Return the middle of the wheel, or the first point of the link, that has a rate; None where no link has it."""
+    """Return the centre of the wheel, or the first point of the link, that has a rate; None if no link has it."""
     for link in mechanism.variant.links:
         first = link.wheel or next(iter(link.points), "")
         if link.rate == rate and first in values:

@@ -1,1 +1,1 @@
-"""What a mechanism looks like, in names of points only, and where these are."""
+"""What a mechanism looks like, by names of points only, and where these points are."""

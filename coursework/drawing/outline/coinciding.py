@@ -1,6 +1,6 @@
-"""In which position of a mechanism its links, guides and pivots lie least upon one another.
+"""Finds the position of a mechanism in which its links, guides and pivots cover one another least.
 
-Enters: an `Outline` and its `Poses`.  Leaves: whether links lie on one line; the row in which that is least so.
+Enters: an `Outline` and its `Poses`.  Leaves: whether links lie on one line; the row in which they coincide least.
 Used by `drawing/figures.py`.
 """
 
@@ -16,17 +16,17 @@ from coursework.drawing.outline.poses import Poses
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
 
-MOST = 180  # rows that are looked at
-PAPER = 100.0  # mm: as large as the mechanism is thought to be drawn
-# Sines of the angles from which two links with a common joint are seen apart: folded on each other 15 degrees, stretched 5.
+MOST = 180  # most rows that are compared
+PAPER = 100.0  # mm: assumed size of the mechanism on paper
+# Two links with a common joint are seen apart from these sines on: folded on each other from 15 degrees, stretched from 5.
 FOLDED, STRETCHED = 0.26, 0.087
-OPEN = 0.87  # the same for the row that is looked for, up to which it may still become clearer: 60 degrees
-NEAR, FAR = 3.0, 9.0  # mm: what is farther apart is seen apart; the same for the row that is looked for
-ALIKE = 0.5  # two links lie on one line from this part on: at half of these angles, or one of them 1.5 mm beside the other
-ASIDE = 0.4  # how much less guides and pivots count, which may lie below a link
+OPEN = 0.87  # the same when the clearest row is sought: up to this angle, 60 degrees, a row still becomes clearer
+NEAR, FAR = 3.0, 9.0  # mm: parts farther apart are seen apart; the same when the clearest row is sought
+ALIKE = 0.5  # share from which two links lie on one line: at half of these angles, or 1.5 mm beside each other
+ASIDE = 0.4  # weight of guides and pivots, which may lie below a link
 PARTS = (np.arange(12) + 0.5) / 12
 Rows = NDArray[np.intp]
-EQUAL = 1e-6  # rows as good as each other: the first is taken
+EQUAL = 1e-6  # rows whose totals differ by less are equally good: the first is taken
 
 
 @frozen
@@ -47,14 +47,14 @@ def coincides(outline: Outline, poses: Poses) -> bool:
 
 
 def clearest(outline: Outline, poses: Poses) -> int:
-    """Return the row (from 0) in which least coincides."""
+    """Return the row (from 0) in which links, guides and pivots coincide least."""
     rows = np.arange(0, len(poses.t), max(1, -(-len(poses.t) // MOST)))
     total: Array = np.sum(_shares(outline, poses, rows, (OPEN, OPEN, FAR)), axis=0)
     return int(rows[int(np.argmin(np.round(total / EQUAL)))])
 
 
 def _shares(outline: Outline, poses: Poses, rows: Rows, limits: tuple[float, float, float]) -> list[Array]:
-    """Return for every pair that could coincide how far it does in each of the rows, 0 to 1.
+    """Return, for every pair that could coincide, how far it does in each row, 0 to 1.
 
     `limits` are the sines for folded and stretched links, and the distance (mm) from which they are seen apart.
     """
@@ -69,7 +69,7 @@ def _shares(outline: Outline, poses: Poses, rows: Rows, limits: tuple[float, flo
 
 
 def _parts(outline: Outline, poses: Poses, rows: Rows) -> list[_Part]:
-    """Return the parts of links and the guides of the frame."""
+    """Return the straight parts of links, and the guides of the frame."""
     at = {name: places[rows] for name, places in poses.at.items()}
     found = [
         _Part(bar.link, at[a], at[b], frozenset((a, b)) | _riders(outline, bar.link))
@@ -95,7 +95,7 @@ def _riders(outline: Outline, link: str) -> frozenset[str]:
 
 
 def _together(a: _Part, b: _Part, scale: Array, limits: tuple[float, float, float]) -> Array:
-    """Return for every row how far two parts lie on one line, 0 to 1: by their angle at a joint, else by their distance."""
+    """Return how far two parts lie on one line in every row, 0 to 1: by the angle at their joint, else by their distance."""
     ways = [part.end - part.begin for part in (a, b)]
     lengths = [np.abs(way) for way in ways]
     if a.on & b.on:
@@ -113,7 +113,7 @@ def _together(a: _Part, b: _Part, scale: Array, limits: tuple[float, float, floa
 
 
 def _close(part: _Part, places: Complex, scale: Array, far: float) -> Array:
-    """Return for places (rows, n) how near a part they are, from 0 at so many mm to 1 on it."""
+    """Return how near places (rows, n) are to a part: from 1 on it to 0 at `far` mm."""
     way = (part.end - part.begin)[:, None]
     square = np.abs(way) ** 2
     along = ((places - part.begin[:, None]) * way.conjugate()).real / np.where(square > 0, square, 1.0)

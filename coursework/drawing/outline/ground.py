@@ -1,4 +1,4 @@
-"""Where the ground of a mechanism is, the same on paper and on the screen: below a hinge, behind a rail, in a fixed circle.
+"""Where the ground of a mechanism is, on paper as on the screen: below a hinge, behind a rail, inside a fixed circle.
 
 Enters: an `Outline` and places of its points (name -> x + iy in m) in one position.  Leaves: directions, sides, racks.
 Used by `painter.py`, `polygons.py`, `drawing/check_sheet/sketch.py`, `report/live/drawn.py`, `report/live/scenery.py` and
@@ -13,15 +13,15 @@ from coursework.drawing.outline.outline import Outline, Rail, Track, Wheel
 from coursework.system.angles import dot
 from coursework.system.frozen import frozen
 
-FREE = 0.75  # cosine of the angle to a link beside which the ground of a hinge may stand
-TOUCHING = 0.02  # of its radius: a wheel within this of a fixed circle rolls on it
-ON_LINE = 1e-6  # of its way: the contact of a rack lies so near to the line of its rail
+FREE = 0.75  # cosine of the angle between a link and the ground of a hinge, up to which the link does not hide it
+TOUCHING = 0.02  # relative to the radius of a fixed circle: a wheel this near to it rolls on it
+ON_LINE = 1e-6  # relative to its distance along the rail: the contact of a rack is this near to the line of the rail
 Places = Mapping[str, complex]
 
 
 @frozen
 class Rack:
-    """A slider of one point that a gear moves: the line of its `rail` runs through the `contact`; `side` +1: it lies left."""
+    """A slider of one point moved by a gear: the line of its `rail` runs through the `contact`; `side` +1 if it lies left."""
 
     link: str
     rail: Rail
@@ -38,7 +38,7 @@ def hinge_ground(outline: Outline, places: Places, name: str) -> complex:
 
 
 def rail_side(outline: Outline, places: Places, rail: Rail) -> int:
-    """Return on which side of a rail nothing is, +1 to the left of its direction, -1 to the right."""
+    """Return the free side of a rail: +1 to the left of its direction, -1 to the right."""
     along = places[rail.toward] - places[rail.base]
     wheels = [wheel.centre for wheel in outline.wheels if wheel.contact == rail.rider and rail.rolls]
     others = [places[name] for name in wheels or outline.shown if wheels or name != rail.rider]
@@ -47,14 +47,14 @@ def rail_side(outline: Outline, places: Places, rail: Rail) -> int:
 
 
 def wheel_on(outline: Outline, places: Places, track: Track) -> Wheel | None:
-    """Return the wheel that touches a fixed circle; asked in row 1, for later rows of a scheme drift away from it."""
+    """Return the wheel that touches a fixed circle, None if none does; use row 1, as later rows of a scheme drift away."""
     radius = abs(places[track.rim] - places[track.centre])
     gaps = {wheel: abs(abs(places[wheel.contact] - places[track.centre]) - radius) for wheel in outline.wheels}
     return next((wheel for wheel, gap in gaps.items() if gap <= TOUCHING * radius), None)
 
 
 def inward(outline: Outline, places: Places, track: Track) -> int:
-    """Return +1 where a fixed circle is solid inside, -1 where it is a ring in which its wheel rolls, 0 without a wheel."""
+    """Return +1 if a fixed circle is solid inside, -1 if it is a ring in which its wheel rolls, 0 if it has no wheel."""
     wheel = wheel_on(outline, places, track)
     if wheel is None:
         return 0
@@ -63,7 +63,7 @@ def inward(outline: Outline, places: Places, track: Track) -> int:
 
 
 def racks(outline: Outline, places: Places) -> list[Rack]:
-    """Return the racks: sliders of one point on a rail whose line runs through the contact of a gear on nothing fixed."""
+    """Return the racks: sliders of one point whose rail runs through the contact of a gear that rolls on nothing fixed."""
     found = []
     resting = {rail.rider for rail in outline.rails if rail.rolls}
     for wheel in outline.wheels:
@@ -81,7 +81,7 @@ def racks(outline: Outline, places: Places) -> list[Rack]:
 
 
 def touched(outline: Outline, places: Places, wheel: Wheel) -> list[str]:
-    """Return the moving links that a wheel touches: another wheel, what holds the contact, a rack."""
+    """Return the moving links that a wheel touches: other wheels, links with the contact as a corner, racks."""
     wheels = [one.link for one in outline.wheels if one.contact == wheel.contact and one is not wheel]
     holders = [bar.link for bar in outline.bars if wheel.contact in bar.corners and bar.link != wheel.link]
     return [*wheels, *holders, *(rack.link for rack in racks(outline, places) if rack.contact == wheel.contact)]

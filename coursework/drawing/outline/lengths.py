@@ -1,4 +1,4 @@
-"""Lengths that a file gives between two points, found in its formulas.
+"""Lengths between two points that a file gives, found in its formulas.
 
 Enters: a `Mechanism`.  Leaves: formulas by pairs of points.
 Used by `tracing.py`, `naming.py`, `dimensions.py` and `drawing/plans/plans.py`.
@@ -14,7 +14,7 @@ from coursework.variant.formula.tree import Formula, named, terms
 
 
 def arm_base(formula: Formula, coordinate: str) -> str:
-    """Return X of a point "X + L @ angle" whose angle turns with a coordinate, "" where it is built otherwise."""
+    """Return X of a point "X + L @ angle" whose angle contains the coordinate, "" for any other formula."""
     parts = [*terms(formula)]
     if len(parts) != 2 or parts[0].op != "name" or parts[1].op != "@":
         return ""
@@ -22,7 +22,7 @@ def arm_base(formula: Formula, coordinate: str) -> str:
 
 
 def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:
-    """Return both sides of each "B + r2 @ phi2 = D + r3 @ phi3" whose joint no point is, under the next letter that is free."""
+    """Return both sides of each closure "B + r2 @ phi2 = D + r3 @ phi3" at a joint that has no point, by the next free letter."""
     variant, points = mechanism.variant, dict(mechanism.points)
     taken = {*points, *variant.values, *(coordinate.name for coordinate in variant.coordinates)}
     free = (letter for letter in ascii_uppercase if letter not in taken)
@@ -32,16 +32,16 @@ def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:
 
 
 def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
-    """Return the length between two points wherever the file says it: "B = A + r2 @ phi2", "P = C - (0, R)", a group.
+    """Return the length formulas by pair of points, as in "B = A + r2 @ phi2", "P = C - (0, R)" or a group.
 
-    Beside a point at the origin also "D = (d, 0)" says one.
+    If a point lies at the origin, "D = (d, 0)" gives its distance from that point too.
     """
     variant = mechanism.variant
     minus = [Formula("-", (named(name), formula)) for name, formula in mechanism.points]
     for group in variant.groups:
         met = named(group.meets or "")
         minus += [Formula("-", (met, side)) for side in group_kind(group.kind).closure(group)[0] if group.meets]
-    at = {formula: named(name) for name, formula in mechanism.points}  # C + s @ psi = O + r @ phi, which is B
+    at = {formula: named(name) for name, formula in mechanism.points}  # a side of a closure that is the formula of B stands for B
     minus += [Formula("-", (at.get(c.left, c.left), at.get(c.right, c.right))) for c in mechanism.constraints if c.is_closure]
     for joint, sides in unnamed_joints(mechanism).items():
         minus += [Formula("-", (named(joint), side)) for side in sides]
@@ -62,7 +62,7 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
 
 
 def stretching(mechanism: Mechanism) -> frozenset[frozenset[str]]:
-    """Return the pairs of points whose distance the file lets change: by a coordinate or a function."""
+    """Return the pairs of points whose distance can change, because a coordinate, a function or t occurs in it."""
     variant = mechanism.variant
     changing = {c.name for c in variant.coordinates} | {law.name for law in (*variant.functions, *variant.drive)} | {"t"}
     return frozenset(ends for ends, length in lengths(mechanism).items() if changing & set(length.names()))

@@ -1,7 +1,7 @@
 """What a mechanism looks like, in names of points only: bars, blocks, sleeves, slots, rails, wheels, hinges.
 
-Enters: nothing; `tracing.py` fills these records from a mechanism.  Leaves: `Outline` and its parts; positions of its
-`points` are all that a drawing or an animation needs besides.  A direction is always that from one point to another.
+Enters: nothing; `tracing.py` fills these records from a mechanism.  Leaves: `Outline` and its parts; besides it a drawing or
+an animation needs only the positions of its `points`.  A direction is always that from one point to another.
 Used by `tracing.py`, `painter.py`, `poses.py`, `drawing/figures.py` and `plans/`.
 """
 
@@ -25,7 +25,7 @@ class Bar:
 
 @frozen
 class Slot:
-    """The straight part of a link on which `riders` slide: the line beside its point `at`, parallel to `base` - `toward`."""
+    """The straight part of a link on which `riders` slide: a line at some distance from `at`, parallel to `base` - `toward`."""
 
     link: str
     at: str
@@ -36,7 +36,7 @@ class Slot:
 
 @frozen
 class Block:
-    """A slider at a point, along `base` - `toward`; an `open` one is a sleeve through which a bar goes."""
+    """A slider at a point, along `base` - `toward`; if `open`, it is a sleeve through which a bar goes."""
 
     link: str
     at: str
@@ -47,9 +47,9 @@ class Block:
 
 @frozen
 class Rail:
-    """A fixed guide, the line through the first place of `at` along `base` - `toward`; `rolls`: a wheel runs on it.
+    """A fixed guide, the line through the first position of `at` along `base` - `toward`; `rolls` if a wheel runs on it.
 
-    `rider` is the point that slides or rolls on it, "" where the file names none.
+    `rider` is the point that slides or rolls on it, "" if the file names none.
     """
 
     at: str
@@ -80,8 +80,8 @@ class Track:
 class Outline:
     """All that is drawn of a mechanism.
 
-    `points` (name, formula), each after those it needs; those whose name begins with "~" are no points of the file.
-    `driven` are points with a given velocity, `cranks` (rate, hinge) are links with a given one.  `names` are those written.
+    `points` are (name, formula), each after those that it needs; a name that begins with "~" is no point of the file.
+    `driven` are the points with a given velocity, `cranks` (rate, hinge) the links with a given rate.
     """
 
     points: tuple[tuple[str, Formula], ...]
@@ -97,14 +97,14 @@ class Outline:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Return the points of the file that something drawn goes through, in the order of the file."""
+        """Return the points of the file that are part of something drawn, in the order of the file."""
         used = {name for bar in self.bars for name in bar.corners} | {*self.hinges, *self.driven}
         used |= {block.at for block in self.blocks} | {name for wheel in self.wheels for name in (wheel.centre, wheel.contact)}
         return tuple(name for name, _ in self.points if name in used and not name.startswith("~"))
 
     @property
     def shown(self) -> tuple[str, ...]:
-        """Return the points that a drawing names: those of `names`, and the middles of fixed circles."""
+        """Return the points whose names are written: those of `names`, and the centres of fixed circles."""
         middles = (track.centre for track in self.tracks if not track.centre.startswith("~"))
         return tuple(dict.fromkeys((*self.names, *middles)))
 

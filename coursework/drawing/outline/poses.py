@@ -1,4 +1,4 @@
-"""Rows of a motion -> where the points of an outline are, what a drive asks of them, and how far sliders travel.
+"""Rows of a motion -> positions of the points of an outline, driven velocities, and how far sliders travel.
 
 Enters: an `Outline`, velocity equations and motions.  Leaves: `Poses`, points as complex numbers x + iy in m.
 Used by `drawing/figures.py`.
@@ -21,7 +21,7 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Poses:
-    """Positions `at` (name -> (n,), m) of every point of an outline, and the laws of the `drive` (name -> (n,)) at times `t`."""
+    """Positions `at` (name -> (n,), m) of an outline's points, and values `drive` of laws (name -> (n,)) at times `t`."""
 
     t: Array
     at: Mapping[str, Complex]
@@ -41,21 +41,21 @@ class Poses:
         return unit_vectors(self.at[toward] - self.at[base])
 
     def line(self, slot: Slot) -> tuple[float, float, float]:
-        """Return how far the line of a slot is beside its point (m, to the left), and between which places its riders are."""
+        """Return the offset of a slot's line from its point (m, to the left), and the range of its riders along the line."""
         along, at = self.along(slot.base, slot.toward), self.at[slot.at]
         places = [(self.at[rider] - at) * along.conjugate() for rider in slot.riders]
         beside = float(places[0][0].imag)
         return beside, float(min(np.min(p.real) for p in places)), float(max(np.max(p.real) for p in places))
 
     def travel(self, rail: Rail) -> tuple[complex, complex, float, float]:
-        """Return a place on a rail, its direction, and the least and greatest way of its rider from there (m)."""
+        """Return a point on a rail, its direction, and the least and greatest distance of its rider from there along it (m)."""
         start, along = complex(self.at[rail.at][0]), complex(self.along(rail.base, rail.toward)[0])
         ways = ((self.at[rail.rider] - start) * along.conjugate()).real if rail.rider else np.zeros(1)
         return start, along, float(ways.min()), float(ways.max())
 
 
 def unit_vectors(way: Complex) -> Complex:
-    """Return unit vectors (n,) along ways (n,), 0 where one has no length."""
+    """Return the unit vectors (n,) of vectors (n,), 0 for a vector of length 0."""
     return np.asarray(way / np.where(way == 0, 1, np.abs(way)))
 
 
@@ -76,5 +76,5 @@ def read_poses(outline: Outline, equations: VelocityEquations) -> Callable[[Arra
 
 
 def all_rows(equations: VelocityEquations, motion: Motion) -> bool:
-    """Return whether a motion has every coordinate; one restricted to some columns has not."""
+    """Return whether a motion has all coordinates; a motion restricted to some columns does not."""
     return len(motion.coordinate_names) == len(equations.variant.coordinates)

@@ -1,9 +1,9 @@
-"""Finds what a mechanism looks like: the outline that its links, its groups or its points tell.
+"""Finds what a mechanism looks like: the outline that follows from its links, its groups or its points.
 
-Enters: a `Mechanism`.  Leaves: its `Outline`, None where the file places no points.
+Enters: a `Mechanism`.  Leaves: its `Outline`, None if the file places no points.
 Used by `drawing/figures.py`, `drawing/trajectories.py`, `plans/`, `report/live/drawn.py` and `moving_picture.py`.
-Where a file has [links] they are drawn as listed; else links follow from the joints of its groups, and from points such as
-"A = D + r1 @ phi1" where it has neither.
+If a file has [links], they are drawn as listed; else links follow from the joints of its groups, and, if it has neither,
+from points such as "A = D + r1 @ phi1".
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from coursework.variant.record.variant import Variant
 
 
 def read_outline(mechanism: Mechanism) -> Outline | None:
-    """Return the outline of a mechanism, None where a file places no points.
+    """Return the outline of a mechanism, None if its file places no points.
 
     >>> from coursework.variant.catalogue import load
     >>> from coursework.mechanism.mechanism import build
@@ -57,7 +57,7 @@ class _Pencil:
         self.drawn_rates: set[str] = set()
 
     def links(self) -> None:
-        """Draw the links as listed, with what slides or rolls on the rails of the frame."""
+        """Draw the links as listed, with the blocks and wheels on the rails of the frame."""
         variant = self.variant
         contacts = {link.contact for link in variant.links if link.contact}
         for link in variant.links:
@@ -86,7 +86,7 @@ class _Pencil:
                 self.blocks.append(Block(held, at, at, toward))
 
     def groups(self, linkage: Linkage) -> None:
-        """Draw the bodies of a chain by their joints."""
+        """Draw the bodies of a chain of groups by their joints."""
         called = link_names(linkage, self.variant)
         corners: dict[str, list[str]] = {body: [] for body in linkage.bodies}
         for joint in linkage.joints:
@@ -97,7 +97,7 @@ class _Pencil:
             if joint.pins and FRAME in joint.bodies and at and not led_by_law(named(at), self.variant, self.points):
                 self.hinges.append(at)
         for body, names in linkage.holds.items():
-            for name in names:  # beside the point it is placed from, so that the arm given is the one drawn
+            for name in names:  # beside the point from which it is placed, so that the given arm is drawn
                 own, formula = linkage.coordinates[body], self.points[name]
                 base = arm_base(formula, own)
                 onward = base != "" and [*terms(formula)][1].args[1] == named(own)  # along the link, past its other joints
@@ -133,14 +133,14 @@ class _Pencil:
                 self.rails.append(Rail(at, at, self.direction(at, angle)))
 
     def arms(self) -> None:
-        """Draw what turns with a coordinate that no link and no group has: the arms between the points it places."""
+        """Draw what turns with a coordinate that belongs to no link and no group: the arms between the points it places."""
         contacts = {wheel.contact for wheel in self.wheels}
         grouped = {name for group in self.variant.groups for name in group.coordinates}
         for coordinate in self.variant.coordinates:
             if coordinate.rate in self.drawn_rates or coordinate.name in grouped or coordinate.unit != "rad":
                 continue
             corners = [end for base, tip in self.arms_of(coordinate.name) if tip not in contacts for end in (base, tip)]
-            listed = any({*corners} <= {*bar.corners} for bar in self.bars)  # a link that is drawn, its angle counted otherwise
+            listed = any({*corners} <= {*bar.corners} for bar in self.bars)  # a drawn link whose angle is measured otherwise
             if corners and not listed:
                 number_of = re.search(r"\d+$", coordinate.rate)
                 taken = {bar.link for bar in self.bars}
@@ -150,7 +150,7 @@ class _Pencil:
                     self.hinges.append(corners[0])
 
     def arms_of(self, coordinate: str) -> list[tuple[str, str]]:
-        """Return the ends of what turns with a coordinate: A = D + r1 @ phi1, A + r2 @ phi2 = E, (E - A - r2 @ phi2).x held."""
+        """Return the ends of the arms of a coordinate: A = D + r1 @ phi1, A + r2 @ phi2 = E, (E - A - r2 @ phi2).x held."""
         named = [(name, formula) for name, formula in self.points.items() if not name.startswith("~")]
         found = [(base, name) for name, formula in named if (base := arm_base(formula, coordinate))]
         for left, right in self.closures:
@@ -163,7 +163,7 @@ class _Pencil:
         return found
 
     def outline(self) -> Outline:
-        """Return what was collected; contacts of racks and wheels keep the order of the file."""
+        """Return the outline that was collected."""
         variant = self.variant
         laws = {law.name for law in variant.drive}
         driven = tuple(name for name in self.points if {f"V{name}x", f"V{name}y"} & laws)
@@ -183,7 +183,7 @@ class _Pencil:
             yield Track(at, self.beside(at, radius, number(0)))
 
     def name_of(self, formula: Formula) -> str:
-        """Return the name of the point of a formula, a new one where the file has none."""
+        """Return the name of the point with a formula; a new point is added if there is none."""
         if formula.op == "name":
             return formula.name
         return self.named.get(formula) or self.added(formula)
@@ -193,17 +193,17 @@ class _Pencil:
         return self.beside(at, number(1), angle)
 
     def beside(self, at: str, length: Formula, angle: Formula) -> str:
-        """Return the point at a length and angle from another; a new point is written out, so that each stands by itself."""
+        """Return a point at a length and angle from another; the formula of a new point contains that of its base in full."""
         base = self.points[at] if at.startswith("~") else named(at)
         return self.added(Formula("+", (base, Formula("@", (length, angle)))))
 
     def turning(self, rate: str | None) -> Formula:
-        """Return the angle that goes with a rate, 0 where nothing does."""
+        """Return the angle whose rate is given by name, 0 if there is none."""
         found = next((c.name for c in self.variant.coordinates if c.rate == rate), "")
         return named(found) if found else number(0)
 
     def added(self, formula: Formula) -> str:
-        """Return the name of a new point."""
+        """Return the name of the point with a formula, added if it is new."""
         if formula not in self.named:
             name = f"~{sum(known.startswith('~') for known in self.points)}"
             self.points[name] = formula

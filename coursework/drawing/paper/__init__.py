@@ -1,1 +1,1 @@
-"""A sheet in millimetres: lines, signs, words that keep out of each other's way."""
+"""A sheet in millimetres: lines, symbols, and words that do not cover each other."""

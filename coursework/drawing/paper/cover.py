@@ -1,7 +1,7 @@
 """Rectangles on a sheet -> what each of them would cover, and how far it is from lines; many rectangles at once.
 
 Enters: rectangles as corners low and high (n, 2), and what is drawn, all in mm.  Leaves: arrays.
-Used by `placing.py`, which asks a thousand times a drawing, and by `report/live/spots.py`.
+Used by `placing.py`, a thousand times a drawing, and by `report/live/spots.py`.
 """
 
 from __future__ import annotations
@@ -14,23 +14,23 @@ from coursework.system.arrays import Array, Flags
 
 Segment = tuple[complex, complex]
 Rectangle = tuple[float, float, float, float]
-CLOSE = 1e-9  # mm: what is no farther off is looked at exactly
+CLOSE = 1e-9  # mm: lines at most this far from a rectangle are examined exactly
 STILL = 1e-300  # stands for a step of 0, so that a line along an axis needs no case of its own
 
 
 def shared(low: Array, high: Array, others: Sequence[Rectangle] | Array) -> Array:
-    """Return the sides (..., n, m, 2) of what rectangles (..., n, 2) share with others, below 0 where they are apart.
+    """Return width and height (..., n, m, 2) of what rectangles (..., n, 2) share with `others`; below 0 if they are apart.
 
-    The others are (left, top, right, bottom), (..., m, 4); what stands before are rows of a motion.
+    `others` are (left, top, right, bottom), shape (..., m, 4); the leading axes are rows of a motion.
     """
     boxes = np.asarray(others).reshape(*low.shape[:-2], -1, 4)[..., None, :, :]
     return np.asarray(np.minimum(high[..., None, :], boxes[..., 2:]) - np.maximum(low[..., None, :], boxes[..., :2]))
 
 
 def clipped(low: Array, high: Array, begin: Array, step: Array, free: Array | float = 0.0) -> Array:
-    """Return the part (..., n, m), 0 to 1, of each line from `begin` by `step` (..., m, 2) in each rectangle (..., n, 2).
+    """Return the part (..., n, m), 0 to 1, of each line from `begin` by `step` (..., m, 2) inside each rectangle (..., n, 2).
 
-    A rectangle is larger by `free` (m, 1) on every side for some lines.
+    For each line the rectangles are enlarged by `free` (m, 1) on every side.
     """
     with np.errstate(over="ignore"):
         first = (low[..., None, :] - (begin + free)[..., None, :, :]) / step[..., None, :, :]
@@ -41,14 +41,14 @@ def clipped(low: Array, high: Array, begin: Array, step: Array, free: Array | fl
 
 
 def through(begin: Array, step: Array, boxes: Sequence[Rectangle]) -> Array:
-    """Return how many rectangles (left, top, right, bottom) each way from `begin` (n, 2) by `step` (n, 2) goes through."""
+    """Return how many rectangles (left, top, right, bottom) each line from `begin` (n, 2) by `step` (n, 2) goes through."""
     corners, moved = np.array(boxes).reshape(-1, 4), np.where(step == 0, STILL, step)
     parts = clipped(corners[:, :2], corners[:, 2:], begin, moved)
     return np.asarray(np.count_nonzero(parts > 0, axis=0))
 
 
 class Lines:
-    """The segments on a sheet; one may be a point; about those behind the first `plain` ones more is kept free, by `free` mm."""
+    """The segments on a sheet, or points; rectangles are to stay `free` mm away from those after the first `plain` ones."""
 
     def __init__(self, segments: Sequence[Segment], plain: int | None = None, free: float = 0.0) -> None:
         ends = np.array([(a.real, a.imag, b.real, b.imag) for a, b in segments]).reshape(-1, 2, 2)
@@ -66,7 +66,7 @@ class Lines:
         return clipped(low, high, self.begin, self.step)
 
     def within(self, low: Array, high: Array) -> tuple[Array, Array, Array]:
-        """Return in how many plain segments each rectangle (n,) has a part, how long those parts are, and in how many others."""
+        """Return for each rectangle (n,) how many plain segments it meets, their length in it, and how many others it meets."""
         (left, top), (right, bottom) = (low - CLOSE).T[:, :, None], (high + CLOSE).T[:, :, None]
         (begins, starts), (ends, stops) = (self.low - self.free).T, (self.high + self.free).T
         # Most lines are far from most rectangles: only those that may meet are clipped.
@@ -80,14 +80,14 @@ class Lines:
         return each((part > 0) & plain), each(np.where(plain, part * self.length[line], 0.0)), each((part > 0) & ~plain)
 
     def feet(self, points: Array) -> Array:
-        """Return the point (n, m, 2) of each segment that is nearest to each point (n, 2)."""
+        """Return the point (n, m, 2) of each segment nearest to each point (n, 2)."""
         square = np.maximum(self.length**2, STILL)
         off = (points[:, None] - self.begin) * self.step
         way = np.minimum(np.maximum((off[..., 0] + off[..., 1]) / square, 0.0), 1.0)
         return np.asarray(self.begin + way[..., None] * self.step)
 
     def apart(self, low: Array, high: Array) -> Array:
-        """Return the distance (n, m) of each rectangle from each segment, 0 where they meet."""
+        """Return the distance (n, m) of each rectangle from each segment, 0 if they meet."""
         corners = np.concatenate([low, high, np.column_stack([low[:, 0], high[:, 1]]), np.column_stack([high[:, 0], low[:, 1]])])
         off = self.feet(corners) - corners[:, None]
         far = np.hypot(off[..., 0], off[..., 1]).reshape(4, len(low), self.count).min(axis=0)
@@ -97,7 +97,7 @@ class Lines:
         return np.asarray(np.where(self.parts(low, high) > 0, 0.0, far))
 
     def crossed(self, begin: Array, step: Array) -> Array:
-        """Return how many segments (n,) are crossed on each way from `begin` (n, 2) by `step` (n, 2)."""
+        """Return how many segments each line from `begin` (n, 2) by `step` (n, 2) crosses, as (n,)."""
         between = self.begin - begin[:, None]
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             turned = _cross(step[:, None], self.step)

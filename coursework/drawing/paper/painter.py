@@ -1,6 +1,6 @@
-"""A mechanism on a sheet, from what lies behind to what stands in front: rails, hinges, links, blocks, joints.
+"""A mechanism on a sheet, from the background to the foreground: rails, hinges, links, blocks, joints.
 
-Enters: an `Outline`, its `Poses` and where points of the plane lie on the sheet.  Leaves: items on the `Sheet`.
+Enters: an `Outline`, its `Poses` and a mapping from the plane to the sheet.  Leaves: items on the `Sheet`.
 Used by `drawing/figures.py`, `naming.py`, `dimensions.py`, `offsets.py` and `drawing/check_sheet/drawing.py`.
 SVG elements say what they are: data-link, data-sleeve, data-rail.
 """
@@ -28,16 +28,16 @@ OUTLINE = 'fill="none" stroke="black" stroke-width="0.35"'
 RING = 'fill="white" stroke="black" stroke-width="0.35"'
 DOT = 'fill="black"'
 BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
-BEYOND = 10.0  # mm of a bar beyond the farthest place of its sleeve
-RAIL, LEAST_RAIL = 9.0, 5.0  # mm of a rail beyond the farthest place of its slider; no less
-OFF_JOINT = 2.4  # mm: a rail passes a joint that does not slide on it so far off
+BEYOND = 10.0  # mm: length of a bar beyond the farthest place of its sleeve
+RAIL, LEAST_RAIL = 9.0, 5.0  # mm: length of a rail beyond the farthest place of its slider; at least
+OFF_JOINT = 2.4  # mm: a rail keeps this far from joints that do not slide on it
 JOINT = 1.0  # mm: the radius of a joint, less than the shortest arrow that begins in one
-GROUND, HALF_GROUND = 8.0, 5.5  # mm: how far the symbol of a hinge reaches, with what is kept free around it
-ALIGNED = 1e-9  # of the mechanism: a point within this of a line lies on it
+GROUND, HALF_GROUND = 8.0, 5.5  # mm: depth and half width of the symbol of a hinge, with the room around it
+ALIGNED = 1e-9  # relative to the size of the link: a point this near to a line lies on it
 
 
 class Painter:
-    """One row of a mechanism drawn on a sheet; `put` takes a point (m) to the sheet (mm, y down), `mm` are those of 1 m."""
+    """Draws one row of a mechanism; `put` maps a point (m) to the sheet (mm, y down), 1 m is `mm` mm long there."""
 
     def __init__(
         self, sheet: Sheet, outline: Outline, poses: Poses, row: int, put: Callable[[complex], complex], mm: float
@@ -47,11 +47,11 @@ class Painter:
         self.at = {name: put(z) for name, z in self.place.items()}
         self.names = outline.shown
         self.middle = sum((self.at[name] for name in self.names), 0j) / max(len(self.names), 1)
-        self.grounds: list[tuple[complex, complex]] = []  # rails and hinges as they are drawn
+        self.grounds: list[tuple[complex, complex]] = []  # lines of rails and hinges as drawn
         self.rails: dict[Rail, tuple[complex, complex]] = {}  # the rails among them
 
     def extent(self) -> Iterator[tuple[complex, float]]:
-        """Yield what takes room: places on the sheet (mm, y down) with the room around each."""
+        """Yield the places on the sheet (mm, y down) that need room, each with the radius of its room."""
         for name in self.names:
             yield self.at[name], 11.0 if name in self.outline.hinges else 7.0
         for wheel in self.outline.wheels:
@@ -73,7 +73,7 @@ class Painter:
             self.hinge(name)
 
     def moving(self, *, dragged: bool = False) -> None:
-        """Draw what moves: blocks, links, joints; those that the desk lets a hand drag say where they are."""
+        """Draw what moves: blocks, links, joints; if `dragged`, with the positions by which the desk lets a hand drag joints."""
         for block in self.outline.blocks:
             self.block(block)
         for wheel in self.outline.wheels:
@@ -86,7 +86,7 @@ class Painter:
             self.joint(name, self.spot(name) if dragged else "")
 
     def thin(self) -> None:
-        """Draw the links alone with thin lines, as one of many positions."""
+        """Draw only the links, with thin lines, as one of many positions."""
         for bar in self.outline.bars:
             self.sheet.path([self.at[name] for name in bar.corners], f'fill="none" {THIN}', blocks=False)
         for slot in self.outline.slots:
@@ -98,7 +98,7 @@ class Painter:
     # what is fixed
 
     def rail_line(self, rail: Rail) -> tuple[complex, complex]:
-        """Return both ends of a rail (mm), as far as its slider travels and a little more."""
+        """Return both ends of a rail (mm): the travel of its slider and a little more on both sides."""
         start, along, low, high = self.poses.travel(rail)
         wheels = [w for w in self.outline.wheels if w.contact == rail.rider and rail.rolls]
         radius = max((abs(self.place[w.contact] - self.place[w.centre]) for w in wheels), default=0.0)
@@ -106,7 +106,7 @@ class Painter:
         return self.put(start + along * (low - more)), self.put(start + along * (high + more))
 
     def rail(self, rail: Rail) -> None:
-        """Draw a rail, hatched on the side where nothing is."""
+        """Draw a rail, hatched on its free side."""
         a, b = self.rail_line(rail)
         side = -1j * (b - a) / abs(b - a) * rail_side(self.outline, self.poses.pose(0), rail)
         pieces = [(a, b)]
@@ -120,9 +120,9 @@ class Painter:
                 self.rails.setdefault(rail, part)
 
     def clear_of_joints(self, rail: Rail, ends: Segment, side: complex) -> tuple[complex, list[Segment]]:
-        """Return the side of its block on which a rail is drawn, and its pieces: through no joint that does not slide on it.
+        """Return the side of its block on which a rail is drawn, and its pieces, which avoid joints that do not slide on it.
 
-        It is rather shorter, or on the other side, than in two pieces with the joint between them.
+        A shorter rail, or the other side, is preferred to two pieces with the joint between them.
         """
         a, b = ends
         along = (b - a) / abs(b - a)
@@ -144,9 +144,9 @@ class Painter:
         return side, [piece for piece, low, high in zip(pieces, cuts[::2], cuts[1::2], strict=True) if high - low > PITCH]
 
     def track(self, track: Track) -> None:
-        """Draw a ring that has room whole, else the part of a fixed circle near its wheel, hatched inside the solid.
+        """Draw a ring whole if it has room, else the part of a fixed circle near its wheel, hatched on the solid side.
 
-        The radius that leads to the wheel is drawn too.
+        The radius to the wheel is drawn too.
         """
         middle = self.at[track.centre]
         radius = abs(self.at[track.rim] - middle)
@@ -179,22 +179,22 @@ class Painter:
         self.sheet.boxes.append(around([(at + 3.5 * down, 4.0)]))
 
     def in_ground(self, place: complex) -> bool:
-        """Return whether a place lies in the symbol of a hinge below its ring, where no arrow can be seen to end."""
+        """Return whether a place lies in the symbol of a hinge below its ring, where the end of an arrow cannot be seen."""
         offs = ((place - self.at[name]) * self.ground(name).conjugate() for name in self.outline.hinges)
         return any(JOINT < off.real < GROUND and abs(off.imag) < HALF_GROUND for off in offs)
 
     def at_joint(self, place: complex) -> bool:
-        """Return whether a place lies on the ring of a joint, or so near that an arrow would end in it."""
+        """Return whether a place lies on the ring of a joint, or so near to it that an arrow would end in it."""
         return any(abs(self.at[name] - place) < 1.4 * JOINT for name in self.names)
 
     def ground(self, name: str) -> complex:
-        """Return on which side of a hinge its ground is: below, as in a textbook, unless a link hides it there."""
+        """Return the direction on the sheet from a hinge to its ground: below, as in a textbook, unless a link hides it there."""
         return hinge_ground(self.outline, self.place, name).conjugate()
 
     # what moves
 
     def bar(self, bar: Bar) -> None:
-        """Draw a link: a line through its points, or a rack, filled where it is bent."""
+        """Draw a link: lines through its points, filled where it is bent, or a rack."""
         data = f' data-link="{plain(bar.link)}"'
         if contact := self.racks.get(bar.link):
             self.rack(bar, contact)
@@ -205,7 +205,7 @@ class Painter:
             self.corner(a, b, c)
 
     def corner(self, a: str, b: str, c: str) -> None:
-        """Fill the angle of a bent link: it is rigid there."""
+        """Fill the angle of a bent link, to show that it is rigid there."""
         arms = [self.at[name] - self.at[b] for name in (a, c)]
         if all(arms) and abs((arms[0].conjugate() * arms[1]).imag) > 0.05 * abs(arms[0]) * abs(arms[1]):
             tips = [self.at[b] + arm / abs(arm) * min(5.0, abs(arm)) for arm in arms]
@@ -218,7 +218,7 @@ class Painter:
         self.sheet.line(centre, contact, THIN)
 
     def slot_line(self, slot: Slot) -> list[complex]:
-        """Return the line of a slot (mm): from its point at right angles to the line, then along it past its farthest rider."""
+        """Return the line of a slot (mm): from its point at right angles to the line, then along it past the farthest rider."""
         beside, low, high = self.poses.line(slot)
         at, along = self.place[slot.at], complex(self.poses.along(slot.base, slot.toward)[self.row])
         corners = next((bar.corners for bar in self.outline.bars if bar.link == slot.link), ())
@@ -234,7 +234,7 @@ class Painter:
         return [ends[0], self.put(foot), self.put(at), self.put(foot), ends[1]]
 
     def slot(self, slot: Slot) -> None:
-        """Draw the line on which a block slides as a part of its link."""
+        """Draw the line on which a block slides, as part of its link."""
         for a, b in itertools.pairwise(self.slot_line(slot)):
             if a != b:
                 self.sheet.line(a, b, LINK, f' data-link="{plain(slot.link)}" data-slot=""', heavy=True)
@@ -256,7 +256,7 @@ class Painter:
 
     @cached_property
     def rings(self) -> list[Track]:
-        """Return the fixed circles in which wheels roll: they are seen whole."""
+        """Return the fixed circles inside which wheels roll; they are drawn whole."""
         return [track for track in self.outline.tracks if inward(self.outline, self.poses.pose(0), track) < 0]
 
     @cached_property
@@ -276,12 +276,12 @@ class Painter:
         self.sheet.path([at, end, end + side, at + side], RING, closed=True)
 
     def spot(self, name: str) -> str:
-        """Return what tells a program which point a joint is, where it is in the mechanism (m), and how many mm 1 m is here."""
+        """Return SVG attributes with a joint's name, its position in the mechanism (m), and the mm per metre of this drawing."""
         at = self.place[name]
         return f' data-joint="{plain(name)}" data-at="{at.real:.6g} {at.imag:.6g}" data-mm="{self.mm:.6g}"'
 
     def joint(self, name: str, data: str = "") -> None:
-        """Draw a joint as a ring, a mere point of a link as a dot."""
+        """Draw a joint as a ring; a mere point of a link as a dot."""
         if any(name == wheel.contact for wheel in self.outline.wheels):
             self.sheet.circle(self.at[name], 0.7, DOT, data)
             return

@@ -1,4 +1,4 @@
-"""Where a word stands: beside what it names, nearer to it than to anything alike, over as little as can be.
+"""Finds where a word stands: beside what it names, nearer to it than to anything similar, covering as little as possible.
 
 Enters: what a sheet has so far (mm, y down), the size of a word and what it belongs to.  Leaves: `Stand`.
 Used by `sheet.py`.
@@ -16,45 +16,45 @@ from coursework.drawing.paper.cover import Lines, Rectangle, Segment, shared, th
 from coursework.system.arrays import Array
 from coursework.system.frozen import changing, frozen
 
-Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
-DIRECTIONS = 16  # in which a place is looked for
-RINGS = (0.0, 1.0, 2.0, 3.2, 4.5, 6.0, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last only where words would meet
-FIRST, FURTHER = 32, 4  # places looked at together, by what they cost at least; then so many times more
-FARTHER = 0.5  # mm of lines that a word rather covers than standing 1 mm farther off
-TURNED = 0.6  # the same for a quarter turn away from the direction it should have
-NEXT = 0.6  # the same for each place after the first
+Place = tuple[complex, complex, float]  # beside this point, preferably in this direction, at this distance (mm)
+DIRECTIONS = 16  # directions that are tried
+RINGS = (0.0, 1.0, 2.0, 3.2, 4.5, 6.0, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last only if words would meet
+FIRST, FURTHER = 32, 4  # places rated together, ranked by their least cost; then this many times more
+FARTHER = 0.5  # price of standing 1 mm farther off; all prices are in mm of thin lines covered instead
+TURNED = 0.6  # price of a quarter turn away from the preferred direction
+NEXT = 0.6  # price of each place after the first
 MARGIN = 0.5  # mm kept free around a word
-CLEAR = 0.4  # mm more beside a heavy line, half of its width
-HEAVY = 120.0  # mm of thin lines that a word rather covers than a heavy one: a link or an arrow
-WORD_ON_WORD = 200.0  # the same for another word
-CROSSED = 20.0  # the same for every line that goes through it
-SYMBOL = (3.0, 6.0)  # the same for a mm² of a symbol, and for every symbol
-GAP, SIDE_BY_SIDE = 2.2, 20.0  # mm: words nearer on one line read as one; mm of lines that a word rather covers
-LEADING, FRACTION = 0.8, 2.0  # mm: so do words nearer above each other, and lengths that would read as a fraction
-BEYOND = 30.0  # mm of lines for each mm beyond the field
-CLEARLY = 1.0  # mm: a word is that much nearer to its own than to what it might be mistaken for
-LOST = 5.0  # mm: farther from a line or a point a word seems to belong to nothing
-LEADER, LEADER_CROSSES = 4.0, (15.0, 100.0, 3.0)  # mm of lines for such a line, and for each heavy line, word, symbol it crosses
-STEP_OFF = 0.6  # mm: it is looked at from beside the line it leads to
-ALONG = (0.35, 0.6, 0.85)  # parts of its way at which it must not lie on a heavy line
-CHEAPEST = 12  # places looked at together
-TOUCH = 1.2  # mm: a place so near a point or a line is beside that; farther off it is beside a rim or a block
+CLEAR = 0.4  # mm more kept free beside a heavy line: half of its width
+HEAVY = 120.0  # price of covering a heavy line: a link or an arrow
+WORD_ON_WORD = 200.0  # price of covering another word
+CROSSED = 20.0  # price of every line through the word, beside its length
+SYMBOL = (3.0, 6.0)  # price of each covered mm² of a symbol, and of each symbol
+GAP, SIDE_BY_SIDE = 2.2, 20.0  # mm: words nearer on one line read as one word; the price of that
+LEADING, FRACTION = 0.8, 2.0  # mm: so do words nearer above each other; the same for lengths, which would read as a fraction
+BEYOND = 30.0  # price of each mm beyond the field
+CLEARLY = 1.0  # mm: a word should be this much nearer to its owner than to any rival
+LOST = 5.0  # mm: farther from its owner a word seems to belong to nothing, and a leader line leads to it
+LEADER, LEADER_CROSSES = 4.0, (15.0, 100.0, 3.0)  # price of a leader line, and of each heavy line, word, symbol crossed
+STEP_OFF = 0.6  # mm: a leader is examined from this far off the line that it leads to
+ALONG = (0.35, 0.6, 0.85)  # parts of a leader's length at which it is not to lie on a heavy line
+CHEAPEST = 12  # places whose rivals are examined together, the cheapest first
+TOUCH = 1.2  # mm: a place this near is beside a point or a line; a place farther off is beside a rim or a block
 
 
 @frozen
 class Owner:
-    """What a word belongs to: its `own` segments, and `rivals` that a reader could take instead, worth `mistaken` mm of lines."""
+    """What a word belongs to: its `own` segments; `mistaken` is the price of a place where `rivals` could be meant instead."""
 
     own: Sequence[Segment]
     rivals: Sequence[Segment] = ()
     mistaken: float = 8.0
-    lost: float = LOST  # mm: a word farther from it is led back by a thin line
-    leading: float = LEADING  # mm: words so near above or below it are read with it
+    lost: float = LOST  # mm: a word farther from its own segments gets a leader line
+    leading: float = LEADING  # mm: words this near above or below it are read with it
 
 
 @frozen
 class Stand:
-    """The `middle` of a word beside one of its places; `leader` is the foot of the line that leads to what it names."""
+    """The `middle` of a word at one of its places; `leader` is where its leader line begins, None if it needs none."""
 
     middle: complex
     place: Place
@@ -63,7 +63,7 @@ class Stand:
 
 @changing
 class Taken:
-    """What is on a sheet so far; the lists are those of the sheet, their arrays are made anew when there is more."""
+    """What is on a sheet so far; the lists are those of the sheet, and arrays are made anew when they have grown."""
 
     segments: list[Segment]
     heavy: list[Segment]
@@ -72,14 +72,14 @@ class Taken:
     _lines: dict[str, Lines] = field(default_factory=dict)
 
     def lines(self, name: str) -> Lines:
-        """Return the `heavy` segments as arrays, or `all` of them: the heavy ones again behind them, with their room."""
+        """Return the "heavy" segments as arrays, or "all": the segments, then the heavy ones again with the room around them."""
         listed = self.heavy if name == "heavy" else [*self.segments, *self.heavy]
         if name not in self._lines or self._lines[name].count != len(listed):
             self._lines[name] = Lines(listed, None if name == "heavy" else len(self.segments), CLEAR)
         return self._lines[name]
 
     def covered(self, middles: Array, width: float, height: float, room: Rectangle, leading: float = LEADING) -> Array:
-        """Return what equal rectangles cover: mm of lines, more for heavy ones, words, symbols and what is beyond `room`."""
+        """Return the cost of equal rectangles: mm of lines, more for heavy lines, words, symbols and what is outside `room`."""
         half = np.array([width / 2 + MARGIN, height / 2 + MARGIN])
         low, high = middles - half, middles + half
         edge = np.array(room)
@@ -96,7 +96,7 @@ class Taken:
         return cost
 
     def stand(self, width: float, height: float, places: Sequence[Place], owner: Owner, room: Rectangle) -> Stand:
-        """Return where a word of a width and height (mm) stands best."""
+        """Return where a word of a width and height (mm) stands best, beside one of the `places`."""
         claimed, owned = Lines([*owner.own, *owner.rivals]), len(owner.own)
         half = np.array([width / 2, height / 2])
         turns = math.tau * np.arange(DIRECTIONS) / DIRECTIONS
@@ -111,7 +111,7 @@ class Taken:
         # Each rectangle touches the circle of radius `gap + ring` about its point.
         ats = (near + units * (gaps + rings + reach)).ravel()
         begins = np.broadcast_to(near + units * np.maximum(gaps - TOUCH, 0.0), (len(RINGS), *units.shape)).ravel()
-        ranked = np.argsort(leasts, kind="stable")  # where the first ones are good, the others need no look
+        ranked = np.argsort(leasts, kind="stable")  # if the first ones are good, the others need not be rated
         for begin, end in _growing(len(ranked)):
             kept = np.sort(ranked[begin:end][leasts[ranked[begin:end]] < best])
             if not kept.size:
@@ -121,7 +121,7 @@ class Taken:
             low, high = middles - half, middles + half
             cost = least + self.covered(middles, width, height, room, owner.leading)
             feet = begins[kept]
-            # What a reader could mistake only adds to the cost: it is looked at where the rest is cheap.
+            # Rivals only add to the cost, so they are examined only where the other costs are low.
             order = np.argsort(np.round(cost, 6), kind="stable")
             for some in (order[k : k + CHEAPEST] for k in range(0, len(order), CHEAPEST)):
                 if cost[some[0]] >= best - 1e-9:
@@ -142,7 +142,7 @@ class Taken:
         return found
 
     def _in_the_way(self, feet: Array, middles: Array) -> Array:
-        """Return the price of what each line from a foot to the middle of its word crosses."""
+        """Return the price of what each line crosses between a foot and the middle of its word."""
         way = middles - feet
         long = np.maximum(np.hypot(*way.T), 1e-9)[:, None]
         begin = feet + way / long * np.minimum(STEP_OFF, long)
@@ -159,7 +159,7 @@ class Taken:
 
 
 def _growing(count: int) -> Iterator[tuple[int, int]]:
-    """Yield where parts of so many things begin and end: a few first, then more and more."""
+    """Yield begin and end of successive parts of `count` items: first a few, then more and more."""
     begin, size = 0, FIRST
     while begin < count:
         yield begin, min(begin + size, count)

@@ -1,4 +1,4 @@
-"""What leaves the drawing board: one picture with its words, the same for the screen and for paper.
+"""What leaves the drawing board: one picture with its words, the same for screen and paper.
 
 Enters: SVG made in this room or in `plans`.  Leaves: `Drawing`.
 Used by `drawing/figures.py`, `quantities.py`, `scene_run.py` and `figures.py`.
@@ -11,10 +11,10 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Drawing:
-    """One figure: `id` for links, `svg` (one unit = 1 mm) of `width` by `height` mm, `caption`, and `alt` for who cannot see it.
+    """One figure: `id` for links, `svg` (one unit = 1 mm) of `width` by `height` mm, `caption`, and `alt`, its description.
 
-    `wide` drawings need a landscape page of their own; `exact` ones are printed at exactly their size, which carries a scale.
-    `steps` are sentences to be numbered below it; `letters` are those that name points there, set as in a formula.
+    One wider than a column gets a landscape page of its own; an `exact` one is printed at exactly its size, as it has a scale.
+    `steps` are sentences to be numbered below it; `letters` name points in them and are set as in a formula.
     """
 
     id: str

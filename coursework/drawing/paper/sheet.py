@@ -1,4 +1,4 @@
-"""A sheet of paper in millimetres: lines, circles, arrows, and labels that keep out of each other's way.
+"""A sheet of paper in millimetres: lines, circles, arrows, and labels that do not cover each other.
 
 Enters: points in mm as complex numbers, x to the right and y **down**.  Leaves: SVG, one user unit = 1 mm.
 Used by `painter.py`, `board.py`, `drawing/figures.py` and `drawing/check_sheet/drawing.py`; knows nothing of mechanisms.
@@ -20,35 +20,35 @@ from coursework.drawing.paper.ways import numbers_of, way
 AXIS = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'  # the pen of axes and construction lines
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
-SMALL_LETTER = 3.0  # mm, 8.5 pt, and 11 px where the screen shows the drawing at its size: as small as a word gets
-SIZES = (LETTER, 2.3, SMALL_LETTER)  # mm: of a word, of what is set lower, of what follows
-DECIMALS = 3  # of a mm: 1 µm is finer than paper or screen show
+SMALL_LETTER = 3.0  # mm, 8.5 pt, and 11 px on a screen at full size: the smallest size of a word
+SIZES = (LETTER, 2.3, SMALL_LETTER)  # mm: of the text, of its subscript, of what follows
+DECIMALS = 3  # decimals of a mm: 1 µm is finer than paper or screen can show
 BROAD = frozenset("MWmwωΩΨΦφψЖШЩЮФМжшщюфмы%@…—=+−<>")
 NARROW = frozenset(" \u00a0.,:;/|!'()[]ijl")
-HEAVIER = 1.1  # times as wide as it else is: a bold word
-LONGEST = 60  # letters of a text; what is longer would run over the drawing
+HEAVIER = 1.1  # a bold word is this many times as wide
+LONGEST = 60  # letters of a text; a longer one would run over the drawing
 PITCH = 1.6  # mm between the strokes of a hatch
-CROWDED = 8.0  # mm of lines: directions of the axes among more than that are not seen
+CROWDED = 8.0  # mm of covered lines: axes that cover more are not seen among them
 BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
-OFF_POINT = 1.6  # mm: a joint is seen so far around a point
+OFF_POINT = 1.6  # mm: the symbol of a joint reaches this far around a point
 BAND = 'stroke="white" stroke-width="1.8" stroke-linecap="butt"'
-HIDDEN, ALONG = 12.0, 0.95  # mm, and cosine of the angle: such an arrow is not seen upon a link
-HEADLESS = 2.1  # mm, 8 px: a shorter vector has no head, which would be all of it
+HIDDEN, ALONG = 12.0, 0.95  # mm, and cosine of the angle: a shorter arrow nearer to a link's direction is not seen on it
+HEADLESS = 2.1  # mm, 8 px: a shorter vector has no head, as it would be nothing else
 HALO = "<style>.halo{stroke:#fff;stroke-width:.9;stroke-linejoin:round;paint-order:stroke}</style>"  # around words on lines
 LEAD = 'stroke="#555" stroke-width="0.15"'
-Word = tuple[str, str, str]  # text, what is set lower, what follows
+Word = tuple[str, str, str]  # text, its subscript, what follows
 
 
 def plain(text: str, longest: int = LONGEST) -> str:
-    """Return text fit for SVG: printable letters only, escaped, not too long."""
-    from html import escape  # only a drawing pays for it, not what is read off one
+    """Return text fit for SVG: printable letters only, escaped, at most `longest` letters."""
+    from html import escape  # imported here, as only a drawing needs it, not its readings
 
     kept = "".join(letter for letter in text if letter.isprintable())
     return escape(kept if len(kept) <= longest else kept[: longest - 1] + "…")
 
 
 def width(text: str) -> float:
-    """Return the width of a text in heights of its letters, on the generous side; a letter of Chinese is a square."""
+    """Return an upper estimate of a text's width, in heights of its letters; a Chinese letter is a square."""
     return sum(map(_wide, text))
 
 
@@ -59,13 +59,13 @@ def _wide(letter: str) -> float:
 
 
 def number(value: float, decimals: int = DECIMALS) -> str:
-    """Return a coordinate, without a minus before zero."""
+    """Return a coordinate as text, without a minus before zero."""
     text = f"{value:.{decimals}f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
 
 
 def inside(a: complex, b: complex, box: Rectangle) -> tuple[complex, complex] | None:
-    """Return the part of a segment within a rectangle (left, top, right, bottom), None where there is none."""
+    """Return the part of a segment within a rectangle (left, top, right, bottom), None if there is none."""
     low, high = 0.0, 1.0
     step = b - a
     for at, rate, least, most in ((a.real, step.real, box[0], box[2]), (a.imag, step.imag, box[1], box[3])):
@@ -79,15 +79,15 @@ def inside(a: complex, b: complex, box: Rectangle) -> tuple[complex, complex] | 
 
 
 class Sheet:
-    """What is drawn so far, and which room it takes."""
+    """What is drawn so far, and the room that it takes."""
 
     def __init__(self, width: float, height: float, field: Rectangle) -> None:
         self.width, self.height, self.field = width, height, field
         self.items: list[str] = []
         self.segments: list[Segment] = []
         self.heavy: list[Segment] = []  # links and arrows, on which no word may stand
-        self.boxes: list[Rectangle] = []  # symbols that words keep off
-        self.words: list[Rectangle] = []  # words so far
+        self.boxes: list[Rectangle] = []  # symbols that words are not to cover
+        self.words: list[Rectangle] = []  # boxes of the words so far
         self.taken = Taken(self.segments, self.heavy, self.boxes, self.words)
 
     def line(self, a: complex, b: complex, pen: str, data: str = "", *, heavy: bool = False) -> None:
@@ -99,13 +99,13 @@ class Sheet:
             (self.heavy if heavy else self.segments).append((a, b))
 
     def path(self, points: Sequence[complex], look: str, *, closed: bool = False, blocks: bool = True) -> None:
-        """Draw a line through points; `look` says stroke and fill."""
+        """Draw a line through points; `look` gives stroke and fill, and if it `blocks`, words avoid it."""
         self.items.append(f'<path d="{_way(points)}{"Z" if closed else ""}" {look}/>')
         if blocks:
             self.segments += itertools.pairwise(points)
 
     def circle(self, at: complex, radius: float, look: str, data: str = "", *, rim: bool = False, blocks: bool = True) -> None:
-        """Draw a circle; small ones keep labels off their disc, a `rim` off the line only."""
+        """Draw a circle; words keep off its disc, with `rim` only off its line, unless it does not block."""
         self.items.append(f'<circle cx="{number(at.real)}" cy="{number(at.imag)}" r="{number(radius)}" {look}{data}/>')
         if not blocks:
             return
@@ -124,7 +124,7 @@ class Sheet:
         self.path([b, neck + side, neck - side], f'fill="black"{data}', closed=True)
 
     def vector(self, a: complex, b: complex, pen: str, data: str) -> None:
-        """Draw the arrow of a vector; a short one that lies along a heavy line gets a white band, or it would not be seen."""
+        """Draw the arrow of a vector; a short one along a heavy line gets a white band, as it would not be seen otherwise."""
         along = (b - a) / abs(b - a)
         if OFF_POINT < abs(b - a) < HIDDEN and any(self._hides(a, along, line) for line in self.heavy):
             self.items.append(f'<path d="{_way((a + OFF_POINT * along, b))}" fill="none" {BAND}/>')
@@ -138,7 +138,7 @@ class Sheet:
         return len(ways) == 1 and (along.conjugate() * ways[0]).real > ALONG * abs(ways[0])
 
     def axes(self, length: float = 7.0, highest: float = 0.0) -> None:
-        """Draw the directions of x and y in the corner where they cover least; below, where that is much and `highest` allows."""
+        """Draw the directions of x and y in the corner where they cover least; below, if that is much and `highest` allows."""
         left, top, right, bottom = self.field
         wide = high = length + 3.5
         corners = [complex(x, y) for y in (bottom - high, top) for x in (left, right - wide)]
@@ -158,7 +158,7 @@ class Sheet:
     def hatch(self, a: complex, b: complex, away: complex) -> None:
         """Hatch one side of a segment: short strokes that lean towards `away` (a direction)."""
         if a == b or not away:
-            return  # at this scale too small to have sides
+            return  # at this scale the segment is too small to have sides
         count = max(1, round(abs(b - a) / PITCH))
         along = (b - a) / count
         lean = (away / abs(away) - along / abs(along)) * 1.3
@@ -168,10 +168,10 @@ class Sheet:
         self.segments += kept
 
     def label(self, word: Word, places: Iterable[Place], look: str = "", *, turn: int = 0, owner: Owner | None = None) -> Place:
-        """Write a word where it covers least, beside one of its places, the best first; return that place.
+        """Write a word beside one of its places, the best ones first, where it covers least; return that place.
 
-        `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.  A word belongs to the points
-        of its places where no `owner` is said.
+        `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.  Without an `owner` a word
+        belongs to the points of its places.
         """
         listed = list(places)
         lead = 6.6 if turn else 0.0
@@ -192,22 +192,22 @@ class Sheet:
         return stand.place
 
     def leader(self, foot: complex, box: Rectangle) -> None:
-        """Draw the thin line from what a word names to the word."""
+        """Draw the thin line from the thing that a word names to the word."""
         edge = inside(foot, complex(box[0] + box[2], box[1] + box[3]) / 2, box)
         if edge is not None and abs(edge[0] - foot) > MARGIN:
             self.line(foot, edge[0], LEAD, ' data-leader=""')
 
     def text(self, at: complex, word: Word, look: str = "", size: float = LETTER) -> None:
-        """Write a word, its base line beginning at a point, on a white halo."""
+        """Write a word on a white halo, with its base line beginning at a point."""
         head, low, tail = (plain(part) for part in word)
         upright = ""
-        if tail.startswith(" "):  # a value, not a part of the name
-            tail = "\u00a0" + tail[1:]  # a space at the beginning of a piece may be left out by whoever sets the drawing
+        if tail.startswith(" "):  # a value, not part of the name
+            tail = "\u00a0" + tail[1:]  # a renderer may drop a space at the beginning of a tspan
             upright = ' font-style="normal"' if look == ITALIC else ""
         below = f'<tspan dy="0.8" font-size="{SIZES[1]}">{low}</tspan>' if low else ""
         raised = ' dy="-0.8"' if low else ""
         if low and tail and not tail[0].isspace():
-            raised += ' dx="0.5"'  # else the halo of what follows eats the subscript
+            raised += ' dx="0.5"'  # else the halo of what follows covers the subscript
         beside = f'<tspan{raised} font-size="{SIZES[2]}"{upright}>{tail}</tspan>' if tail else ""
         high = "" if size == LETTER else f' font-size="{size}"'
         place = f'x="{number(at.real)}" y="{number(at.imag)}"{high}'
@@ -223,8 +223,8 @@ class Sheet:
         self.path([tip, arc[-1] + 0.9j * along, arc[-1] - 0.9j * along], 'fill="black"', closed=True, blocks=False)
 
     def svg(self) -> str:
-        """Return the drawing."""
-        width, height = number(self.width, 4), number(self.height, 4)  # what stands below begins where this ends
+        """Return the drawing as SVG text."""
+        width, height = number(self.width, 4), number(self.height, 4)  # the next item on the page begins where this ends
         return "\n".join((
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}" '
             f'font-size="{LETTER}">',
@@ -240,7 +240,7 @@ def _way(points: Sequence[complex]) -> str:
 
 
 def _strokes(begins: Sequence[complex], lean: complex) -> str:
-    """Return the d of strokes that all go as far; behind the first each begins from the end of the one before."""
+    """Return the path data of equal strokes; each stroke after the first is written from the end of the one before."""
     part = 10**DECIMALS
     stroke = round(part * lean.real), round(part * lean.imag)
     x = y = 0

@@ -13,9 +13,9 @@ from coursework.variant.formula.tree import Formula, spelled
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-LONGEST_NAME = 12  # letters of the name of a point or link
-LONGEST_LENGTH = 14  # letters of the length beside a link; a longer formula says less than none
-LONGEST_INDEX = 4  # letters of an index
+LONGEST_NAME = 12  # most letters of the name of a point or link
+LONGEST_LENGTH = 14  # most letters of a length beside a link; a longer formula would help less than none
+LONGEST_INDEX = 4  # most letters of an index
 LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _NAME = re.compile(r"(?<![^\W\d])(?<!\.)([^\W\d_]+?)(\d*)(?!\w)")
 _INDEXED = re.compile(r"([^\W\d_])(?:_?(\d+)|_(\w+)|([ij])|(?<=[xy])([^\W\d_]))")
@@ -23,14 +23,14 @@ _RATE = re.compile(r"(?:w|omega)_?(\w*)")
 
 
 def short(name: str) -> str:
-    """Return the name of a point or link, cut where it is too long to stand beside it."""
+    """Return the name of a point or link, cut if it is too long to stand beside it."""
     return name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…"
 
 
 def name_word(name: str) -> tuple[str, str, str]:
-    """Return the name of a point or datum as a word with what is set lower: "P1" is P with 1, "Ki" K with i, "xF" x with F.
+    """Return the name of a point or datum as (text, subscript, prime): "P1" is P with 1, "Ki" K with i, "xF" x with F.
 
-    What stands under a point, "P1'", has a prime behind all of it.
+    The point under another, "P1'", has its prime behind everything.
     """
     plain, prime = _without_prime(name)
     found = _INDEXED.fullmatch(plain)
@@ -45,24 +45,24 @@ def _without_prime(name: str) -> tuple[str, str]:
 
 
 def lettered(text: str) -> str:
-    """Return a text with its names set: Greek letters, digits behind a name lowered."""
+    """Return a text with its names typeset: Greek letters, and digits after a name as subscripts."""
     return _NAME.sub(lambda match: greek(match[1]) + match[2].translate(LOWERED), text)
 
 
 def rate_word(name: str) -> tuple[str, str, str]:
-    """Return a given rate as a word with what is set lower: "w1" is ω with 1, "wpsi" is ω with ψ."""
+    """Return a given rate as (text, subscript, ""): "w1" is ω with 1, "wpsi" is ω with ψ."""
     found = _RATE.fullmatch(name)
     return ("ω", greek(found[1]), "") if found else (short(name), "", "")
 
 
 def lowered_name(name: str) -> str:
-    """Return the name of a point as it stands below a letter: "P1" is P₁; "P1'", the point under it, P₁′."""
+    """Return the name of a point as it stands in a subscript: "P1" is P₁; "P1'", the point under it, is P₁′."""
     plain, prime = _without_prime(name)
     return (short(lettered(plain)) if _INDEXED.fullmatch(plain) else short(plain)) + prime
 
 
 def angle_word(name: str) -> tuple[str, str, str]:
-    """Return the name of an angle as a word with what is set lower: "phi1" is φ with 1, "phib" φ with b, "beta" β.
+    """Return the name of an angle as (text, subscript, ""): "phi1" is φ with 1, "phib" φ with b, "beta" β.
 
     >>> angle_word("phi1"), angle_word("psi"), angle_word("q2")
     (('φ', '1', ''), ('ψ', '', ''), ('q', '2', ''))
@@ -74,13 +74,13 @@ def angle_word(name: str) -> tuple[str, str, str]:
 
 
 def length_text(length: Formula) -> str:
-    """Return a length as it stands beside a link, "" where it is too long for that."""
+    """Return a length as it stands beside a link, "" if it is too long for that."""
     text = lettered(spelled(length).replace("*", "").replace(" ", "").replace("-", "−"))
     return text if len(text) <= LONGEST_LENGTH else ""
 
 
 def length_word(length: Formula) -> tuple[str, str, str]:
-    """Return a length as a word with what is set lower: "xF" is x with F; an empty one where it is too long."""
+    """Return a length as (text, subscript, prime): "xF" is x with F; the text is "" if it is too long."""
     named = length.op == "name" and not length.name[-1:].isdigit()
     if length.op == "name" and length.name == "l":
         return ("ℓ", "", "")  # a slanted l reads as a stroke
@@ -88,7 +88,7 @@ def length_word(length: Formula) -> tuple[str, str, str]:
 
 
 def decimal(value: float) -> Sentence:
-    """Return a round number without a power of ten: 0.0002."""
+    """Return a round number written without a power of ten: 0.0002."""
     return say("drawing.round", value=float(value))
 
 

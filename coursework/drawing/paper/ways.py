@@ -1,4 +1,4 @@
-"""Lines as SVG writes them shortest: by steps, each number with the digits it needs and no more.
+"""Polylines as the shortest SVG path: relative steps, each number with only the digits it needs.
 
 Enters: points in mm.  Leaves: the d of a path.  Used by `sheet.py` and by the graphs of `report/`.
 """
@@ -14,9 +14,9 @@ from coursework.system.arrays import Array
 
 
 def way(at: Sequence[Array], move: str = "l", between: str = "", decimals: int = 2) -> str:
-    """Return the d of steps from point to point, x and y in mm; `between` stands after each but the last.
+    """Return path data of steps from point to point, x and y in mm; if given, `between` stands before each step.
 
-    Places are rounded, not steps, so that nothing adds up along a line.
+    Positions are rounded, not steps, so that rounding errors do not add up along a line.
 
     >>> way([np.array([13.5, 13.84, 14.18]), np.array([22.674, 22.36, 22.36])])
     'M13.5 22.67l.34-.31 .34 0'
@@ -31,12 +31,12 @@ def way(at: Sequence[Array], move: str = "l", between: str = "", decimals: int =
 
 
 def numbers_of(numbers: Iterable[int], decimals: int = 2) -> str:
-    """Return numbers of hundredths, or of smaller parts, one behind the other."""
+    """Return whole numbers of hundredths (or of smaller parts, by `decimals`) as text, one after the other."""
     return "".join(_behind(number, decimals) for number in numbers).lstrip()
 
 
 @lru_cache(maxsize=2048)
 def _behind(number: int, decimals: int) -> str:
-    """Return a number as it stands behind another, as short as SVG reads it: " .34", "-.3"."""
+    """Return a number as it follows another one, as short as SVG can read it: " .34", "-.3"."""
     text = f"{abs(number) / 10**decimals:.{decimals}f}".rstrip("0").rstrip(".")
     return ("-" if number < 0 else " ") + (text.removeprefix("0") or "0")

@@ -1,4 +1,4 @@
-"""The foot of a sheet that is true to scale: the bar by which a print is checked, and what is said of the scales.
+"""The foot of a sheet that is true to scale: a bar for checking a print, and words on the scales.
 
 Enters: a sheet and sentences.  Leaves: items on the sheet.
 Used by `polygon_sheet.py`, `drawing.py` and `layout.py`.
@@ -14,16 +14,16 @@ from coursework.words.sentences import say
 
 FOOT = 17.0  # mm for the bar and the scales
 BAR = 100.0  # mm, printed; a test reads it back from the PDF
-BAR_PEN = 'stroke="#010101" stroke-width="0.5" stroke-linecap="butt"'  # a colour of its own, so that it can be found
+BAR_PEN = 'stroke="#010101" stroke-width="0.5" stroke-linecap="butt"'  # a colour that nothing else has, so that a test finds it
 ROUND_LENGTHS = tuple(m * 10.0**k for k in range(-6, 7) for m in (1, 2, 5))
-LEAST_BAR = 20.0  # mm of the bar on a screen
+LEAST_BAR = 20.0  # mm: least length of the bar on a screen
 THIN = 'stroke="black" stroke-width="0.35"'
 
 
 def draw_foot(sheet: Sheet, scales: Sequence[str], title: str, of_mm: tuple[float, str], written: Callable[[str], str]) -> None:
-    """Draw the bar and write scales and title beside it; the field of the sheet then is the whole sheet.
+    """Draw the bar and write scales and title beside it; afterwards the field of the sheet is the whole sheet.
 
-    A screen, on which no millimetre is one, has a bar of what `of_mm` says instead: how much a millimetre is, in which unit.
+    On a screen a millimetre has no fixed size, so there the bar shows a round amount; `of_mm` is (amount per mm, unit).
     """
     left, base = 3.0, sheet.height - 5.0
     sheet.field = (0.0, 0.0, sheet.width, sheet.height)
@@ -46,7 +46,7 @@ def draw_foot(sheet: Sheet, scales: Sequence[str], title: str, of_mm: tuple[floa
 
 
 def _screen_bar(sheet: Sheet, at: complex, of_mm: tuple[float, str], written: Callable[[str], str]) -> None:
-    """Draw the bar of a round length of the mechanism, or of its plan, that is seen on a screen only."""
+    """Draw the bar that only a screen shows: a round length of the mechanism, or a round amount of its plan."""
     amount, unit = of_mm
     value = next((one for one in ROUND_LENGTHS if one >= LEAST_BAR * amount), 0.0)
     if not value or value > BAR * amount:

@@ -1,4 +1,4 @@
-"""What the drive gives a plan without any construction: velocities of points, and the rate at which a slide along a link grows.
+"""What the drive gives a plan without any construction: velocities of points, and rates of driven lengths along links.
 
 Enters: an `Outline` and its variant, velocity equations and the exact rows.  Leaves: names of points, rates by link and rider.
 Used by `plans.py`, `graph_check.py` and `sketch.py`.
@@ -17,15 +17,15 @@ from coursework.motion.integration.motion import Motion
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 
-ALIKE = 1e-9  # of the longest distance: a way and a coordinate that differ by less in every row are one
+ALIKE = 1e-9  # relative to the longest distance: a length and a coordinate that differ by less in every row are the same
 
 DrivenLengths = Mapping[tuple[str, str], str]
 
 
 def given_points(outline: Outline, variant: Variant) -> tuple[str, ...]:
-    """Return the points with a given velocity, and those that only driven coordinates move, one along a guide or by a law.
+    """Return the points with a given velocity, and those moved only by driven coordinates, along a guide or by a law.
 
-    A point that a driven angle moves is no such point: it is carried by its crank.
+    A point that only a driven angle moves is none of these: its crank carries it.
     """
     formulas = dict(outline.points)
     coordinates = {c.name: c for c in variant.coordinates}
@@ -44,7 +44,7 @@ def given_points(outline: Outline, variant: Variant) -> tuple[str, ...]:
 
 
 def driven_lengths(outline: Outline, equations: VelocityEquations, exact: Motion) -> DrivenLengths:
-    """Return (link, rider) -> the driven rate of the way along the link from its point to what slides on it, as in a cylinder."""
+    """Return (link, rider) -> the rate of the driven distance along the link from its point to the rider, as in a cylinder."""
     driven = [c for c in equations.variant.driven_coordinates if c.unit == "m"]
     if not driven or not outline.slots or len(exact.t) < 2 or not all_rows(equations, exact):
         return {}

@@ -1,4 +1,4 @@
-"""How every point of an outline and of the links it draws moves, over all rows of a motion.
+"""The motion of every point of an outline and of the links that it draws, over all rows of a motion.
 
 Enters: an `Outline`, velocity equations, a motion and its accelerations.  Leaves: `Kinematics`.
 Used by `plans.py`, `polygons.py`, `vectors.py` and `check_plan.py`.
@@ -21,7 +21,7 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Moving:
-    """The motion of one point or of a point of a link: place, velocity, acceleration, each (n,)."""
+    """The motion of a point: position, velocity, acceleration, each (n,) complex."""
 
     at: Complex
     velocity: Complex
@@ -30,9 +30,9 @@ class Moving:
 
 @frozen
 class Kinematics:
-    """The motion of every point and the angular velocity and acceleration of every link by name, (n,) at times `t` (s).
+    """The motion of every point, and angular velocity and acceleration of every link, by name, (n,) at times `t` (s).
 
-    `driven` are the ways along a link, by it and what slides on it, whose rate and second rate a drive gives, as vectors.
+    `driven` gives, for (link, rider) of a driven length, the sliding velocity and its derivative as vectors along the link.
     """
 
     t: Array
@@ -41,7 +41,7 @@ class Kinematics:
     driven: Mapping[tuple[str, str], tuple[Complex, Complex]] = field(default_factory=dict)
 
     def carried(self, bar: Bar, base: str, at: Complex) -> Moving:
-        """Return the motion of the point of a link that lies at a place, from that of its point `base`."""
+        """Return the motion of the point of a link that lies at `at` (n,), from that of its point `base`."""
         omega, epsilon = self.turning[bar.link]
         moving = self.points[base]
         arm = at - moving.at
@@ -49,7 +49,7 @@ class Kinematics:
 
 
 def kinematics_of(outline: Outline, equations: VelocityEquations, motion: Motion, accelerations: Array) -> Kinematics:
-    """Return how all moves in every row of a motion; `accelerations` (n, k) as its velocities."""
+    """Return the motion of all points and links in every row; `accelerations` (n, k) belong to the motion's velocities."""
     symbols = equations.symbols
     vectors = [symbols.vectors.get(name) or symbols.vector(formula) for name, formula in outline.points]
     wanted = [component for vector in vectors for component in vector]
@@ -65,7 +65,7 @@ def kinematics_of(outline: Outline, equations: VelocityEquations, motion: Motion
 def _turning(
     bar: Bar, outline: Outline, points: Mapping[str, Moving], motion: Motion, accelerations: Array
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Return angular velocity and acceleration (n,) of a link: its column, else how its slot or two of its points turn."""
+    """Return angular velocity and acceleration (n,) of a link: from its column, else from its slot or two of its points."""
     if bar.rate in motion.velocity_names:
         place = motion.velocity_names.index(bar.rate)
         return motion.velocities[:, place], accelerations[:, place]

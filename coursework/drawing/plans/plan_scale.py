@@ -1,4 +1,4 @@
-"""The scale of a plan, which vectors are too short for it, and how long a ruler finds what is drawn.
+"""The scale of a plan, the vectors that are too short for it, and lengths as a ruler reads them.
 
 Enters: `Polygons`, a plan and a row.  Leaves: `PlanScale`, arrows, lengths in mm.
 Used by `polygon_sheet.py`, `steps.py`, `check_plan.py` and `readings.py`.
@@ -10,29 +10,29 @@ from coursework.drawing.paper.board import vector_scale
 from coursework.drawing.plans.vectors import ACCELERATION, Polygons
 from coursework.system.frozen import frozen
 
-LONGEST = 80.0  # mm of the longest vector
+LONGEST = 80.0  # mm: limit for the longest vector
 SMALL = 4.0  # mm: a shorter vector is drawn again in the inset
-SEEN = 1e-7  # of the longest vector: below it a vector is nothing but round-off
-READ = 0.5  # mm: to so much a length is read
+SEEN = 1e-7  # relative to the longest vector: a shorter one is round-off
+READ = 0.5  # mm: lengths are read to this
 
 Arrow = tuple[str, str, str, complex, complex]
 
 
 def read_length(length: float) -> float:
-    """Return a length (mm) as a ruler gives it."""
+    """Return a length (mm) as a ruler reads it."""
     return round(length / READ) * READ
 
 
 @frozen
 class PlanScale:
-    """The scale of a plan: `unit` m/s or m/s² a mm; short vectors stand `times` as long in the inset, 1: there is none."""
+    """The scale of a plan: `unit` m/s or m/s² per mm; in the inset short vectors are `times` as long, 1 if there is no inset."""
 
     unit: float
     times: int
     longest: float
 
     def length(self, size: float, drawn: bool = True) -> tuple[float, float]:
-        """Return how long a vector of this size is on paper (mm), and the scale there; one `drawn` by itself may be enlarged."""
+        """Return length on paper (mm) and scale of a vector of a size; only a vector that is `drawn` can be enlarged."""
         if size <= SEEN * self.longest:
             return 0.0, self.unit
         length = size / self.unit
@@ -41,7 +41,7 @@ class PlanScale:
 
 
 def scale_of(found: Polygons, plan: str, index: int) -> PlanScale:
-    """Return the scale of a plan of a row (from 0): the smallest of 1, 2, 5 · 10^k a mm with no vector over 80 mm."""
+    """Return the scale of a plan of a row (from 0): the smallest of 1, 2, 5 · 10^k per mm with no vector over 80 mm."""
     arrows = arrows_of(found, plan, index)
     longest = max((abs(vector) for *_, vector in arrows), default=0.0)
     unit = vector_scale(longest, LONGEST)
@@ -50,7 +50,7 @@ def scale_of(found: Polygons, plan: str, index: int) -> PlanScale:
 
 
 def arrows_of(found: Polygons, plan: str, row: int) -> list[Arrow]:
-    """Return kind, from, to, where it begins and the vector: parts of an acceleration follow each other."""
+    """Return kind, start, end, tail and vector of each arrow; the parts of an acceleration follow each other tip to tail."""
     segments = [s for s in found.segments if s.plan == plan]
     here = [(s.kind, s.start, s.end, complex(s.vector[row])) for s in segments]
     tips = {end: vector for kind, _, end, vector in here if kind == "absolute"}
@@ -67,7 +67,7 @@ def arrows_of(found: Polygons, plan: str, row: int) -> list[Arrow]:
 
 
 def short_ones(mm: list[Arrow]) -> list[tuple[str, str, str, complex]]:
-    """Return the vectors that would hide in a joint of the plan: image letters and vector (mm)."""
+    """Return the vectors that a joint of the plan would hide: kind, start, end, vector (mm)."""
     longest = max((abs(vector) for *_, vector in mm), default=0.0)
     kept = {(start, end): (kind, start, end, vector) for kind, start, end, _, vector in mm
             if kind in {"absolute", "relative", "sliding"} and SEEN * longest < abs(vector) < SMALL}  # fmt: skip
@@ -75,7 +75,7 @@ def short_ones(mm: list[Arrow]) -> list[tuple[str, str, str, complex]]:
 
 
 def enlarged(small: list[tuple[str, str, str, complex]]) -> int:
-    """Return how many times short vectors are enlarged: the least power of ten that shows them."""
+    """Return how many times short vectors are enlarged: the least power of ten that makes the longest of them visible."""
     times = 10
     while max(abs(vector) for *_, vector in small) * times < SMALL:
         times *= 10

@@ -1,7 +1,7 @@
 """The quantity `plans`: plans of velocities and accelerations of every row, one row of them on paper.
 
 Enters: a mechanism, its equations, the rows of a table and the exact rows with their accelerations.  Leaves: `Plans`.
-Used by `quantities.py`; the sheets are drawn when somebody looks at them (`polygon_sheet.py`).
+Used by `quantities.py`; the sheets are drawn only when they are asked for (`polygon_sheet.py`).
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
 class Plans:
     """The polygons of the student's rows (`table`) and of the `exact` motion; `row` (from 1) is the one on paper.
 
-    A chain is drawn in its exact position, any other mechanism as the table has it, which is where the student checks it.
+    A chain of groups is drawn in its exact position, any other mechanism in that of the table, where the student checks it.
     """
 
     outline: Outline
@@ -50,7 +50,7 @@ class Plans:
         return self.exact if self.chain else self.table
 
     def rows(self) -> Iterator[tuple[object, ...]]:
-        """Yield the lines of `polygons.csv` (`HEAD`), row by row; SI."""
+        """Yield the lines of `polygons.csv` (columns `HEAD`), row by row, in SI."""
         for name, found in (("table", self.table), ("exact", self.exact)):
             for row, t in enumerate(found.t.tolist()):
                 for one in found.segments:
@@ -58,7 +58,7 @@ class Plans:
                     yield row + 1, t, name, one.plan, one.kind, one.start, one.end, vector.real, vector.imag, UNITS[one.plan]
 
     def drawings(self, written: Callable[[str], str]) -> tuple[Drawing, ...]:
-        """Return `figure#velocity-plan` and `figure#acceleration-plan`; `written` puts words into the language of a page."""
+        """Return `figure#velocity-plan` and `figure#acceleration-plan`; `written` translates words for a page."""
         from coursework.drawing.plans.polygon_sheet import draw_plan
 
         if not len(self.shown.t):
@@ -69,9 +69,9 @@ class Plans:
 def make_plans(
     mechanism: Mechanism, equations: VelocityEquations, table: tuple[Motion, Array], exact: tuple[Motion, Array]
 ) -> Plans:
-    """Return the plans of a motion and its accelerations, of the table and exact.
+    """Return the plans of a mechanism; `table` and `exact` are a motion and its accelerations each.
 
-    Raises `InputError` where the file places no points, or the table has only some of the columns.
+    Raises `InputError` if the file places no points, or the table has only some of the columns.
     """
     variant = equations.variant
     outline = read_outline(mechanism)
@@ -93,7 +93,7 @@ def make_plans(
 def _kinematics(
     outline: Outline, equations: VelocityEquations, motion: Motion, second: Array, driven: DrivenLengths
 ) -> Kinematics:
-    """Return how all moves; what slides at a driven rate has it as the drive says, not as rows that have drifted leave it."""
+    """Return the motion of all points; driven lengths change at the rate of the drive, even in rows that have drifted."""
     found = kinematics_of(outline, equations, motion, second)
     ways = {}
     for slot in outline.slots:

@@ -22,7 +22,7 @@ from coursework.drawing.plans.vectors import ACCELERATION, POLE, UNITS, VELOCITY
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
 
-INSET, HEAD = 44.0, 9.0  # mm: the least width of the inset, and the room of its words
+INSET, HEAD = 44.0, 9.0  # mm: least width of the inset, and height of the room for its words
 PENS = {
     "absolute": 'stroke="black" stroke-width="0.45"', "relative": 'stroke="black" stroke-width="0.3"',
     "normal": 'stroke="black" stroke-width="0.25" stroke-dasharray="1.6 0.9"', "tangential": 'stroke="black" stroke-width="0.25"',
@@ -36,7 +36,7 @@ def draw_plan(
     found: Polygons, plan: str, hinges: tuple[str, ...], row: int, written: Callable[[str], str], *,
     index: int | None = None, blank: bool = False,
 ) -> Drawing:  # fmt: skip
-    """Return one plan of a row (from 1), which stands at `index` (from 0) of the polygons; a `blank` one has what is given."""
+    """Return one plan of a row (from 1), found at `index` of the polygons (None: row - 1); `blank` draws only what is given."""
     index = row - 1 if index is None else index
     scale = scale_of(found, plan, index)
     unit = scale.unit
@@ -95,7 +95,7 @@ def draw_plan(
 
 
 def _letters(found: Polygons, hinges: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the letters that steps speak of: points and their images."""
+    """Return the letters used in the steps: those of points and of their images."""
     points = {name.rstrip("'") for s in found.segments for name in (s.start, s.end) if name != POLE}
     points |= {*hinges, *(line.base for one in found.found for line in one.lines if line.base)}
     return tuple(sorted({name[0] for name in points} | {image(name)[0] for name in points}))
@@ -103,7 +103,7 @@ def _letters(found: Polygons, hinges: tuple[str, ...]) -> tuple[str, ...]:
 
 @frozen
 class _Inset:
-    """Short vectors drawn again, `times` enlarged, from a pole of their own at `origin` of a box (mm), below `lines` of words."""
+    """Short vectors drawn again, `times` as long, from a pole of their own at `origin` of a box (mm), below `lines` of words."""
 
     vectors: list[tuple[str, str, str, complex]]
     times: int
@@ -120,7 +120,7 @@ class _Inset:
         return cls(small, times, lines, width, bottom - top + HEAD, complex((width - right - left) / 2, HEAD - top))
 
     def draw(self, sheet: Sheet, corner: complex) -> None:
-        """Draw the box with its left top corner at a place of the sheet."""
+        """Draw the box with its top left corner at a place of the sheet."""
         right, bottom = corner.real + self.width, corner.imag + self.height
         around_it = [corner, complex(right, corner.imag), complex(right, bottom), complex(corner.real, bottom)]
         sheet.path(around_it, 'fill="none" stroke="black" stroke-width="0.2"', closed=True)
@@ -138,4 +138,4 @@ class _Inset:
                 tips.append((tip, image(end) if kind == "absolute" else image(start) + image(end)))
         for tip, name in tips:
             sheet.label((name, "", ""), [(tip, tip - pole, 0.8)], ITALIC)
-        sheet.words.append((corner.real, corner.imag, right, bottom))  # no word of the plan beside it crosses its border
+        sheet.words.append((corner.real, corner.imag, right, bottom))  # so that no word of the plan beside it crosses its border

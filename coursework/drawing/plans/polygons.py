@@ -1,10 +1,10 @@
 """Plans of velocities and accelerations: which image is found next, and by which lines, for all rows at once.
 
-Enters: an `Outline` and how its points move.  Leaves: `Polygons`, vectors in m/s and m/s².
+Enters: an `Outline` and the motion of its points.  Leaves: `Polygons`, vectors in m/s and m/s².
 Used by `plans.py` and `check_plan.py`.
 A dyad needs no rule of its own: a point is found where two known lines meet, each across a link, along a guide or along a
-link on which it slides.  Of a link that turns as its guide does one line is enough, drawn through any of its points.  A link
-that three legs hold (a group of class III) has one line at each of three points: a special point of it is found first.
+link on which it slides.  A link that turns with its guide needs only one line, through any of its points.  A link held by
+three legs (a group of class III) has one line at each of three points: a special point of it is found first.
 Source: Ponomarev, coursework guide; theory of mechanisms, method of plans.
 """
 
@@ -30,13 +30,13 @@ def polygons(
     stretching: frozenset[frozenset[str]] = frozenset(), row: int = 0,
     on_sheet: Callable[[complex, tuple[str, ...]], bool] = lambda place, ends: True,
 ) -> Polygons:  # fmt: skip
-    """Return the plans of every row of a motion: `given` points move as a drive says, links with known `rates` turn so.
+    """Return the plans of every row: the drive gives the motion of the `given` points and of links with known `rates`.
 
-    Of the `lengths` (link, rider) that are driven it is known how the rider slides on the link.
+    `lengths` are the (link, rider) whose sliding is driven.
 
-    `stretching` are pairs of points of a link whose distance changes: there one slides on the link.  Of the special points of
-    a link that is taken which lies nearest in `row` (from 0), the one on paper, and `on_sheet`: its place (m) and the points
-    from which lines lead there.
+    `stretching` are pairs of points of a link whose distance changes, because one of them slides.  Of a link's special points the
+    nearest in `row` (from 0, the one on paper) is taken for which `on_sheet` is true; its arguments are the place (m) and the
+    points from which lines lead there.
     """
     plan = _Plan(outline, kinematics, rates, lengths, stretching, row, on_sheet)
     plan.draw(given)
@@ -44,7 +44,7 @@ def polygons(
 
 
 class _Plan:
-    """The polygons while they are drawn: which images there are, which links turn in a known way."""
+    """The polygons being drawn: which images there are, and which links turn in a known way."""
 
     def __init__(
         self, outline: Outline, kinematics: Kinematics, rates: Sequence[str], lengths: Collection[tuple[str, str]],
@@ -62,11 +62,11 @@ class _Plan:
         self.turning = {*self.driven, *self.still}
         self.names = [name for bar in self.bars for name in bar.corners]
         self.under: set[tuple[str, str]] = set()
-        self.slots: dict[tuple[str, str], str] = {}  # what lies under a point on a link, once it is drawn
-        self.specials: dict[str, str] = {}  # of a link
+        self.slots: dict[tuple[str, str], str] = {}  # (point, link) -> the drawn point of the link under it
+        self.specials: dict[str, str] = {}  # link -> its special point
 
     def draw(self, given: Sequence[str]) -> None:
-        """Draw on until every point has its image."""
+        """Apply the rules until every point has its image."""
         for name in given:
             self.paper.place(name, "given")
         rules = (self.turned, self.carried, self.rolled, self.slid, self.met, self.special)
@@ -76,7 +76,7 @@ class _Plan:
     # how images are found, the simplest way first
 
     def turned(self) -> bool:
-        """Let a block turn as its guide, and a guide as its block."""
+        """Let blocks turn with their guides, and guides with their blocks."""
         before = len(self.turning)
         for slot, block in self.guided():
             if self.turning & {slot.link, block}:
@@ -84,13 +84,13 @@ class _Plan:
         return len(self.turning) > before
 
     def guided(self) -> Iterator[tuple[Slot, str]]:
-        """Yield each slot with each block in it."""
+        """Yield each slot with each block that slides in it."""
         for slot, block in itertools.product(self.outline.slots, self.outline.blocks):
             if block.open and block.at in slot.riders and (block.base, block.toward) == (slot.base, slot.toward):
                 yield slot, block.link
 
     def carried(self) -> bool:
-        """Place the points of a link whose turning is known."""
+        """Place a point of a link whose rotation is known, or settle the rotation of a link with two images."""
         for bar in self.bars:
             if len([name for name in bar.corners if name in self.images]) > 1 and bar.link not in self.turning:
                 self.turning.add(bar.link)
@@ -108,7 +108,7 @@ class _Plan:
         return False
 
     def rolled(self, at_last: bool = False) -> bool:
-        """Place the contact of a wheel whose centre is known and, unless nothing else is left, the motion of what it touches."""
+        """Place the contact of a wheel with a known centre, if it touches something fixed or known or, `at_last`, in any case."""
         for wheel in self.outline.wheels:
             if wheel.centre not in self.images or wheel.contact in self.images:
                 continue
@@ -126,7 +126,7 @@ class _Plan:
         return False
 
     def slid(self) -> bool:
-        """Place the point of a link under what slides on it, and with it the link."""
+        """Place the point of a link under a rider that slides on it, which settles the link."""
         for slot in self.outline.slots:
             bar = self.bar(slot.link)
             for rider in slot.riders:
@@ -165,7 +165,7 @@ class _Plan:
         return False
 
     def special(self) -> bool:
-        """Place a special point of a link that is held by three legs and of which no image is known."""
+        """Place a special point of a link that three legs hold and of which no image is known."""
         for bar in self.bars:
             legs = [] if bar.link in self.turning or self.base(bar) else [*self.legs(bar)]
             for found in special_points(legs, self.row) if len(legs) > 2 else ():
@@ -182,7 +182,7 @@ class _Plan:
         return False
 
     def legs(self, bar: Bar) -> Iterator[Leg]:
-        """Yield what holds a link at its points, and at what slides on it."""
+        """Yield the legs that hold a link at its points, and at riders that slide on it."""
         points = self.kinematics.points
         for name in bar.corners:
             for line in self.lines(name):
@@ -195,7 +195,7 @@ class _Plan:
                     yield Leg(rider, Line("sleeve", rider, bar.link), points[rider].at, self.slot_way(slot))
 
     def solved(self) -> bool:
-        """Place what no two lines give: its velocity is solved from the same geometry."""
+        """Place a point that no two lines give: its velocity is solved from the same geometry."""
         for bar in self.bars:
             base = self.base(bar)
             for name in bar.corners:
@@ -225,13 +225,13 @@ class _Plan:
             if name not in bar.corners:
                 continue
             if base and bar.link not in self.turning:
-                if frozenset((base, name)) not in self.paper.stretching:  # else it moves along the link as well as across it
+                if frozenset((base, name)) not in self.paper.stretching:  # else the point also moves along the link
                     yield Line("bar", base, bar.link)
             elif not base and bar.link in self.turning and (way := self.way(bar)) is not None and way[0] != name:
                 yield way[1]
 
     def way(self, bar: Bar) -> tuple[str, Line] | None:
-        """Return a point of a link that runs in a guide whose motion is known, and the line that gives."""
+        """Return a point of a link that runs in a guide with known motion, and its line; None if the link has none."""
         for name in bar.corners:
             if name in self.rails:
                 return name, Line("rail", POLE, name)
@@ -241,11 +241,11 @@ class _Plan:
         return None
 
     def settled(self, link: str) -> bool:
-        """Return whether both the turning of a link and the image of a point of it are known."""
+        """Return whether both the rotation of a link and the image of one of its points are known."""
         return link in self.turning and bool(self.base(self.bar(link)))
 
     def direction(self, line: Line, name: str) -> Complex:
-        """Return the direction (n,) of a line on which the image of a point lies."""
+        """Return the direction (n,) of a line on which the image of the point `name` lies."""
         points = self.kinematics.points
         if line.kind == "rail":
             rail = self.rails[line.link]
@@ -259,7 +259,7 @@ class _Plan:
         return self.kinematics.points[slot.toward].at - self.kinematics.points[slot.base].at
 
     def crosses(self, bar: Bar, base: str, rider: str, slot: Slot) -> bool:
-        """Return whether the line across a link meets that along its guide: not where it was drawn from just there."""
+        """Return whether the line across a link meets that along its slot; from a special point they can be the same line."""
         points = self.kinematics.points
         return base in bar.corners or self.meet(1j * (points[rider].at - points[base].at), self.slot_way(slot))
 
@@ -269,7 +269,7 @@ class _Plan:
         return bool(np.max(np.abs((one.conjugate() * other).imag) - PARALLEL * np.abs(one) * np.abs(other), initial=0.0) > 0)
 
     def rests(self, contact: str) -> bool:
-        """Return whether a contact rolls on what is fixed."""
+        """Return whether a contact rolls on something fixed."""
         wheel = next(wheel for wheel in self.outline.wheels if wheel.contact == contact)
         moving = self.kinematics.carried(self.bar(wheel.link), wheel.centre, self.kinematics.points[contact].at)
         speed = np.max(np.abs(self.kinematics.points[wheel.centre].velocity), initial=0.0)
@@ -279,14 +279,14 @@ class _Plan:
         return next(bar for bar in self.bars if bar.link == link)
 
     def base(self, bar: Bar) -> str:
-        """Return the point of a link from which the others are drawn: a pivot of the frame, else the first image."""
+        """Return the point of a link from which others are drawn: a fixed hinge, else its first image, else its special point."""
         there = [name for name in bar.corners if name in self.images]
         return next(
             (name for name in there if name in self.outline.hinges), there[0] if there else self.specials.get(bar.link, "")
         )
 
     def along(self, line: Line, name: str) -> Line:
-        """Draw what leads along a line to the image of a point; return the line as it is drawn."""
+        """Draw what leads along a line to the image of a point; return the line as drawn."""
         if line.kind == "bar" and name in self.names:
             self.paper.along_bar(self.bar(line.link), line.base, name)
         elif line.kind == "slot":

@@ -1,10 +1,10 @@
-"""Special points of a link that three legs hold (Assur's points): where the lines of two legs meet.
+"""Special points (Assur's points) of a link that three legs hold: where the lines of two legs meet.
 
-Enters: how all moves, and what each leg says of a point of the link.  Leaves: `SpecialPoint`s, the nearest first.
+Enters: the motion, and what each leg determines at a point of the link.  Leaves: `SpecialPoint`s, the nearest first.
 Used by `polygons.py`.
-Of a bar that leads to a point of the link the line is the bar's own, of a guide it is the perpendicular to it.  Every point of
-the link on such a line has the same part of its velocity along it, which the leg gives; where two lines meet, two parts are
-known.  The image of that point lies on the lines of both legs, and from it the third leg is drawn as in a dyad.
+The line of a bar that leads to a point of the link is the bar's own; the line of a guide is the perpendicular to it.  All points
+of the link on such a line have the same velocity component along it, which the leg gives; where two lines meet, two components
+are known.  The image of that point lies on the lines of both legs, and from it the third leg is drawn as in a dyad.
 Source: L. V. Assur, Groups of class III; I. I. Artobolevsky, Theory of mechanisms, method of special points.
 """
 
@@ -19,14 +19,14 @@ from coursework.drawing.plans.vectors import Line
 from coursework.system.arrays import Complex
 from coursework.system.frozen import frozen
 
-PARALLEL = 1e-9  # sine of the angle below which two lines meet in no row
-FAR = 5.0  # of the distance of the legs: a point farther away is found on no paper
+PARALLEL = 1e-9  # sine of the angle below which two lines count as parallel
+FAR = 5.0  # times the largest distance between the legs: a point farther away fits on no paper
 LETTERS = ("S", "T", "U", "W", *(f"S{k}" for k in range(1, 100)))
 
 
 @frozen
 class Leg:
-    """What holds a link at its `point`: the image lies on `line`; `at` (n,) the place, `along` (n,) that line's direction."""
+    """What holds a link at its `point`, at places `at` (n,): the image lies on `line`, which has the direction `along` (n,)."""
 
     point: str
     line: Line
@@ -43,9 +43,9 @@ class SpecialPoint:
 
 
 def special_points(legs: Sequence[Leg], row: int) -> Iterator[SpecialPoint]:
-    """Yield the special points of a link, the nearest in a row (from 0) first: of parallel lines none, and none far away.
+    """Yield the special points of a link, the nearest in a row (from 0) first; none of parallel lines, and none far away.
 
-    A point through which the lines of all legs go is none: there the group has a dead point.
+    A point where the lines of all legs meet is left out: there the group has a dead point.
     """
     here = [complex(leg.at[row]) for leg in legs]
     reach = FAR * max(abs(a - b) for a, b in itertools.combinations(here, 2))
@@ -60,7 +60,7 @@ def special_points(legs: Sequence[Leg], row: int) -> Iterator[SpecialPoint]:
 
 
 def special_name(names: Sequence[str]) -> str:
-    """Return a letter for a special point that no other point and no image has.
+    """Return a letter for a special point that is not the name of a point or an image.
 
     >>> special_name(["A", "s", "T"])
     'U'
@@ -70,7 +70,7 @@ def special_name(names: Sequence[str]) -> str:
 
 
 def _meeting(one: Leg, other: Leg) -> Complex | None:
-    """Return where the lines of two legs meet, None where they are parallel in some row."""
+    """Return where the lines of two legs meet (n,), None if they are parallel in some row."""
     first, second = 1j * one.along / np.abs(one.along), 1j * other.along / np.abs(other.along)
     sine = (first.conjugate() * second).imag
     if np.min(np.abs(sine)) <= PARALLEL:
@@ -79,6 +79,6 @@ def _meeting(one: Leg, other: Leg) -> Complex | None:
 
 
 def _holds(leg: Leg, at: Complex, row: int) -> bool:
-    """Return whether a leg hinders its link from turning about a place."""
+    """Return whether a leg keeps its link from turning about a place."""
     arm, along = complex(leg.at[row] - at[row]), complex(leg.along[row])
     return abs((arm.conjugate() * along).real) > PARALLEL * abs(along) * abs(arm)

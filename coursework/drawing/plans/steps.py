@@ -1,4 +1,4 @@
-"""How a plan is drawn, step by step, as one writes it beside the drawing: lines, lengths in mm, what is read.
+"""How a plan is drawn, step by step, as one writes it beside the drawing: lines, lengths in mm, values read off.
 
 Enters: `Polygons`, a plan, a row and its scale.  Leaves: sentences.
 Used by `polygon_sheet.py`, `readings.py` and `graph_words.py`.
@@ -12,16 +12,16 @@ from coursework.drawing.plans.vectors import ACCELERATION, POLE, VELOCITY, Found
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-READ_OFF = {"lines", "slide", "similar", "translates", "special"}  # the rules that end with a ruler on the plan
+READ_OFF = {"lines", "slide", "similar", "translates", "special"}  # rules after which a length is read off the plan
 
 
 def image(name: str) -> str:
-    """Return the letter of an image: that of the point, small, its digits lowered."""
+    """Return the letter of a point's image: the name in small letters, its digits as subscripts."""
     return lowered_name(name).lower()
 
 
 def steps(found: Polygons, plan: str, row: int, scale: PlanScale) -> tuple[Sentence, ...]:
-    """Return the steps of one plan of a row (from 0), its vectors drawn to a scale."""
+    """Return the steps of one plan of a row (from 0) at a scale."""
     size = {(s.kind, s.start, s.end): abs(complex(s.vector[row])) for s in found.segments if s.plan == plan}
     return tuple(_step(one, plan, size, scale) for one in found.found)
 
@@ -56,7 +56,7 @@ def _step(one: Found, plan: str, size: dict[tuple[str, str, str], float], scale:
 
 
 def crossing(special: Found) -> Sentence:
-    """Return between which lines of its mechanism a special point lies."""
+    """Return a sentence that names the two lines of the mechanism in which a special point lies."""
     first, last = (
         say("plans.leg.bar", base=lowered_name(line.base), point=lowered_name(line.at))
         if line.kind == "bar"
@@ -67,19 +67,19 @@ def crossing(special: Found) -> Sentence:
 
 
 def _read(size: float, scale: PlanScale, amount: str, length: str) -> dict[str, object]:
-    """Return a vector as it is read: its length to half a millimetre, and what that comes to."""
+    """Return a vector as it is read: its length to half a millimetre, and the value of that length."""
     mm, unit = scale.length(size)
     key = "plans.long" if unit == scale.unit else "plans.long_inset"
     return {amount: read_length(mm) * unit, length: say(key, length=read_length(mm))}
 
 
 def _line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
-    """Return from where and in which direction a line is drawn, with the part that comes first where one does."""
+    """Return from where and in which direction a line is drawn, including a known part that is drawn first."""
     if line.at:
         return _line_to_special(line, point, plan, size, unit)
     if line.kind == "rail":
         return say("plans.line.rail")
-    if line.kind == "slot" and ("sliding", line.base, point) not in size:  # what slides is known, the point under it sought
+    if line.kind == "slot" and ("sliding", line.base, point) not in size:  # the rider is known, the point under it is sought
         return say("plans.line.slot", link=line.link, base=image(line.base))
     if line.kind == "slot":
         values = {"link": line.link, "base": image(line.base), "point": lowered_name(point)}
@@ -99,7 +99,7 @@ def _line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], fl
 
 
 def _driven_line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
-    """Return how a line is drawn to what a driven length leads to: the parts that are known first, then across it."""
+    """Return how the line to the rider of a driven length is drawn: first the known parts, then the line across it."""
     under = next(start for kind, start, end in size if kind == "sliding" and end == point)
     start = line.base if ("normal" if plan == ACCELERATION else "relative", line.base, under) in size else POLE
     values: dict[str, object] = {"base": lowered_name(line.base), "point": lowered_name(point), "link": line.link}
@@ -111,7 +111,7 @@ def _driven_line(line: Line, point: str, plan: str, size: dict[tuple[str, str, s
 
 
 def _line_to_special(line: Line, special: str, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
-    """Return how a line is drawn to the image of a special point, from what a leg says of the point `line.at`."""
+    """Return how the line to the image of a special point is drawn, from what a leg gives for the point `line.at`."""
     start = POLE if line.kind == "rail" or ("relative", line.base, special) not in size else line.base
     values: dict[str, object] = {"special": lowered_name(special), "point": lowered_name(line.at), "link": line.link}
     values["start"] = say("plans.line.pole") if start == POLE else image(line.base)

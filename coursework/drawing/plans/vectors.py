@@ -1,6 +1,6 @@
-"""The vectors of plans of velocities and accelerations, as they are drawn one after the other.
+"""The vectors of plans of velocities and accelerations, in the order in which they are drawn.
 
-Enters: `Kinematics` and which points are joined.  Leaves: `Segment`s and, of each image, how it was `Found`.
+Enters: `Kinematics` and which points are joined.  Leaves: `Segment`s and, for each image, how it was `Found`.
 Used by `polygons.py`, `polygon_sheet.py`, `steps.py`, `plans.py`, `special_points.py`, `check_plan.py` and `readings.py`.
 """
 
@@ -25,8 +25,8 @@ UNITS = {VELOCITY: "m/s", ACCELERATION: "m/s²"}
 class Segment:
     """One vector of a plan in every row: `kind` absolute, relative, normal, tangential, coriolis or sliding; `start` to `end`.
 
-    `start` is "pole" or a point's name; "B'" is the point of the guide-carrying link under B.  It is drawn from the image of
-    `start`, an acceleration behind its normal or Coriolis part, unless it begins at another place `begins` of the plan.
+    `start` is "pole" or a point's name; "B'" is the point of the guide-carrying link under B.  The vector begins at the image of
+    `start`, the last part of an acceleration at the tip of its normal or Coriolis part, or at the place `begins` if given.
     """
 
     plan: str
@@ -41,9 +41,9 @@ class Segment:
 class Line:
     """A line on which a point's image lies, drawn from the image of `base`.
 
-    Its `kind` is "bar", "rail", "wheel", "slot", "sleeve", or "driven" for a length that begins at `base`.  On a slot `base` is
-    the point of its link under the one that slides, or that one where the former is sought; in a sleeve it is what slides on
-    the link itself; of a rail `link` is the point that runs in it.  A line to a special point is that of point `at` of its link.
+    Its `kind` is "bar", "rail", "wheel", "slot", "sleeve", or "driven" for a length that begins at `base`.  For a slot `base` is
+    the point of its link under the rider, or the rider if that point is sought; for a sleeve it is the rider on the link itself.
+    For a rail `link` is the point that runs on it.  A line to a special point belongs to the point `at` of its link.
     """
 
     kind: str
@@ -54,9 +54,9 @@ class Line:
 
 @frozen
 class Found:
-    """How the image of a point was found: `rule` and the lines that meet in it; `rider` slides over what a "slide" finds.
+    """How the image of a point was found: the `rule` and the lines that meet in it; after "slide", `rider` slides over the point.
 
-    A "special" point is one of `link`.
+    `link` is the link of a "special" point.
     """
 
     rule: str
@@ -68,7 +68,7 @@ class Found:
 
 @frozen
 class Polygons:
-    """All vectors of one motion at times `t` (s), and how each point was `found`, in the order of drawing."""
+    """All vectors of one motion at times `t` (s), and how each image was `found`, in the order of drawing."""
 
     t: Array
     segments: tuple[Segment, ...]
@@ -77,7 +77,7 @@ class Polygons:
 
 @changing
 class Vectors:
-    """What is drawn so far: vectors, the `images` of points, and how each was found.  Points in `hinges` are at the pole."""
+    """What is drawn so far: vectors, the `images` of points, and how each was found.  Points in `hinges` lie at the pole."""
 
     kinematics: Kinematics
     hinges: tuple[str, ...]
@@ -85,7 +85,7 @@ class Vectors:
     segments: dict[tuple[str, str, str, str], Segment] = field(default_factory=dict)
     images: list[str] = field(default_factory=list)
     found: list[Found] = field(default_factory=list)
-    called: dict[tuple[str, str], str] = field(default_factory=dict)  # what lies under a point on a link, before it is drawn
+    called: dict[tuple[str, str], str] = field(default_factory=dict)  # (link, rider) -> name of the point under it, not yet drawn
 
     def place(self, name: str, rule: str, lines: Sequence[Line] = (), link: str = "") -> None:
         """Draw the image of a point from the pole."""
@@ -96,14 +96,14 @@ class Vectors:
         self.found.append(Found(rule, name, tuple(lines), link=link))
 
     def along_bar(self, bar: Bar, base: str, name: str) -> None:
-        """Draw the motion of a point about another of its link."""
+        """Draw the motion of a point relative to the point `base` of its link."""
         if frozenset((base, name)) in self.stretching:
             self.over(bar, base, name)
         else:
             self.about(bar, base, name, self.kinematics.points[name])
 
     def about(self, bar: Bar, base: str, name: str, moving: Moving) -> None:
-        """Draw how a point moves about the point `base` of its link."""
+        """Draw the motion of a point about the point `base` of its link, at a fixed distance."""
         start = self.kinematics.points[base]
         fixed = base in self.hinges
         omega, _ = self.kinematics.turning[bar.link]
@@ -118,15 +118,15 @@ class Vectors:
             self.segment(ACCELERATION, "relative", base, name, relative)
 
     def over(self, bar: Bar, base: str, rider: str, joined: bool = True) -> str:
-        """Draw the point of a link under one that slides on it, and the way of that one from it; return its name.
+        """Draw the point of a link under a rider, and the sliding of the rider relative to it; return the name of that point.
 
-        It is `joined` to the point `base` of the link, unless it is found without it.
+        If `joined`, it is drawn from the point `base` of the link; otherwise it was found without it.
         """
         under = self.called.pop((bar.link, rider), "") or self.under(rider)
         moving = self.kinematics.points[rider]
         omega, _ = self.kinematics.turning[bar.link]
         below = self.kinematics.carried(bar, base, moving.at)
-        if known := self.kinematics.driven.get((bar.link, rider)):  # so also in a row of a scheme that has drifted
+        if known := self.kinematics.driven.get((bar.link, rider)):  # valid also in a row of a scheme that has drifted
             sliding, second = known
             below = Moving(moving.at, moving.velocity - sliding, moving.acceleration - second - 2j * omega * sliding)
         self.kinematics.points[under] = below
@@ -142,10 +142,10 @@ class Vectors:
         return under
 
     def towards(self, bar: Bar, special: str, line: Line) -> Line:
-        """Draw the line of a leg to the image of a special point of a link; return it as it is drawn.
+        """Draw the line of a leg to the image of a special point of a link; return the line as drawn.
 
-        The acceleration begins with what is known of the point `line.at`, normal or Coriolis's part, and goes on with the
-        normal part of the special point about that one: both lie on the line of the leg.
+        The acceleration begins with the known normal or Coriolis part of the point `line.at`, and goes on with the
+        normal part of the special point about that point: both lie on the line of the leg.
         """
         points, base = self.kinematics.points, line.base
         omega, _ = self.kinematics.turning[bar.link]
@@ -175,11 +175,11 @@ class Vectors:
         return line
 
     def under(self, rider: str) -> str:
-        """Return how the point of a link under what slides on it is called, the next of its kind."""
+        """Return a name for the point of a link under a rider, with one prime more than those in use."""
         point = rider.rstrip("'")
         marks = [segment.end for segment in self.segments.values() if segment.end.startswith(f"{point}'")]
         return point + "'" * (1 + len(max(marks, default=point, key=len)) - len(point))
 
     def segment(self, plan: str, kind: str, start: str, end: str, vector: Complex, begins: Complex | None = None) -> None:
-        """Write a vector down, once."""
+        """Record a vector, unless it is there already."""
         self.segments.setdefault((plan, kind, start, end), Segment(plan, kind, start, end, vector, begins))

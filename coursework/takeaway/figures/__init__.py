@@ -1,1 +1,1 @@
-"""The drawings of a page as a person takes them along: pictures, and DXF for a drawing office."""
+"""The drawings of a page as files: pictures, and DXF for a drawing office."""

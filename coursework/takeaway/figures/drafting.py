@@ -1,4 +1,4 @@
-"""Shapes drawn into a DXF document, each on the layer of what it is.
+"""Draws shapes into a DXF document, each on the layer of its kind.
 
 Enters: shapes of a sheet (mm, y up).  Leaves: a document of ezdxf.  Used by `dxf.py`.
 """
@@ -13,7 +13,7 @@ from typing import Any
 
 from coursework.takeaway.figures.shapes import Arrow, Chain, Circle, Hatching, Pen, Shape, Words
 
-# Colours by their number, as drawing offices set them: what is thin on paper has another colour than what is thick.
+# Colours by number, as is usual in drawing offices: thin lines have other colours than thick ones.
 LAYERS = {
     "links": 7, "joints": 7, "ground": 8, "velocities": 1, "dimensions": 3, "construction": 8, "text": 7,
 }  # fmt: skip
@@ -22,17 +22,17 @@ _BY_DATA = {
     "driven": "velocities", "plan": "velocities", "force": "velocities", "dimension": "dimensions", "angle": "dimensions",
     "bar": "dimensions", "leader": "text", "chord": "construction",
 }  # fmt: skip
-CAPITAL = 0.729  # of the height of a letter with its lines: a capital of the sheet's face
-WIDTHS = (0, 5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100)  # hundredths of a mm that DXF knows
-FACE, STYLE = "arial.ttf", "SHEET"  # a face with Greek and Cyrillic that every drawing program has or replaces
-JOINT = 1.2  # mm: no larger circle is a joint
-THIN, SLEEVE, HEAVY = 0.2, 0.5, 0.6  # mm: lines of dimensions are thinner, those of sleeves and links no thinner
-GREY = 9  # of the colours by number
-DISC = 24  # corners of what covers the lines below a joint
+CAPITAL = 0.729  # height of a capital of the sheet's face, relative to the font size
+WIDTHS = (0, 5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100)  # line widths of DXF, hundredths of a mm
+FACE, STYLE = "arial.ttf", "SHEET"  # with Greek and Cyrillic; every drawing program has or replaces it
+JOINT = 1.2  # mm: largest radius of a joint
+THIN, SLEEVE, HEAVY = 0.2, 0.5, 0.6  # mm: dimension lines are below THIN, sleeves and links from SLEEVE and HEAVY on
+GREY = 9  # colour number
+DISC = 24  # corners of the area that covers the lines below a joint
 TYPED = str.maketrans({"\\": "\\\\", "{": "\\{", "}": "\\}", "^": "^ ", "%": "{%}", "\u00a0": " ", "\u2009": " "})
 LOWERED = re.compile("[₀-₉]+")
 DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
-LOW = 0.72  # of the height of a letter: what is set lower
+LOW = 0.72  # height of a subscript, relative to the letter
 
 
 class Draft:
@@ -113,7 +113,7 @@ class Draft:
         made.set_location((words.at.real, words.at.imag + size, 0))
 
     def _cover(self, points: list[tuple[float, float]], layer: str) -> None:
-        """Cover what lies below, as a joint hides the ends of its links."""
+        """Cover what lies below, as the symbol of a joint hides the ends of its links."""
         self.space.add_wipeout(points).dxf.layer = layer
 
     def _layer(self, pen: Pen, shape: Shape) -> str:
@@ -139,7 +139,7 @@ class Draft:
         return min(WIDTHS, key=lambda one: abs(one - 100 * pen.width))
 
     def _dashed(self, pen: Pen) -> str:
-        """Return the name of a type of line with these dashes, made when it is first drawn."""
+        """Return the name of the line type with these dashes, which is added when first used."""
         name = "DASH_" + "_".join(f"{part:g}".replace(".", "") for part in pen.dashes)
         if name not in self.document.linetypes:
             pattern = [part if place % 2 == 0 else -part for place, part in enumerate(pen.dashes)]
@@ -156,6 +156,6 @@ def _lowered(text: str) -> str:
 
 
 def _typed(text: str) -> str:
-    """Return text without what MTEXT would take for a command or does not print; digits that stand lower are set so."""
+    """Return text without what MTEXT would take for a command or cannot print; subscript digits become MTEXT subscripts."""
     kept = "".join(letter for letter in text.translate(TYPED) if letter.isprintable())
     return LOWERED.sub(lambda found: _lowered(found[0].translate(DIGITS)), kept)

@@ -1,4 +1,4 @@
-"""The drawings of a page, each under a speaking name.
+"""The drawings of a page, each with a telling name.
 
 Enters: a `ReportModel`.  Leaves: `Picture`s.  Used by `pictures.py` and `dxf.py`.
 """
@@ -21,18 +21,18 @@ from coursework.system.frozen import frozen
 
 DOTS_PER_INCH = 300
 MM_PER_INCH = 25.4
-_END_OF_HEAD = 33  # bytes of a PNG: its signature and the chunk IHDR
+_END_OF_HEAD = 33  # bytes of a PNG before the first free place: signature and chunk IHDR
 _HALOED = re.compile(r'<text class="halo" ([^\n]*</text>)')
 _BORDER = 'fill="#fff" stroke="#fff" stroke-width=".9" stroke-linejoin="round" aria-hidden="true"'
-# The end of a group of words that end where they stand: one of them slanted first, upright behind.
+# The last text in a group with text-anchor "end": an italic part first, then an upright one.
 _ENDED = re.compile(r'<text x="([\d.]+)" (y="[\d.]+")>(<tspan font-style="italic">[^<]*</tspan>)([^<]+)</text></g>')
-_NARROW, _WIDE = 0.36, 0.54  # of the height of letters: a comma or a space, and what a unit is written with
+_NARROW, _WIDE = 0.36, 0.54  # widths relative to the letter height: of a comma or a space, of the letters of a unit
 _UNSAFE = re.compile(r"[^\w.-]+")
 
 
 @frozen
 class Picture:
-    """One drawing: its file's name without an ending, SVG, size in mm, words for who cannot see it."""
+    """One drawing: name of its file without ending, SVG, size in mm, text for those who cannot see it."""
 
     name: str
     svg: str
@@ -42,20 +42,20 @@ class Picture:
 
     @property
     def file(self) -> str:
-        """Return the SVG for any program, such as draws no white border of words, or ends each part of a word in one place."""
+        """Return SVG that any program draws well, even without paint-order or with every part of a text anchored by itself."""
         svg = _ENDED.sub(_parted, self.svg)
         return _HALOED.sub(rf"<text {_BORDER} \1<text \1", svg.replace(HALO, "")) if HALO in svg else svg
 
 
 def _parted(found: re.Match[str]) -> str:
-    """Return a word whose parts end each where it should."""
+    """Return both parts of such a text as texts of their own, each with its proper end."""
     x, y, head, tail = found.groups()
     left = float(x) - LETTERS * sum(_NARROW if letter in ", " else _WIDE for letter in tail)
     return f'<text x="{x}" {y}>{tail}</text><text x="{left:.2f}" {y}>{head}</text></g>'
 
 
 def pictures_of(model: ReportModel) -> dict[str, Picture]:
-    """Return every drawing of the page in its order, by its name: that of its place on the page, or of what it shows."""
+    """Return every drawing of the page in order, by name: its own id or that of its section; graphs by what they show."""
     found: dict[str, Picture] = {}
     for section in model.sections:
         for part in section.parts:
@@ -76,12 +76,12 @@ def _add(found: dict[str, Picture], name: str, svg: str, width: float, height: f
 
 
 def as_pdf(picture: Picture, language: str) -> bytes:
-    """Return a drawing as a PDF of one page of its size.  Raises `OutputError` where Typst is missing."""
+    """Return a drawing as a PDF of one page of its size.  Raises `OutputError` if Typst is missing."""
     return pdf_of("drawing.typ", _asked([picture], language)).content
 
 
 def as_png(pictures: Sequence[Picture], language: str) -> Iterator[bytes]:
-    """Yield drawings as PNG of 300 dots an inch, which their files say, so that they have their size in a text."""
+    """Yield drawings as PNG with 300 dots per inch; the files say so, so that they have their true size in a text."""
     if pictures:
         made = typeset("drawing.typ", _asked(pictures, language), "png", ppi=DOTS_PER_INCH)
         yield from map(_with_density, [made] if isinstance(made, bytes) else made)
@@ -95,7 +95,7 @@ def _asked(pictures: Sequence[Picture], language: str) -> dict[str, Any]:
 
 
 def _with_density(content: bytes) -> bytes:
-    """Return a PNG whose file says how many dots a metre has."""
+    """Return a PNG with a chunk that tells how many dots there are per metre."""
     density = round(DOTS_PER_INCH / MM_PER_INCH * 1000)
     said = b"pHYs" + struct.pack(">IIB", density, density, 1)
     chunk = struct.pack(">I", len(said) - 4) + said + struct.pack(">I", zlib.crc32(said))

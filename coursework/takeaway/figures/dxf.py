@@ -1,7 +1,7 @@
 """`--format dxf`: scheme, twelve positions, graph-analytical check and plans for a drawing office.
 
-Enters: `Results`.  Leaves: a DXF file (AutoCAD 2010) a drawing, in millimetres at the scale of its sheet; links, joints, ground,
-velocities, dimensions and text lie on layers of their own, arrows are leaders, hatching is a hatch.
+Enters: `Results`.  Leaves: one DXF file (AutoCAD 2010) per drawing, in mm at the scale of its sheet; links, joints, ground,
+velocities, dimensions and text have their own layers, arrows are leaders, hatching is a hatch.
 Used by the list of formats, by name.
 """
 
@@ -26,7 +26,7 @@ FOLDER = "dxf"
 
 
 def write(results: Results) -> Iterator[tuple[str, bytes]]:
-    """Yield name and bytes of each drawing.  Raises `NotToBeHad` without points, or without ezdxf."""
+    """Yield name and bytes of each drawing.  Raises `NotToBeHad` if there are no drawings, or no ezdxf."""
     require("ezdxf", "dxf", "dxf")
     drawings = {name: one for name, one in _pictures(results).items() if HALO in one.svg}
     if not drawings:
@@ -36,7 +36,7 @@ def write(results: Results) -> Iterator[tuple[str, bytes]]:
 
 
 def _pictures(results: Results) -> dict[str, Picture]:
-    """Return the drawings of the page, and the twelve positions where a mechanism has them, asked for or not."""
+    """Return the drawings of the page, and the twelve positions if the mechanism has them, even if they were not asked for."""
     found = pictures_of(results.model)
     if not results.run.asks(TRAJECTORIES):
         with suppress(CourseworkError, ArithmeticError):
@@ -46,18 +46,18 @@ def _pictures(results: Results) -> dict[str, Picture]:
 
 
 def dxf_of(picture: Picture) -> bytes:
-    """Return a drawing as DXF; the same bytes for the same drawing."""
+    """Return a drawing as DXF; the same drawing always gives the same bytes."""
     import ezdxf
 
-    options: Any = ezdxf.options  # type: ignore[attr-defined]  # it is there, and not said to be
+    options: Any = ezdxf.options  # type: ignore[attr-defined]  # it exists, but is not declared
     kept = options.write_fixed_meta_data_for_testing
-    options.write_fixed_meta_data_for_testing = True  # else the hour, and an id made by chance
+    options.write_fixed_meta_data_for_testing = True  # else the file has the time and a random id
     try:
         draft = Draft(picture.width, picture.height)
         for shape in shapes_of(picture.svg, picture.height):
             draft.draw(shape)
         for kind in sorted(draft.document.entitydb.dxf_types_in_use()):
-            draft.document.classes.add_class(kind)  # else in the order of a set, another one in each process
+            draft.document.classes.add_class(kind)  # else they stand in the order of a set, which differs between processes
         text = io.StringIO()
         draft.document.write(text)
     finally:

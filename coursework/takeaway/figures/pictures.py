@@ -16,7 +16,7 @@ FOLDER = "figures"
 
 
 def write(results: Results) -> Iterator[tuple[str, bytes]]:
-    """Yield name and bytes of each file.  Raises `NotToBeHad` where the page has no drawing."""
+    """Yield name and bytes of each file.  Raises `NotToBeHad` if the page has no drawing."""
     pictures = list(pictures_of(results.model).values())
     if not pictures:
         raise NotToBeHad(say("fault.W041"))

@@ -1,26 +1,26 @@
-"""A drawing of this tool read back into what a drawing office draws with: segments, chains, circles, arrows, hatching, words.
+"""Reads a drawing of this tool back as shapes of a drawing office: segments, chains, circles, arrows, hatching, words.
 
-Enters: SVG that the drawing board made.  Leaves: shapes in mm of the sheet, y up.  Used by `dxf.py`.
+Enters: SVG made by `drawing/paper`.  Leaves: shapes in mm of the sheet, y up.  Used by `dxf.py`.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from xml.etree import ElementTree  # of our own SVG: its words are escaped, and it declares nothing
+from xml.etree import ElementTree  # only for our own SVG, which is escaped and has no declarations
 
 from coursework.system.frozen import frozen
 
 _SVG = "{http://www.w3.org/2000/svg}"
-_STEP = re.compile(r"([MmlZ])([^MmlZ]*)")  # what `ways.py` writes
+_STEP = re.compile(r"([MmlZ])([^MmlZ]*)")  # the path data that `ways.py` writes
 _NUMBER = re.compile(r"-?[\d.]+(?:e-?\d+)?")
-SAME = 0.02  # mm: two places that are one
+SAME = 0.02  # mm: two places this near are the same
 HEAD_CORNERS = 3
 
 
 @frozen
 class Pen:
-    """How a line is drawn: mm wide, its dashes (mm), what the drawing says it is (data of the element)."""
+    """How a line is drawn: width (mm), dashes (mm), and the data attributes that say what it is."""
 
     width: float
     dashes: tuple[float, ...]
@@ -29,7 +29,7 @@ class Pen:
 
 @frozen
 class Chain:
-    """A line through points; `fill` is "", "white", "black" or "grey"."""
+    """A polyline; `fill` is "", "white", "black" or "grey"."""
 
     points: tuple[complex, ...]
     closed: bool
@@ -49,7 +49,7 @@ class Circle:
 
 @frozen
 class Arrow:
-    """A line that ends in a head, its tip first."""
+    """A polyline with a head; the tip is the first of the points."""
 
     points: tuple[complex, ...]
     head: float
@@ -58,7 +58,7 @@ class Arrow:
 
 @frozen
 class Hatching:
-    """Strokes of one direction, one beside the other: where each begins and how far each goes."""
+    """Parallel strokes side by side: where each begins, and the vector `lean` of all of them."""
 
     begins: tuple[complex, ...]
     lean: complex
@@ -67,7 +67,7 @@ class Hatching:
 
 @frozen
 class Words:
-    """Words from a place on their base line: pieces with the height of their letters (mm) and how far below they stand."""
+    """Words that begin `at` a place of their base line: pieces (text, letter height in mm, how far below the base line)."""
 
     at: complex
     pieces: tuple[tuple[str, float, float], ...]
@@ -81,7 +81,7 @@ Shape = Chain | Circle | Arrow | Hatching | Words
 
 
 def shapes_of(svg: str, height: float) -> Iterator[Shape]:
-    """Yield the shapes from behind to front; what a screen alone shows is left out."""
+    """Yield the shapes from the background to the foreground, without those that only a screen shows."""
     open_chain: Chain | None = None
     for shape in _read(ElementTree.fromstring(svg), height):
         if isinstance(shape, Chain) and _is_head(shape):
@@ -107,7 +107,7 @@ def _is_head(shape: Chain) -> bool:
 
 
 def _headed(line: Chain | None, head: Chain) -> tuple[Arrow, Chain | None]:
-    """Return a head with the line that leads to it; where none does, the head alone and the line as it was."""
+    """Return a head joined with the line that leads to it, and None; if no line does, the head alone and the line as it was."""
     tip, *sides = head.points
     neck = sum(sides) / 2
     size = abs(tip - neck)
@@ -119,7 +119,7 @@ def _headed(line: Chain | None, head: Chain) -> tuple[Arrow, Chain | None]:
 def _read(element: ElementTree.Element, height: float) -> Iterator[Shape]:
     for one in element:
         if element.get("class") == "paper":
-            one.set("data-bar", "")  # the bar by which a print is checked, with its ticks
+            one.set("data-bar", "")  # the bar for checking a print, with its ticks
         kind = one.tag.removeprefix(_SVG)
         if kind == "g" and one.get("display") != "none":
             yield from _read(one, height)
@@ -163,13 +163,13 @@ def _paths(element: ElementTree.Element, height: float) -> Iterator[Shape]:
 
 
 def _beside(a: complex, b: complex, width: float) -> tuple[complex, ...]:
-    """Return the corners of what a white line covers: a masking area has no width of its own."""
+    """Return the corners of the area that a white line covers, as a masking area has no line width."""
     aside = 0.5j * width * (b - a) / abs(b - a)
     return a - aside, b - aside, b + aside, a + aside
 
 
 def _pieces(way: str, height: float) -> Iterator[tuple[tuple[complex, ...], bool]]:
-    """Yield the pieces of a path."""
+    """Yield the pieces of a path: points, and whether the piece is closed."""
     points: list[complex] = []
     for letter, rest in _STEP.findall(way):
         numbers = list(map(float, _NUMBER.findall(rest)))
@@ -185,7 +185,7 @@ def _pieces(way: str, height: float) -> Iterator[tuple[tuple[complex, ...], bool
             points = []
         if letter == "M":
             points = [1j * height + place for place in places]
-        else:  # steps; those of m, from where the last piece ended, begin a piece
+        else:  # relative steps; those of m begin a new piece at the end of the last one
             for step in places:
                 at += step
                 points.append(at)

@@ -1,6 +1,6 @@
-"""A scheme of joints taken apart into a crank and dyads, as a chain is written here.
+"""Takes a scheme of joints apart into a crank and dyads, the form of a chain here.
 
-Enters: a `Scheme`.  Leaves: `Group`s, `Carried` points, what belongs to none.  Used by `text.py`.
+Enters: a `Scheme`.  Leaves: `Group`s, `Carried` points, and the joints that belong to none.  Used by `text.py`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from coursework.takeaway.foreign.scheme import SHORTEST, Scheme, Slider, arm_of
 
 @frozen
 class Group:
-    """A group in order: its kind, the joints it hangs on, the joint where it meets, its links and their lengths (m)."""
+    """A group: its kind, the joints that it hangs on, the joint where its links meet, its links and their lengths (m)."""
 
     kind: str
     start: tuple[str, ...]
@@ -28,7 +28,7 @@ class Group:
 
 @frozen
 class Carried:
-    """A further joint of a link: so far (m) from the joint where its link begins, at such an angle (rad) to it."""
+    """A further joint of a link, at a distance (m) from the joint where the link begins, and at an angle (rad) to it."""
 
     joint: str
     link: int
@@ -46,8 +46,8 @@ class Chain:
         self.placed: set[int] = set()
         self.groups: list[Group] = []
         self.carried: list[Carried] = []
-        pin = arm_of(scheme.joints, self.known, scheme.links[scheme.crank], scheme.pivot)[0]  # there is one: see `Reading.scheme`
-        self.lines: dict[int, tuple[str, complex]] = {}  # from which joint the angle of a link is counted, and which way it goes
+        pin = arm_of(scheme.joints, self.known, scheme.links[scheme.crank], scheme.pivot)[0]  # exists: see `Reading.scheme`
+        self.lines: dict[int, tuple[str, complex]] = {}  # link -> joint where its angle is measured, its direction
         self._add(Group("crank", (scheme.pivot,), pin, (scheme.crank,), (self._apart(scheme.pivot, pin),), 0))
         for one in scheme.turned:
             pins = arm_of(scheme.joints, self.known, scheme.links[one.link], one.pivot)
@@ -66,7 +66,7 @@ class Chain:
         return abs(self.scheme.joints[second] - self.scheme.joints[first])
 
     def _dyads(self) -> Iterator[Group]:
-        """Yield the dyads that hang on what is known by now."""
+        """Yield the dyads whose outer joints are known by now."""
         at = self.scheme.joints
         for meets in at:
             if meets in self.known:
@@ -90,7 +90,7 @@ class Chain:
         yield from self._levers()
 
     def _levers(self) -> Iterator[Group]:
-        """Yield links with a slot in which a known joint slides, and that turn about another known one."""
+        """Yield the links that turn about a known joint and have a slot in which another known joint slides."""
         at = self.scheme.joints
         for pin, slider in self.scheme.sliders.items():
             if pin not in self.known or slider.link is None or slider.link in self.placed:

@@ -1,7 +1,7 @@
-"""A file of Linkage (.linkage2): connectors, links, anchors, an input with its speed, sliders.
+"""Reads a file of Linkage (.linkage2): connectors, links, anchors, an input with its speed, sliders.
 
 Enters: bytes.  Leaves: `Scheme`.  Raises `InputError`.  Used by `read.py`.
-XML is read by expat, without entities or declarations; lengths are stored at 96 units an inch.
+XML is read by expat, without entities or declarations; lengths are stored in units of 1/96 inch.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _LINK, _CONNECTOR, _LIMIT = "link", "connector", "slidelimit"
 
 
 def read(content: bytes) -> Scheme:
-    """Return the mechanism."""
+    """Return the mechanism in a file."""
     elements = _Elements()
     parser = expat.ParserCreate()
     parser.StartElementHandler, parser.EndElementHandler = elements.begin, elements.end

@@ -1,8 +1,8 @@
-"""What PMKS writes: a line a joint, "ground,input,R,0,0", in a file, or after "mech=" in its share address.
+"""Reads what PMKS writes: one line per joint, "ground,input,R,0,0", in a file, or after "mech=" in its share address.
 
 Enters: bytes.  Leaves: `Scheme`.  Raises `InputError`.  Used by `read.py`.
-A line names the links that meet, the kind of joint, x, y, for a slide its angle (degrees), and four letters t or f, the last of
-which marks the joint that is driven; without them the link called "input" is.
+A line names the links that meet, the kind of joint, x, y, the angle of a slide (degrees), and four letters t or f, the last of
+which marks the driven joint; without these letters the link called "input" is driven.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from coursework.words.sentences import say
 
 PROGRAM = "PMKS"
 KINDS = ("R", "P", "RP", "G")
-STRAIGHT = 1e-6  # how far teeth may meet beside the line of the two pivots
+STRAIGHT = 1e-6  # sine: how far from the line of both pivots teeth may meet
 GROUND, INPUT = "ground", "input"
 _FLAGS = re.compile("[tf]{4}")
 
 
 def read(content: bytes) -> Scheme:
-    """Return the mechanism."""
+    """Return the mechanism in a file or address."""
     text = content.decode("utf-8-sig", "replace").strip()
     if "mech=" in text:
         text = unquote(text.partition("mech=")[2].partition("&")[0])
@@ -39,8 +39,8 @@ class _Rows(Reading):
         if not rows or len(rows) > MOST_JOINTS:
             raise self.refused(1)
         self.links: dict[str, list[str]] = {}
-        self.blocks: dict[str, float] = {}  # links that slide on the frame, at an angle
-        self.gears: list[tuple[str, str, complex]] = []  # two links and where their teeth meet
+        self.blocks: dict[str, float] = {}  # links that slide on the frame, and at which angle (rad)
+        self.gears: list[tuple[str, str, complex]] = []  # two links and the place where their teeth meet
         self.driven = ""
         self.remarks += [say("foreign.unit"), say("foreign.speed")]
         for place, row in enumerate(rows, start=1):
@@ -85,11 +85,11 @@ class _Rows(Reading):
         links = self.moving(self.links.values())
         crank = self.crank_of(links, self.driven)
         names = [name for name, joints in self.links.items() if not self.fixed.issuperset(joints)]
-        turned = [*self._geared(names, crank)]  # and remarks on the others
+        turned = [*self._geared(names, crank)]  # this also adds remarks on other gears
         return self.scheme(links, self.driven, crank, None, turned)
 
     def _geared(self, names: list[str], crank: int) -> Iterator[Turned]:
-        """Yield the links that gears on fixed pivots turn; the others are remarks."""
+        """Yield the links that gears on fixed pivots turn; all other gears become remarks."""
         ratios, waiting = {names[crank]: 1.0}, list(self.gears)
         while found := next((one for one in waiting if (one[0] in ratios) != (one[1] in ratios)), None):
             waiting.remove(found)

@@ -1,8 +1,8 @@
-"""What PMKS+ shares: settings, joints, links and forces in one line, in its address or its file (.pmks).
+"""Reads what PMKS+ shares: settings, joints, links and forces in one line, in its address or its file (.pmks).
 
 Enters: bytes.  Leaves: `Scheme`.  Raises `InputError`.  Used by `read.py`.
-Parts stand behind each other with points between, an empty one ends joints, links and forces; numbers are thousandths, to the
-base of 64, negative behind a "0"; the first letter of a joint packs what it is.
+The parts are separated by points; an empty part ends the joints, the links and the forces.  Numbers are thousandths in base 64,
+negative if they begin with "0"; the first letter of a joint packs its flags.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from coursework.takeaway.foreign.scheme import MOST_JOINTS, Reading, Scheme, Sli
 
 PROGRAM = "PMKS+"
 LETTERS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-"
-LONGEST = 8  # letters of a number
-PRISMATIC, INPUT, GROUNDED, WELDED = 1, 2, 4, 8  # of a joint
-CLOCKWISE = 1  # of the settings
+LONGEST = 8  # most letters of a number
+PRISMATIC, INPUT, GROUNDED, WELDED = 1, 2, 4, 8  # flags of a joint
+CLOCKWISE = 1  # flag in the settings
 UNITS = (0.0254, 0.01, 1.0)  # m: inch, centimetre, metre
 SETTINGS = 4
 
@@ -27,7 +27,7 @@ def is_shared(text: str) -> bool:
 
 
 def read(content: bytes) -> Scheme:
-    """Return the mechanism."""
+    """Return the mechanism in a file or address."""
     text = content.decode("utf-8-sig", "replace").strip()
     parts = text.rpartition("?")[2].split(".")
     shared = _Shared(PROGRAM)
@@ -44,10 +44,10 @@ def read(content: bytes) -> Scheme:
 
 
 class _Shared(Reading):
-    """Joints and links, one after the other."""
+    """Collects joints and links, one after the other."""
 
     def integer(self, text: str) -> int:
-        """Return a number.  Raises `InputError`."""
+        """Return a number in base 64.  Raises `InputError`."""
         if not 0 < len(text) <= LONGEST or any(letter not in LETTERS for letter in text):
             raise self.refused(text[:LONGEST] or "–")
         value = 0
@@ -56,8 +56,8 @@ class _Shared(Reading):
         return -value if text[0] == "0" else value
 
     def made(self, unit: float, joints: list[str], links: list[str], forces: list[str], speed: float) -> Scheme:
-        """Return the mechanism."""
-        self.slides: dict[str, float] = {}  # prismatic joints on the frame, by their angle
+        """Return the mechanism; `unit` is in m, `speed` in rad/s."""
+        self.slides: dict[str, float] = {}  # angles (rad) of prismatic joints on the frame
         self.links: list[tuple[str, ...]] = []
         self.driven = ""
         for joint in joints:

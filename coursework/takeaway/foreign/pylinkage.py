@@ -1,4 +1,4 @@
-"""A JSON file of pylinkage: that of its mechanisms (joints and links), or that of its older linkages (joints with parents).
+"""Reads a JSON file of pylinkage: of its mechanisms (joints and links), or of its older linkages (joints with parents).
 
 Enters: bytes.  Leaves: `Scheme`.  Raises `InputError`.  Used by `read.py`.
 """
@@ -19,7 +19,7 @@ OLDER = {"Static", "Crank", "Revolute", "Fixed", "Prismatic", "Linear"}
 
 
 def read(content: bytes) -> Scheme:
-    """Return the mechanism."""
+    """Return the mechanism in a file."""
     try:
         told = json.loads(content)
     except (ValueError, RecursionError):
@@ -33,7 +33,7 @@ def read(content: bytes) -> Scheme:
 
 
 class _Joints(Reading):
-    """Joints of a file that is `told`."""
+    """The joints of a file with the content `told`."""
 
     def __init__(self, told: Any) -> None:
         super().__init__(PROGRAM)
@@ -41,27 +41,27 @@ class _Joints(Reading):
         self.remarks.append(say("foreign.unit"))
 
     def listed(self, key: str) -> list[dict[str, Any]]:
-        """Return a list of records."""
+        """Return the list of records under a key, [] if there is none."""
         found = self.told.get(key, []) if isinstance(self.told, dict) else []
         if not isinstance(found, list) or not all(isinstance(one, dict) for one in found):
             raise self.refused(key)
         return found
 
     def place(self, x: object, y: object, name: str) -> None:
-        """Put a joint somewhere."""
+        """Put a joint at a place."""
         self.places[name] = complex(self.number(x, name), self.number(y, name))
 
     def finished(self, links: Links, pivot: str, crank: int, speed: float, turned: Sequence[Turned]) -> Scheme:
-        """Return the mechanism with what every file of pylinkage has: a title or none, no step."""
+        """Return the mechanism with what all files of pylinkage share: they may have a title, and give no step."""
         self.remarks.append(say("foreign.step"))
         return self.scheme(links, pivot, crank, speed, turned, str(self.told.get("name") or ""))
 
 
 class _Mechanism(_Joints):
-    """Joints, and links that name them."""
+    """Joints, and links that list their joints."""
 
     def made(self, joints: list[dict[str, Any]]) -> Scheme:
-        """Return the mechanism."""
+        """Return the mechanism made of joints and the links of the file."""
         axes, trackers = dict[str, float](), dict[str, list[str]]()
         for joint in joints:
             name, position = str(joint.get("id", "")), joint.get("position")
@@ -98,7 +98,7 @@ class _Mechanism(_Joints):
                 drives.append((pivot, len(links) - 1, self.number(link.get("angular_velocity", 0.0), "angular_velocity")))
         for name in [name for name in axes if name not in self.sliders]:
             self.leave_out(f"prismatic {name}")
-        for name, ends in trackers.items():  # a further point of the link that has both
+        for name, ends in trackers.items():  # a further point of the link that has both reference joints
             if (own := link_of(links, *ends)) is None:
                 self.leave_out(f"tracker {name}")
             else:
@@ -111,7 +111,7 @@ class _Mechanism(_Joints):
 
 
 class _Older(_Joints):
-    """Joints that name their parents."""
+    """Joints that name their parent joints."""
 
     def __init__(self, told: Any) -> None:
         super().__init__(told)
@@ -131,7 +131,7 @@ class _Older(_Joints):
         return str(told.get("ref", ""))
 
     def link(self, *names: str) -> None:
-        """Join joints to a link, or to the one that has two of them already."""
+        """Join joints to a new link, or add them to the link that already has two of them."""
         for link in self.links:
             if len({*link} & {*names}) > 1:
                 link += [name for name in names if name not in link]
@@ -168,11 +168,11 @@ class _Older(_Joints):
             self.leave_out(f"{kind} {name}")
 
     def _holds(self, ends: list[str]) -> bool:
-        """Return whether a line is one of the frame, or of a link."""
+        """Return whether a line belongs to the frame or to a link."""
         return self.fixed.issuperset(ends) or link_of(self.links, *ends) is not None
 
     def made(self, joints: list[dict[str, Any]]) -> Scheme:
-        """Return the mechanism."""
+        """Return the mechanism made of joints."""
         for joint in joints:
             self.add(joint)
         if not self.cranks:

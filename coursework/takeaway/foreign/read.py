@@ -1,6 +1,6 @@
-"""A file or a share address of another program as a variant file.
+"""Reads a file or a share address of another program as a variant file.
 
-Enters: what was typed behind `--from`.  Leaves: TOML, None where it is no such thing.  Raises `InputError`.
+Enters: what was typed after `--from`.  Leaves: TOML, None if it is no such file or address.  Raises `InputError`.
 Used by `commands/new.py`.
 """
 
@@ -22,7 +22,7 @@ ADDRESS = ("http://", "https://")
 
 
 def foreign_text(given: str, stem: str, said: Callable[[str], str]) -> str | None:
-    """Return the variant file; `said` returns a sentence in the language of the command."""
+    """Return the variant file, None if `given` is no file or address of another program; `said` translates a sentence."""
     if given.lower().startswith(ADDRESS):
         typed = given[:MOST_BYTES].encode()  # read, never fetched
         return text_of(pmks.read(typed) if "mech=" in given else pmks_plus.read(typed), stem, said)

@@ -1,6 +1,6 @@
-"""What a file of another program says of a mechanism, as far as it has a counterpart here.
+"""What a file of another program says of a mechanism, as far as it can be expressed here.
 
-Leaves: `Scheme`, `Slider`, `Turned`; `Reading`, which every reader is.
+Leaves: `Scheme`, `Slider`, `Turned`; `Reading`, the base class of every reader.
 Used by the readers of this folder, `groups.py` and `text.py`.
 """
 
@@ -15,15 +15,15 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 MOST_BYTES = 1_000_000
-MOST_JOINTS = 100  # more has no page a student could read
-LARGEST = 1e9  # of a coordinate, and of a number of turns to one of the crank
-SHORTEST = 1e-12  # m: joints nearer than that are one, and no link joins them
-Links = tuple[tuple[str, ...], ...]  # the joints of each
+MOST_JOINTS = 100  # more would make a page that no student could read
+LARGEST = 1e9  # of a coordinate, and of a speed ratio to the crank
+SHORTEST = 1e-12  # m: joints nearer to each other count as one, and no link joins them
+Links = tuple[tuple[str, ...], ...]  # the joints of each link
 
 
 @frozen
 class Slider:
-    """A joint that slides on a line through a place, at an angle (rad): of the frame, or of a moving link by its number."""
+    """A joint that slides on a line `through` a place at an angle (rad), on the moving `link` of that number or on the frame."""
 
     through: complex
     angle: float
@@ -32,7 +32,7 @@ class Slider:
 
 @frozen
 class Turned:
-    """A further link that turns about a fixed joint: so many times as fast as the crank."""
+    """A further link that turns about a fixed joint, at `ratio` times the speed of the crank."""
 
     pivot: str
     link: int
@@ -41,10 +41,10 @@ class Turned:
 
 @frozen
 class Scheme:
-    """Places of joints (m) by id, which of them are fixed, the joints of each moving link, sliders, and the crank.
+    """Places of joints (m) by id, the fixed ones, the joints of each moving link, sliders, and the crank.
 
-    The crank turns about the joint `pivot`, its link is `links[crank]`, `speed` (rad/s) None where the file says none.
-    `remarks` list what the file has that is left out, and what it does not say.
+    The crank turns about the joint `pivot`, its link is `links[crank]`, its `speed` (rad/s) is None if the file does not say it.
+    `remarks` list what is left out of the file, and what the file does not say.
     """
 
     program: str
@@ -61,7 +61,7 @@ class Scheme:
 
 
 class Reading:
-    """What a reader has found in a file of a program so far, and how it refuses what it cannot read."""
+    """What a reader has found in a file so far, and how it refuses what it cannot read."""
 
     def __init__(self, program: str) -> None:
         self.program = program
@@ -71,7 +71,7 @@ class Reading:
         self.remarks: list[Sentence] = []
 
     def refused(self, place: object) -> InputError:
-        """Return what is told of a file that cannot be read as one of the program."""
+        """Return the error for a file that cannot be read as one of the program."""
         return InputError(say("fault.C094", program=self.program, place=place))
 
     def number(self, value: object, place: object) -> float:
@@ -85,19 +85,19 @@ class Reading:
         return found
 
     def leave_out(self, what: str) -> None:
-        """Remark that something has no counterpart."""
+        """Add a remark that something cannot be expressed here and is left out."""
         self.remarks.append(say("foreign.left_out", what=what[:80]))
 
     def moving(self, links: Iterable[Collection[str]]) -> Links:
-        """Return the links that are no part of the frame."""
+        """Return the links that are not part of the frame."""
         return tuple(tuple(link) for link in links if not self.fixed.issuperset(link))
 
     def no_crank(self) -> InputError:
-        """Return what is told where nothing turns about a fixed joint."""
+        """Return the error for a file in which nothing turns about a fixed joint."""
         return InputError(say("fault.C095", program=self.program))
 
     def crank_of(self, links: Links, pivot: str) -> int:
-        """Return which of the moving links turns about a joint.  Raises `InputError` where none does."""
+        """Return the number of the moving link at a joint.  Raises `InputError` if there is none."""
         if (crank := link_of(links, pivot)) is None:
             raise self.no_crank()
         return crank
@@ -105,7 +105,7 @@ class Reading:
     def scheme(
         self, links: Links, pivot: str, crank: int, speed: float | None, turned: Sequence[Turned] = (), title: str = ""
     ) -> Scheme:
-        """Return the mechanism.  Raises `InputError` where the crank has no length."""
+        """Return the mechanism.  Raises `InputError` if the crank has no length."""
         kept = [
             one for one in turned if abs(one.ratio) <= LARGEST and arm_of(self.places, self.fixed, links[one.link], one.pivot)
         ]
@@ -119,10 +119,10 @@ class Reading:
 
 
 def arm_of(at: Mapping[str, complex], known: Collection[str], link: Iterable[str], pivot: str) -> list[str]:
-    """Return the joints of a link that go round a pivot and that nothing else places."""
+    """Return the joints of a link that can turn about a pivot: those not `known` and not at the same place."""
     return [name for name in link if name not in known and abs(at[name] - at[pivot]) > SHORTEST]
 
 
 def link_of(links: Sequence[Sequence[str]], *joints: str) -> int | None:
-    """Return the number of the link that has some joints, None where none has."""
+    """Return the number of the link that has all given joints, None if there is none."""
     return next((place for place, own in enumerate(links) if set(joints) <= set(own)), None)

@@ -1,6 +1,6 @@
-"""A scheme of another program as a variant file: points, a crank, dyads, and remarks on what has no counterpart.
+"""A scheme of another program as a variant file: points, a crank, dyads, and remarks on what was left out.
 
-Enters: a `Scheme`.  Leaves: TOML, which `reports/foreign-scheme.toml.j2` writes.  Used by `read.py`.
+Enters: a `Scheme`.  Leaves: TOML, written by `reports/foreign-scheme.toml.j2`.  Used by `read.py`.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from coursework.takeaway.foreign.scheme import SHORTEST, Scheme
 from coursework.words.sentences import say
 from coursework.words.templates import clean, filled
 
-LONGEST = 120  # letters of a title
+LONGEST = 120  # most letters of a title
 _LETTER = re.compile(r"[A-Z]\d{0,2}")
 
 
 @frozen
 class _Guide:
-    """The line on which a group slides, at an `angle` (rad) and `through` a point; `at` is where that lies (m) in the frame.
+    """The line on which a group slides, at an `angle` (rad), `through` a point at the place `at` (m) in the frame.
 
-    One on a moving link `turns` with its angle, to which that of the line is counted; `at` then is seen from the joint `base` of
-    the link, as a part of the way along it, at a `distance` (m).  `starts`: the line goes through that joint itself.
+    A line on a moving link `turns` with the coordinate of that name, and its angle is relative to it; `at` is then relative to
+    the joint `base` and to the direction of the link, at a `distance` (m).  `starts`: the line goes through that joint itself.
     """
 
     number: int
@@ -41,7 +41,7 @@ class _Guide:
 
 
 def text_of(scheme: Scheme, name: str, said: Callable[[str], str]) -> str:
-    """Return the file; `said` returns a sentence in the language of the command."""
+    """Return the variant file; `said` translates a sentence into the language of the command."""
     chain, names, quoted = Chain(scheme), _names(scheme), partial(json.dumps, ensure_ascii=False)
     groups = list(enumerate(chain.groups, start=1))
     lost = [say("foreign.alone", joint=clean(one, 40)) for one in chain.lost]
@@ -69,7 +69,7 @@ def text_of(scheme: Scheme, name: str, said: Callable[[str], str]) -> str:
 
 
 def _names(scheme: Scheme) -> dict[str, str]:
-    """Return a letter for each joint: its own where all are letters, else A, B, C and so on."""
+    """Return a name for each joint: its own if all are capital letters (with digits), else A, B, C and so on."""
     if all(_LETTER.fullmatch(name) for name in scheme.joints):
         return {name: name for name in scheme.joints}
     count = len(ascii_uppercase)
@@ -77,20 +77,20 @@ def _names(scheme: Scheme) -> dict[str, str]:
 
 
 def _coordinates(number: int, group: Group) -> list[str]:
-    """Return the coordinates of a group, the angles of its links first."""
+    """Return the names of a group's coordinates, angles of links first."""
     if group.kind == "crank":
         return [f"phi{number}"]
     return [f"phi{number}a", f"phi{number}b" if group.kind == "RRR" else f"s{number}"]
 
 
 def _angle(chain: Chain, link: int) -> str:
-    """Return the coordinate of a link."""
+    """Return the name of the coordinate of a link."""
     number, group = next(found for found in enumerate(chain.groups, start=1) if link in found[1].links)
     return _coordinates(number, group)[group.links.index(link)]
 
 
 def _guide(chain: Chain, number: int, group: Group, names: dict[str, str]) -> _Guide | None:
-    """Return the line on which a dyad slides, None of one that does not, and of a lever, which is that line itself."""
+    """Return the line on which a dyad slides; None if it does not slide, or is a lever, which is that line itself."""
     slider = group.slider
     if slider is None or group.kind == "RPR":
         return None

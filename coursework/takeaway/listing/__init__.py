@@ -1,1 +1,1 @@
-"""The coursework as a program of one's own in five languages, and the block diagram of that very program."""
+"""The coursework as a program in five languages for the student, and the block diagram of that program."""

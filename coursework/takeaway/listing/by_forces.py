@@ -1,7 +1,7 @@
 """A motion under forces as the parts of a program: closed positions, velocities block by block, accelerations.
 
 Enters: a run with [motor].  Leaves: `Moving`: lines and names for programs and workbooks.  Used by `program.py` and the workbook.
-The states are all coordinates and the free rates; the other coordinates are closed by Newton's corrections at each slope.
+The states are all coordinates and the free rates; Newton's corrections close the other coordinates at each slope.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Variant
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
-CORRECTIONS = 8  # of a position that the step before has left near: the error of each is of the size of the last one's square
+CORRECTIONS = 8  # of a position near that of the step before: each error is about the square of the last
 
 
 @frozen
 class Moving:
-    """`variant` has masses and loads as data, `states` stand beside the coordinates, `outs` are what gives the rates, in order.
+    """The parts of the program; `variant` has masses and loads as data, `states` are the free rates, which join the coordinates.
 
-    `numbers` are the data, and what positions keep.
+    `outs` name the results of a slope, the rates of the states first.  `numbers` are the data and what positions keep constant.
     """
 
     variant: Variant
@@ -49,7 +49,7 @@ class Moving:
 
 
 def moving(run: SceneRun) -> Moving:
-    """Return the motion of a run that forces move."""
+    """Return the program parts of a run that is moved by forces."""
     variant = with_weights(run.variant)
     scene = scene_of(variant, run.settings)
     equations = scene.equations
@@ -87,7 +87,7 @@ def moving(run: SceneRun) -> Moving:
 
 
 def _with(one: Statement, values: Mapping[Expression, Expression]) -> Statement:
-    """Return a statement with expressions for symbols."""
+    """Return a statement in which symbols are replaced by expressions."""
     if isinstance(one, Assign):
         return replace(one, value=replaced(one.value, values))
     return replace(one, entries=tuple(replaced(entry, values) for entry in one.entries))
@@ -99,7 +99,7 @@ def _renamed(lines: Sequence[Line], names: dict[str, str]) -> Iterator[Line]:
 
 
 def _needed(lines: Sequence[Line], wanted: Iterable[str]) -> tuple[Line, ...]:
-    """Return the lines that what is wanted needs, determinants among them."""
+    """Return the lines on which the names in `wanted` depend, and those of all determinants."""
     found, read = list[Line](), set(wanted)
     for line in reversed(lines):
         if any(name in read or name.startswith("_det") for name in line.targets):

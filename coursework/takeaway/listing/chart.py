@@ -1,9 +1,9 @@
-"""The block diagram of a program, ISO 5807 (ГОСТ 19.701): its boxes are those of the listing and bear the same numbers.
+"""The block diagram of a program, ISO 5807 (ГОСТ 19.701); its boxes have the numbers of the listing's comments.
 
 Enters: a `Program` and words.  Leaves: SVG.  Used by `commands/listing.py` and `appendix.py`.
 
-Two columns: the program with its loop between two loop limits, and beside it the velocities, which the program calls as a
-predefined process.  A block whose determinant can vanish has its decision, which leads to a stop.
+There are two columns: the program with its loop between two loop limits, and beside it the velocities, which the program calls
+as a predefined process.  A block whose determinant can vanish is followed by a decision that leads to a stop.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from coursework.system.frozen import frozen
 from coursework.takeaway.listing.program import Box, Program
 from coursework.words.templates import clean
 
-WIDTH, HEIGHT, GAP, APART, EDGE = 190.0, 44.0, 22.0, 90.0, 20.0  # px, of a box and between boxes
-_LETTERS = 30  # of a line in a box
-_CUT = 12.0  # of a slanted side
+WIDTH, HEIGHT, GAP, APART, EDGE = 190.0, 44.0, 22.0, 90.0, 20.0  # px: size of a box, distances between boxes
+_LETTERS = 30  # letters of a line in a box
+_CUT = 12.0  # px: width of a slanted side
 
 
-# Attributes, no style sheet: on a page a sheet would set every other drawing too.
+# Attributes, no style sheet: in a page a style sheet would change every other drawing too.
 _LETTERING = (
     """font-family="sans-serif, 'Noto Sans CJK SC', 'Noto Serif CJK SC', 'Microsoft YaHei'" font-size="12" """
     'fill="currentColor" text-anchor="middle"'
@@ -34,7 +34,7 @@ _NUMBER = 'font-size="10" text-anchor="start"'
 
 @frozen
 class Placed:
-    """A box and the middle of its upper edge."""
+    """A box, and the middle of its upper edge."""
 
     box: Box
     x: float
@@ -67,7 +67,7 @@ def _columns(program: Program, words: Words) -> tuple[list[Placed], list[Placed]
 
 
 def _velocities(program: Program, words: Words) -> Iterator[Box]:
-    """Yield the boxes of the velocities, from terminator to terminator."""
+    """Yield the boxes of the velocities, from first to last terminator."""
     yield Box(len(program.boxes) + 1, "terminator", words("listing.box.rates"))
     for block in program.blocks:
         yield block.box
@@ -127,7 +127,7 @@ def _text(one: Placed) -> Iterator[str]:
 
 
 def _lines(text: str) -> list[str]:
-    """Return a text in at most three lines of a box."""
+    """Return a text as at most three lines of a box."""
     found = [""]
     for word in text.split(" "):
         if found[-1] and len(found[-1]) + len(word) >= _LETTERS:
@@ -144,7 +144,7 @@ def _arrow(x0: float, y0: float, x: float, y: float) -> str:
 
 
 def _skip(main: list[Placed], program: Program) -> Iterator[str]:
-    """Yield the way round the step where no further row is wanted."""
+    """Yield the path around the step, which is taken when no further row is wanted."""
     places = {one.box.number: one for one in main}
     more, again = (places[program.boxes[key].number] for key in ("more", "again"))
     x = more.x + WIDTH / 2
@@ -156,7 +156,7 @@ def _skip(main: list[Placed], program: Program) -> Iterator[str]:
 
 
 def _stops(own: list[Placed], words: Words) -> Iterator[str]:
-    """Yield the way out where a determinant is zero."""
+    """Yield the exits that are taken when a determinant is zero."""
     for one in own:
         if one.box.kind == "decision":
             x, y = one.x + WIDTH / 2, one.y + HEIGHT / 2

@@ -1,4 +1,4 @@
-"""A listing that is longer than a page holds: short assignments stand in one line, numbers of boxes behind what they name.
+"""Shortens a listing that is longer than a page: short assignments share a line, comments of boxes move behind a line of code.
 
 Enters: lines.  Leaves: fewer lines that say the same.  Used by `listings.py`.
 """
@@ -10,14 +10,14 @@ from collections.abc import Callable
 
 from coursework.takeaway.listing.syntax import Syntax
 
-MOST = 80  # lines
+MOST = 80  # lines that a page holds
 WIDEST = 100  # letters of a line
-WIDER = 120  # and no empty lines, where nothing else helps
+WIDER = 120  # the same, with no empty lines, if nothing else helps
 _SET = re.compile(r"(?:static double )?\w+(?:: double)? :?= [^;=\"']*;?")
 
 
 def dense(lines: list[str], syntax: Syntax) -> list[str]:
-    """Return lines, closer to each other where they are too many.
+    """Return lines, made fewer if there are more than `MOST`.
 
     >>> from coursework.takeaway.listing.syntax import syntax_of
     >>> closer(["a = b;", "c = d;"], syntax_of("c"), WIDEST), behind(["// 4 t = i·h", "t = i*h;"], syntax_of("c"), WIDEST)
@@ -31,7 +31,7 @@ def dense(lines: list[str], syntax: Syntax) -> list[str]:
 
 
 def closer(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
-    """Return lines in which assignments of one kind follow each other in one line; those of data have the same unit."""
+    """Return lines in which successive short assignments share a line; of data only those with the same comment."""
 
     def joined(above: str, line: str) -> str:
         text, said = _parts(line, syntax)
@@ -43,7 +43,7 @@ def closer(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
 
 
 def behind(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
-    """Return lines in which a comment stands behind the line below it where both fit."""
+    """Return lines in which a box's comment stands behind the line below it, if both fit."""
 
     def joined(above: str, line: str) -> str:
         named = re.match(rf" *{re.escape(syntax.comment)}\d+ ", above)
@@ -54,7 +54,7 @@ def behind(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
 
 
 def _merged(lines: list[str], joined: Callable[[str, str], str], widest: int) -> list[str]:
-    """Return lines, each joined to the one above where the two make one that is not too wide."""
+    """Return lines, each merged with the one above if `joined` allows it and the result is not too wide."""
     found: list[str] = []
     for line in lines:
         both = joined(found[-1], line) if found else ""
@@ -66,7 +66,7 @@ def _merged(lines: list[str], joined: Callable[[str, str], str], widest: int) ->
 
 
 def _parts(line: str, syntax: Syntax) -> tuple[str, str]:
-    """Return a line and the comment behind it."""
+    """Return the code of a line and the comment behind it."""
     text, mark, said = line.partition(f"  {syntax.comment}")
     return (text, mark + said) if text.strip() else (line, "")
 
@@ -76,5 +76,5 @@ def _margin(line: str) -> int:
 
 
 def _is_set(line: str) -> bool:
-    """Return whether a line is made of whole assignments."""
+    """Return whether a line consists of whole assignments."""
     return all(_SET.fullmatch(one.strip()) and one.count("(") == one.count(")") for one in line.rstrip(";").split(";"))

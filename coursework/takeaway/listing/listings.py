@@ -1,7 +1,7 @@
 """A program -> its listing in a language.
 
 Enters: a `Program`, a language, the words of the comments.  Leaves: text.  Used by `commands/listing.py` and `appendix.py`.
-A language is an entry of `languages.toml`: what is known of a program is put into its texts.
+A language is an entry of `languages.toml`: texts that are filled with what is known of a program.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def listing(program: Program, language: str, words: Words) -> str:
 
 
 class _Listing:
-    """The texts of a language filled with what one program says."""
+    """The texts of a language, filled for one program."""
 
     def __init__(self, one: Writer) -> None:
         self.one, self.texts, self.program = one, one.syntax.texts, one.program
@@ -60,7 +60,7 @@ class _Listing:
         })  # fmt: skip
 
     def _laid(self, key: str, several: Mapping[str, Sequence[str]], **known: object) -> Iterator[str]:
-        """Yield the lines of a text; a line that is one name of `several` stands for these, as far to the right."""
+        """Yield the lines of a text; a line that is one name of `several` is replaced by these lines, with its indentation."""
         for line in self.texts[key].splitlines():
             bare = line.strip()
             if bare[1:-1] in several and bare[0] == "{":
@@ -69,7 +69,7 @@ class _Listing:
                 yield filled(line, **{**self.known, **known})
 
     def _perhaps(self, key: str, **known: object) -> list[str]:
-        """Return the line of a text, none where the language lacks it or what it names is nothing."""
+        """Return the filled text of a key in a list, [] if the language lacks it or a value that it names is empty."""
         text = self.texts.get(key, "")
         asked = [value for name, value in known.items() if f"{{{name}}}" in text]
         return [filled(text, **known)] if asked and all(asked) else []
@@ -78,7 +78,7 @@ class _Listing:
         return ", ".join(names) + self.texts.get("alone", "") * (len(names) == 1)
 
     def _data(self) -> Iterator[str]:
-        """Yield data, step, number of steps and start, each with its unit."""
+        """Yield the data, the step, the number of steps and the start, each with its unit."""
         one, program = self.one, self.program
         text = self.texts["datum"]
 
@@ -92,7 +92,7 @@ class _Listing:
         yield from map(line, program.start)
 
     def _limits(self) -> Iterator[str]:
-        """Yield what stands for the velocities where a determinant vanishes and the motion goes on."""
+        """Yield the values of the velocities for times at which a determinant vanishes but the motion goes on."""
         one = self.one
         for limit in self.program.limits:
             values = [*map(repr, limit.values)]
@@ -103,7 +103,7 @@ class _Listing:
             yield from self._laid("limit", {"sets": sets}, holds=holds, values=self._listed(values))
 
     def _rows(self) -> list[str]:
-        """Return the head line and the loop over the rows."""
+        """Return the line that prints the heads, and the loop over the rows."""
         one, syntax, program = self.one, self.one.syntax, self.program
         further = [line for stage in range(1, program.scheme.slopes) for line in one.wrapped(self._call(stage))]
         step = [*further, one.box("step"), *one.steps_on(self._out)]
@@ -117,7 +117,7 @@ class _Listing:
         return [heads, one.box("loop"), *held(syntax.rows, row, i=one.row, n=one.steps), one.box("again"), one.box("end")]
 
     def _call(self, stage: int) -> str:
-        """Return the line that finds the velocities of a slope."""
+        """Return the line that computes the velocities of a slope."""
         arguments = ", ".join(self.one.slope(stage, self._out))
         outs = self._listed([self._out(stage, rate) for rate in self.one.velocities])
         return filled(self.texts["call"], **{**self.known, "outs": outs, "arguments": arguments, "slope": self._slope(stage)})
@@ -126,7 +126,7 @@ class _Listing:
         return self.one.names.own(f"_k{stage}", f"u{stage + 1}", f"slope{stage + 1}")
 
     def _out(self, stage: int, rate: str) -> str:
-        """Return the name of a velocity in a slope of the step; that of the first one is its own."""
+        """Return the name of a velocity in a slope of the step; in the first slope it is the plain name."""
         if "out" in self.texts:
             return filled(self.texts["out"], slope=self._slope(stage), rate=rate)
         return self.one.names.own(f"_{rate}_{stage}", f"{rate}_{stage + 1}") if stage else rate

@@ -1,7 +1,7 @@
 """A run as a program that a student types in: data, start, velocities block by block, the loop of a scheme, its boxes.
 
-Enters: a `SceneRun`.  Leaves: `Program`, whose boxes have the numbers of comments and diagram.
-Raises `InputError` for what no tableau makes: the exact motion, projection, Baumgarte's term.
+Enters: a `SceneRun`.  Leaves: `Program`, whose boxes carry the numbers of the comments and the diagram.
+Raises `InputError` for motions without a tableau: the exact motion, projection, Baumgarte's term.
 Used by `writer.py`, `chart.py` and `commands/listing.py`.
 """
 
@@ -32,7 +32,7 @@ from coursework.words.sentences import say
 
 @frozen
 class Box:
-    """A box of the block diagram: `kind` terminator, data, process, decision, begin or end of a loop; what stands in it."""
+    """A box of the block diagram: its text; `kind` terminator, data, process, subroutine, decision, begin or end of a loop."""
 
     number: int
     kind: str
@@ -41,7 +41,7 @@ class Box:
 
 @frozen
 class Datum:
-    """A number at the top of a listing: private name, value, what it is."""
+    """A number at the top of a listing: private name, value, and a comment with its unit."""
 
     name: str
     value: float
@@ -50,9 +50,9 @@ class Datum:
 
 @frozen
 class BlockOf:
-    """The lines of one block of velocities; `checked` is its determinant where that can vanish, "" where it cannot.
+    """The lines of one block of velocities; `checked` names its determinant if that can vanish, else "".
 
-    Lines that come nearer to what they give are done so often as `repeats` says, 0 for once.
+    Lines of an iteration are repeated `repeats` times, 0 stands for once.
     """
 
     box: Box
@@ -63,7 +63,7 @@ class BlockOf:
 
 @frozen
 class Limit:
-    """The velocities at a time at which a determinant vanishes and the motion goes on."""
+    """The velocities when a determinant vanishes at a `time` (s) but the motion goes on; valid up to `within` seconds from it."""
 
     time: float
     within: float
@@ -74,8 +74,8 @@ class Limit:
 class Program:
     """What the listings of all languages have in common; names are private ones.
 
-    `start` are the states, of which `velocities` begin with the slopes; `shown` is printed beside the time, and `closed` pairs
-    coordinates with what the velocities give for them.
+    `start` are the states; `velocities` begin with their slopes, in the same order.  `shown` is printed beside the time; `closed`
+    pairs coordinates with the outputs of the velocities that replace them.
     """
 
     title: str
@@ -103,7 +103,7 @@ class Program:
 
     @property
     def heads(self) -> tuple[str, ...]:
-        """Return the head line of the table."""
+        """Return the heads of the table."""
         return ("t", *(public(name, self.declared) for name in self.shown))
 
     def returned(self, words: Words) -> Box:
@@ -113,13 +113,13 @@ class Program:
 
     @property
     def calls(self) -> set[str]:
-        """Return every word of the lines."""
+        """Return every word on the right-hand sides of the lines."""
         lines = [*self.known, *(line for block in self.blocks for line in block.lines)]
         return {word for line in lines for word in re.findall(r"[A-Za-z_]\w*", line.text.partition(" = ")[2])}
 
 
 def program_of(context: PageContext) -> Program:
-    """Return the program of a run whose words are those of a page."""
+    """Return the program of a run, with texts in the words of a page."""
     run, motion = context.run, rows_of(context.run)
     scene, variant = run.scene, run.variant
     scheme = scheme_of(motion.scheme, (SEMI_IMPLICIT.name,))
@@ -161,7 +161,7 @@ def program_of(context: PageContext) -> Program:
 
 
 def _by_laws(run: SceneRun, velocities: Sequence[str]) -> Lines:
-    """Return the lines of a motion that the drive prescribes."""
+    """Return the lines of a motion that is prescribed by the drive."""
     statements: list[Statement] = [
         one for index, block in enumerate(run.reduction.blocks) for one in block_statements(block, index)
     ]
@@ -170,7 +170,7 @@ def _by_laws(run: SceneRun, velocities: Sequence[str]) -> Lines:
 
 
 def rows_of(run: SceneRun) -> Motion:
-    """Return the rows that a listing prints: those of its scheme, Euler's where the run's own table is the exact motion."""
+    """Return the rows that a listing prints: those of the run's scheme, or Euler's if the run's own table is the exact motion."""
     if run.settings.project or run.settings.gain:
         raise InputError(say("fault.C092"))
     beside = run.scene.scheme_rows
@@ -180,13 +180,13 @@ def rows_of(run: SceneRun) -> Motion:
 
 
 def refuse_exact(scheme: str | None) -> None:
-    """Raise `InputError` where the exact motion itself is asked for."""
+    """Raise `InputError` if the exact motion itself is asked for."""
     if scheme == EXACT:
         raise InputError(say("fault.C093"))
 
 
 def _boxes(context: PageContext) -> dict[str, Box]:
-    """Return the boxes of the main program by what they are for, in their order."""
+    """Return the boxes of the main program by purpose, in order."""
     kinds = {
         "start": "terminator", "data": "data", "loop": "begin", "time": "process", "rates": "subroutine", "row": "data",
         "more": "decision", "step": "process", "again": "end", "end": "terminator",
@@ -197,9 +197,9 @@ def _boxes(context: PageContext) -> dict[str, Box]:
 def _blocks(
     context: PageContext, lines: Sequence[Line], known: set[str], taken: int, forced: Moving | None
 ) -> Iterator[BlockOf]:  # fmt: skip
-    """Yield the blocks of velocities with the lines that each of them needs first."""
+    """Yield the blocks of velocities, each with the lines that it needs first."""
     blocks = context.run.reduction.blocks
-    number, waiting = taken + 2, list(lines)  # behind the terminator of the velocities
+    number, waiting = taken + 2, list(lines)  # after the terminator of the velocities
     if forced and forced.closed:
         names = ", ".join(public(name, ()) for name, _ in forced.closed)
         yield BlockOf(Box(number, "process", context.words("listing.closing", names=names)), forced.closing, "", CORRECTIONS)

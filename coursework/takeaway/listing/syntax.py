@@ -1,6 +1,6 @@
-"""Straight lines of `codegen` -> expressions and names of five languages.
+"""Straight-line code of `codegen` -> expressions and names of five languages.
 
-Enters: lines that the tool printed itself.  Leaves: text that means the same.  Used by `writer.py`.
+Enters: lines that this package generated.  Leaves: text with the same meaning.  Used by `writer.py`.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from coursework.equations.codegen.names import public
 from coursework.system.frozen import changing, frozen
 
 _MATH = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "sqrt", "pow", "abs", "sign", "pi")
-# Shares of free rates in velocities, masses, inertias, what positions keep, corrections, the matrix of the equations of motion.
+# Shares of free rates in velocities, masses, inertias, constants of positions, corrections, matrix of the equations of motion.
 _OF_FORCES = re.compile(r"_(?:u\d+_\w+|(?:m|j|jf|kept|step|near|mass|force)\d*(?:_n)?)")
 
 
 @frozen
 class Syntax:
-    """How a language writes what differs: reserved words, the choice of two values, comments, loops, functions by name."""
+    """The syntax in which languages differ: reserved words, the choice of two values, comments, loops, functions by name."""
 
     reserved: frozenset[str]
     choice: str
@@ -33,24 +33,24 @@ class Syntax:
     calls: Mapping[str, str] = field(default_factory=dict)
     rows: tuple[str, str] = ("", "")  # the loop over the rows
     test: tuple[str, str] = ("", "")
-    stop: tuple[str, ...] = ()  # what is done where a determinant is zero
+    stop: tuple[str, ...] = ()  # lines for a determinant that is zero
     prints: str = ""  # how the head line is printed
     assign: str = " = "
     end: str = ";"
     knows_case: bool = True
     declares: str = ""  # before the first assignment to a name inside a loop
-    wrap: str = ""  # what stands at the end of a line that goes on
-    around: tuple[str, str] = ("", "")  # what holds a value of several lines
-    unpacks: str = ""  # how several names take what one function gives; "" where none gives more than one
-    divides: bool = False  # whether a matrix divides a column
-    brackets: tuple[str, str] = ("[", "]")  # around the numbers of a list
-    node: str = "[s]"  # the entry of a list at the place s
-    texts: Mapping[str, str] = field(default_factory=dict)  # the whole listing, pieces of it, functions of its own
+    wrap: str = ""  # end of a line that is continued
+    around: tuple[str, str] = ("", "")  # brackets around a value of several lines
+    unpacks: str = ""  # how several names take the results of one function; "" if functions have one result
+    divides: bool = False  # whether a column can be divided by a matrix
+    brackets: tuple[str, str] = ("[", "]")  # brackets of a list of numbers
+    node: str = "[s]"  # entry s of a list
+    texts: Mapping[str, str] = field(default_factory=dict)  # texts of the listing, of its pieces, of its own functions
 
 
 @cache
 def syntax_of(language: str) -> Syntax:
-    """Return how a language of `languages.toml` writes.
+    """Return the syntax of a language of `languages.toml`.
 
     >>> syntax_of("c").loop
     ('for (int {j} = 0; {j} < {times}; {j}++) {', '}')
@@ -62,7 +62,7 @@ def syntax_of(language: str) -> Syntax:
 
 
 def filled(text: str, /, **known: object) -> str:
-    """Return a text with what the names in its braces stand for; other braces are the language's own.
+    """Return a text with the names in braces replaced by their values; other braces belong to the language.
 
     >>> filled("return ({kind}) {{outs}};", kind="Velocities", outs="w3, w4")
     'return (Velocities) {w3, w4};'
@@ -74,7 +74,7 @@ def filled(text: str, /, **known: object) -> str:
 
 @changing
 class Names:
-    """The names of a listing: those of the page where the language allows them, each once."""
+    """The names of a listing: those of the page if the language allows them, each of them unique."""
 
     syntax: Syntax
     declared: Collection[str]
@@ -83,7 +83,7 @@ class Names:
 
     @classmethod
     def of(cls, syntax: Syntax, declared: Collection[str]) -> Names:
-        """Return names of which none is given yet."""
+        """Return an object in which no name is given yet."""
         found = cls(syntax, declared, {}, set())
         found._taken = {found._key(word) for word in syntax.reserved}
         return found
@@ -94,7 +94,7 @@ class Names:
         return self._found[name]
 
     def own(self, key: str, *wishes: str) -> str:
-        """Return a name of the listing's own: the first of some wishes that is free."""
+        """Return a name that only the listing has: the first of the wishes that is free."""
         if key not in self._found:
             wish = next((one for one in wishes if self._key(one) not in self._taken), wishes[-1])
             self._found[key] = self._free(wish)
@@ -132,7 +132,7 @@ class Names:
 
 
 def expression(text: str, syntax: Syntax, names: Mapping[str, str] | Names) -> str:
-    """Return an expression that the tool printed, in a language.
+    """Return a generated expression in a language.
 
     >>> names = Names.of(syntax_of("pascal"), ("t", "r", "R"))
     >>> expression("-v_r*pow(v_R, 3.0)", syntax_of("pascal"), names)
@@ -142,7 +142,7 @@ def expression(text: str, syntax: Syntax, names: Mapping[str, str] | Names) -> s
 
 
 def parts(text: str, syntax: Syntax, names: Names) -> list[str]:
-    """Return the expressions of a call such as `_solve((a, b))`, one by one."""
+    """Return the expressions in a call such as `_solve((a, b))`, one by one."""
     call = ast.parse(text, mode="eval").body
     assert isinstance(call, ast.Call) and isinstance(call.args[0], ast.Tuple)
     return [written(one, syntax, names) for one in call.args[0].elts]
@@ -152,7 +152,7 @@ _SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Gt: ">"}
 
 
 def written(node: ast.expr, syntax: Syntax, names: Mapping[str, str] | Names) -> str:
-    """Return an expression that the tool printed, parsed, in a language or as cells compute it."""
+    """Return a generated and parsed expression in a language, or as the formula of a cell."""
 
     def inner(one: ast.expr) -> str:
         return written(one, syntax, names)

@@ -1,8 +1,8 @@
-"""Helpers of a listing that its lines call: elimination, tabulated laws, the time before a break, the sign.
+"""Helper functions that the lines of a listing call: elimination, tabulated laws, the time before a break, the sign.
 
 Enters: a `Writer`.  Leaves: functions in its language.  Used by the languages.
 
-A law from a table is the quartic through five nodes, or of a spline the cubic of two values and two slopes, as the tool has it.
+As in the tool itself, a law from a table is the quartic through five nodes, or for a spline the cubic of two values and slopes.
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ from coursework.equations.codegen.tabulated import TableLaw
 from coursework.takeaway.listing.syntax import filled
 from coursework.takeaway.listing.writer import Writer
 
-_WIDEST, _BEFORE = 120, 40  # letters of a line of numbers, and before the first of them
+_WIDEST, _BEFORE = 120, 40  # letters of a line of numbers, and room before the first of them
 
 
 def numbers(values: list[float], open_: str, close: str, wrap: str = "") -> str:
-    """Return numbers in lines that are filled."""
+    """Return a list of numbers in brackets, in filled lines."""
     told = ", ".join(f"{value:.15g}" for value in values)
     rows = fill(told, _WIDEST, initial_indent=" " * _BEFORE, subsequent_indent=" " * 4).lstrip().split("\n")
     return f"{wrap}\n".join([f"{open_}{rows[0]}", *rows[1:]]) + close
 
 
 def functions(writer: Writer) -> list[str]:
-    """Return the functions that the lines of a listing call, no line where they call none."""
+    """Return the functions that the lines of a listing call, [] if they call none."""
     lines: list[str] = []
     own = writer.syntax.texts
     laws = {one[len("_table_") : -2] for one in writer.tables}
@@ -49,7 +49,7 @@ def functions(writer: Writer) -> list[str]:
 
 def _law(writer: Writer, name: str, law: TableLaw, order: int) -> list[str]:
     syntax, is_spline = writer.syntax, law.method == "spline"
-    values, slopes, *_ = (level.tolist() for level in law.levels)  # of a spline its slopes, else those of the law
+    values, slopes, *_ = (level.tolist() for level in law.levels)  # slopes of the spline, or of the law
     at = syntax.node
     form = f"y{at} + u*(m{at} + u*(b + u*a))" if order == 0 else f"(m{at} + u*(2*b + 3*u*a))/{law.step!r}"
     return filled(

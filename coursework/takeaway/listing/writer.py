@@ -1,4 +1,4 @@
-"""What the listings of all languages have in common: names, comments numbered as the block diagram, lines block by block.
+"""What the listings of all languages have in common: names, comments numbered as in the block diagram, lines block by block.
 
 Enters: a `Program`, a syntax, the words of the comments.  Leaves: lines.  Used inside `listing/`.
 """
@@ -15,11 +15,11 @@ from coursework.takeaway.listing.program import Box, Program
 from coursework.takeaway.listing.syntax import Names, Syntax, expression, filled, parts
 from coursework.words.templates import clean
 
-WIDEST = 100  # letters of a line; a longer one goes on in the next
+WIDEST = 100  # letters of a line; a longer one is continued in the next
 
 
 class Writer:
-    """The parts of a listing that differ in their syntax alone."""
+    """The parts of a listing, which differ between languages only in syntax."""
 
     def __init__(self, program: Program, syntax: Syntax, words: Words) -> None:
         self.program, self.syntax, self.words = program, syntax, words
@@ -35,25 +35,25 @@ class Writer:
         self.count = own("_count", "j", "turn")
         self.tables = [name for name in sorted(program.calls) if name.startswith("_table_")]
         lines = (line for block in program.blocks for line in block.lines)
-        self.largest = max((len(line.targets) - 1 for line in lines if "_solve" in line.text), default=0)  # solved by elimination
+        self.largest = max((len(line.targets) - 1 for line in lines if "_solve" in line.text), default=0)  # by elimination
 
     @property
     def coordinates(self) -> list[str]:
-        """Return the names of the coordinates, and under forces of the free rates."""
+        """Return the names of the coordinates and, under forces, of the free rates."""
         return [self.names[name] for name in self.program.coordinates]
 
     def shown(self, out: Callable[[int, str], str]) -> list[str]:
-        """Return what is printed beside the time; `out` names what the velocities give."""
+        """Return the names printed beside the time; `out(slope, rate)` names an output of the velocities."""
         states = self.program.coordinates
         return [self.names[one] if one in states else out(0, self.names[one]) for one in self.program.shown]
 
     def closed(self, out: Callable[[int, str], str]) -> list[str]:
-        """Return the lines that take over the closed positions."""
+        """Return the assignments that replace coordinates by their closed values."""
         return [self.sets(self.names[name], out(0, self.names[after])) for name, after in self.program.closed]
 
     @property
     def repeats(self) -> bool:
-        """Return whether a block is repeated."""
+        """Return whether any block is repeated."""
         return any(block.repeats for block in self.program.blocks)
 
     @property
@@ -63,22 +63,22 @@ class Writer:
 
     @property
     def data(self) -> list[str]:
-        """Return the names of what stands at the top of the listing: data and what they alone give."""
+        """Return the names at the top of the listing: data, and values that follow from the data alone."""
         return [self.names[name] for name in (*(one.name for one in self.program.data), *self.targets(self.program.known))]
 
     def targets(self, lines: Iterable[Line]) -> list[str]:
-        """Return the private names that lines give a value."""
+        """Return the private names that lines assign."""
         return [name for line in lines for name in line.targets]
 
     @property
     def locals(self) -> list[str]:
-        """Return what is computed inside the velocities beside them."""
+        """Return the names of other values that are computed inside the velocities."""
         found = self.targets(line for block in self.program.blocks for line in block.lines)
         taken = (*self.program.velocities, *self.program.coordinates)
         return [self.names[name] for name in dict.fromkeys(found) if name not in taken]
 
     def comment(self, text: str) -> str:
-        """Return a line of comment; no word of a file ends it or begins another."""
+        """Return a comment line; no text from a file can end it or begin another one."""
         return f"{self.syntax.comment}{clean(text)}".replace("\\", "/")
 
     def box(self, key: str) -> str:
@@ -90,11 +90,11 @@ class Writer:
         return self.comment(f"{box.number}  {box.text}")
 
     def say(self, key: str, **values: object) -> str:
-        """Return a comment of its own."""
+        """Return a comment of a key in the words of the page."""
         return self.comment(self.words(f"listing.{key}", **values))
 
     def head(self) -> list[str]:
-        """Return the first lines: what this is, and by which scheme."""
+        """Return the first lines: the title and the scheme."""
         return [self.comment(self.program.title), self.say("scheme", title=self.program.scheme_title)]
 
     def sets(self, name: str, value: str) -> str:
@@ -102,23 +102,23 @@ class Writer:
         return f"{name}{self.syntax.assign}{value}{self.syntax.end}"
 
     def known(self) -> list[str]:
-        """Return the lines of what the data alone give."""
+        """Return the lines of the values that follow from the data alone."""
         return [line for one in self.program.known for line in self.assigned(one)]
 
     def assigned(self, line: Line) -> list[str]:
-        """Return a straight line in the language."""
+        """Return an assignment of the straight-line code in the language."""
         value = line.text.partition(" = ")[2]
         if value.startswith("_solve("):
             return self.solved(line, parts(value, self.syntax, self.names))
         return self.wrapped(self.sets(self.names[line.targets[0]], expression(value, self.syntax, self.names)))
 
     def solved(self, line: Line, entries: list[str]) -> list[str]:
-        """Return the lines that solve a block by elimination; a list goes in, the unknowns and the determinant come back."""
+        """Return the lines that solve a block by elimination, from its entries to its unknowns and the determinant."""
         found, size = [self.names[name] for name in line.targets], len(line.targets) - 1
         return _solved(self, found, size, entries)
 
     def wrapped(self, line: str) -> list[str]:
-        """Return a line that is too long in several."""
+        """Return a line, broken into several if it is too long."""
         if len(line) <= WIDEST:
             return [line]
         name, sign, value = line.partition(self.syntax.assign)
@@ -135,11 +135,11 @@ class Writer:
 
     @property
     def of_velocities(self) -> str:
-        """Return the comment over the velocities."""
+        """Return the comment above the velocities."""
         return self.of(Box(len(self.program.boxes) + 1, "terminator", self.words("listing.velocities")))
 
     def blocks(self) -> list[str]:
-        """Return the velocities block by block, with what is done where a determinant is zero."""
+        """Return the velocities block by block, with the lines for a determinant that is zero."""
         lines: list[str] = []
         for block in self.program.blocks:
             lines.append(self.of(block.box))
@@ -156,11 +156,11 @@ class Writer:
         return [*lines, self.of(self.program.returned(self.words))]
 
     def moved(self, name: str, row: Sum, rates: list[str]) -> str:
-        """Return a coordinate after one row of the tableau; `rates` are its rates in the slopes so far."""
+        """Return the value of a coordinate after one row of the tableau; `rates` are its rates in the slopes so far."""
         return f"{name} + {weighted(row, rates, self.h)}" if row.terms else name
 
     def slope(self, stage: int, out: Callable[[int, str], str]) -> list[str]:
-        """Return the arguments of a slope: its time and its position; `out` names a velocity of an earlier slope."""
+        """Return the arguments of a slope: its time and position; `out(slope, rate)` names a velocity of an earlier slope."""
         scheme = self.program.scheme
         node, inner = scheme.nodes[stage], scheme.inner[stage]
         time = f"{self.t} + {share(node, self.h)}" if node else self.t
@@ -174,10 +174,10 @@ class Writer:
         return [(name, [out(stage, rate) for stage in range(stages)]) for name, rate in pairs]
 
     def steps_on(self, out: Callable[[int, str], str]) -> list[str]:
-        """Return the new coordinates as assignments."""
+        """Return the assignments of the new coordinates."""
         scheme = self.program.scheme
         moved = [(name, self.moved(name, scheme.outer, rates)) for name, rates in self.rates_of(out, scheme.slopes)]
-        if scheme is SEMI_IMPLICIT:  # the free rates first, which then move their coordinates
+        if scheme is SEMI_IMPLICIT:  # the free rates first, then the coordinates by the new rates
             count = len(self.program.coordinates) - len(self.free)
             moved = [*moved[count:], *((name, f"{name} + {self.h}*{self.free.get(name, rates[0])}")
                      for name, rates in self.rates_of(out, 1)[:count])]  # fmt: skip
@@ -185,7 +185,7 @@ class Writer:
 
     @property
     def free(self) -> dict[str, str]:
-        """Return the free rate of each coordinate that forces move."""
+        """Return the free rate of each coordinate that is moved by forces."""
         free = [name for name, out in zip(self.coordinates, self.program.velocities, strict=False) if out.startswith("_rate_")]
         return dict(zip(free, self.coordinates[len(self.coordinates) - len(free) :], strict=True))
 
@@ -196,7 +196,7 @@ class Writer:
 
 
 def share(part: Fraction | int, step: str) -> str:
-    """Return a part of the step."""
+    """Return an expression for a part of the step."""
     above = step if part.numerator == 1 else f"{part.numerator}*{step}"
     return above if part.denominator == 1 else f"{above}/{part.denominator}"
 
@@ -209,18 +209,18 @@ def weighted(row: Sum, rates: Sequence[str], step: str, plus: str = " + ") -> st
 
 
 def indented(lines: Iterable[str]) -> list[str]:
-    """Return lines moved to the right."""
+    """Return lines indented by four spaces."""
     return [f"    {line}" for line in lines]
 
 
 def held(around: tuple[str, str], lines: Iterable[str], **names: object) -> list[str]:
-    """Return lines inside what begins and, in most languages, ends them."""
+    """Return lines, indented, between the line that begins a block and the one that ends it, if the language has one."""
     begin, end = around
     return [filled(begin, **names), *indented(lines), *([end] if end else [])]
 
 
 def _solved(writer: Writer, found: list[str], size: int, entries: list[str]) -> list[str]:
-    """Return the lines that solve a block: matrix row by row, then the right side; unknowns and determinant come back."""
+    """Return the lines that solve a block; `entries` are the matrix row by row, then the right side; `found` the results."""
     syntax, rows = writer.syntax, [[*entries[row * size : (row + 1) * size], entries[size * size + row]] for row in range(size)]
     if syntax.unpacks:
         listed = ", ".join(f"[{', '.join(row)}]" for row in rows)

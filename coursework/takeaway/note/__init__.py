@@ -1,1 +1,1 @@
-"""The report as a document that a student goes on writing in: Word, OpenDocument, LaTeX, by pandoc."""
+"""The report as a document that a student can edit: Word, OpenDocument or LaTeX, by pandoc."""

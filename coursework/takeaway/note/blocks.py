@@ -1,7 +1,7 @@
-"""The parts of a page as parts of a note.
+"""Turns the parts of a page into parts of a note.
 
 Enters: parts of a `ReportModel`.  Leaves: blocks of pandoc's tree.  Used by `sections.py`.
-Every number stands as the page says it.
+Every number stands as on the page.
 """
 
 from __future__ import annotations
@@ -38,33 +38,33 @@ from coursework.takeaway.note.styles import MANY, REACH
 from coursework.takeaway.note.tree import Node
 from coursework.words.scripts import wide_letters
 
-BLANK = "_" * 24  # to be written on
+BLANK = "_" * 24  # a line to write on
 LEGEND = (10.0, 3.0)  # mm
-GAP = 1.0  # mm beside a graph: programs break a line that graphs fill
+GAP = 1.0  # mm beside a graph: programs break a line that graphs fill completely
 _NAMED = re.compile(r"\(([^()\s]{1,12})\)")
 _NUMBER = re.compile(r"\d+")
 
 
 @dataclass
 class Blocks:
-    """What makes blocks of parts: the format, LaTeX of the formulas, names of the pictures, the width of the text (mm)."""
+    """Makes blocks of parts; it has the format, LaTeX of the formulas, names of the pictures, and the text width (mm)."""
 
     dialect: Dialect
     latex: dict[str, str]
     place_of: Callable[[str], str]
     width: float
-    named: set[str] = field(default_factory=set)  # numbers of formulas that the page has
-    marks: dict[str, str] = field(default_factory=dict)  # marks of formulas by their number, and of parts by their label
-    led: set[str] = field(default_factory=set)  # marks of drawings and tables that the text has led to
+    named: set[str] = field(default_factory=set)  # numbers of the formulas of the page
+    marks: dict[str, str] = field(default_factory=dict)  # marks of formulas by number, and of parts by label
+    led: set[str] = field(default_factory=set)  # marks of drawings and tables already referred to in the text
 
     # sentences
 
     def inlines(self, runs: Runs) -> list[Node]:
-        """Return runs; the number of a formula leads to it."""
+        """Return runs of text as inline nodes; the number of a formula becomes a reference to it."""
         return [node for run in runs for node in self._run(run)]
 
     def cell(self, content: Cell) -> list[Node]:
-        """Return what stands in a cell."""
+        """Return the content of a cell."""
         return tree.text(content) if isinstance(content, str) else self.inlines(content)
 
     def _run(self, run: dict[str, str]) -> list[Node]:
@@ -86,7 +86,7 @@ class Blocks:
         yield from tree.text(said[end:])
 
     def mark_of(self, name: str) -> str:
-        """Return the mark of the formula of a number."""
+        """Return the mark of the formula with a number."""
         return f"eq_{sorted(self.named).index(name) + 1}"
 
     def numbered(self, part: Part) -> tuple[str, str]:
@@ -185,7 +185,7 @@ class Blocks:
 
     @of.register
     def _(self, part: Figure) -> list[Node]:
-        fits = 1.0 if part.exact else min(1.0, self.width / part.width)  # what is true to scale rather lies on its side
+        fits = 1.0 if part.exact else min(1.0, self.width / part.width)  # a picture true to scale is turned instead of shrunk
         picture = self.dialect.picture(self.place_of(part.svg), part.alt, (part.width * fits, part.height * fits))
         style = "Figure" if part.width * fits <= self.width else "Wide Figure"
         shown = [tree.styled(style, [tree.paragraph([picture])]), *self._caption("figure", part.label, part.caption)]
@@ -221,17 +221,17 @@ class Blocks:
 
 
 def kind_of(part: Part) -> str:
-    """Return what a part with a number is, "" for any other."""
+    """Return "figure" or "table" for a part with a number, "" for any other."""
     if not isinstance(part, (Figure, Panels, Table)) or not part.caption or not _NUMBER.search(part.label):
         return ""
     return "table" if isinstance(part, Table) else "figure"
 
 
 def _widths(part: Table, width: float) -> list[float]:
-    """Return the widths of columns as parts of a text (mm): what the longest cell takes, of many columns in proportion."""
+    """Return the widths of columns as parts of the text `width` (mm): by the longest cell; if there are many, in proportion."""
     heads = [
         1 + max(map(_letters, f"{_said(one.head)} {one.unit}".split()), default=0) for one in part.columns
-    ]  # bold, and broken
+    ]  # heads are bold, and broken at spaces
     letters = [max([head, *(_letters(_said(row[place])) for row in part.rows)]) for place, head in enumerate(heads)]
     many = len(letters) > MANY
     room, letter = SMALL if many else USUAL
@@ -245,18 +245,18 @@ def _said(cell: Cell) -> str:
 
 
 def _letters(text: str) -> int:
-    """Return how many letters as wide as a digit a text takes: one of Chinese is as wide as two."""
+    """Return the width of a text in letters as wide as a digit; a Chinese letter counts twice."""
     return len(text) + wide_letters(text)
 
 
 BREAK: Node = {"t": "LineBreak"}
-USUAL, SMALL = (5.0, 1.75), (3.0, 1.36)  # mm of the room in a cell of a table and of a letter, in usual ones and in small ones
-MOST = 0.5  # part of a text that a column of words may take
-WIDTHS = (0.14, 0.56, 0.16, 0.14)  # of the text: verdict, claim, number, limit
+USUAL, SMALL = (5.0, 1.75), (3.0, 1.36)  # mm: room in a cell and width of a letter, in usual and in small tables
+MOST = 0.5  # most of the text width for a column of words
+WIDTHS = (0.14, 0.56, 0.16, 0.14)  # parts of the text width: verdict, claim, number, limit
 
 
 def pictures(parts: Iterable[Any], known: dict[str, Picture]) -> dict[str, Picture]:
-    """Return the pictures of parts by their SVG: the drawings of the page, and the signs of its legends."""
+    """Return the pictures of parts by SVG: the drawings of the page, and the symbols of its legends."""
     found = {one.svg: one for one in known.values()}
     for part in parts:
         if isinstance(part, Panels):

@@ -1,4 +1,4 @@
-"""What Word, OpenDocument and LaTeX each write in their own way: captions, references, formulas with a number, turned pages.
+"""What Word, OpenDocument and LaTeX write differently: captions, references, numbered formulas, turned pages.
 
 Enters: parts of a tree.  Leaves: parts of a tree.  Used by `blocks.py` and `writer.py`.
 """
@@ -11,21 +11,21 @@ from html import escape
 from coursework.takeaway.note.tree import Node, image, lowered, math, paragraph, raw, raw_block, styled, text
 from coursework.takeaway.note.tree import emphasized as slanted
 
-FIRST_MARK = 90_000  # ids of Word's bookmarks: pandoc counts its own from 1
-UPRIGHT, TURNED = "<w:sectPr/><!--upright-->", "<w:sectPr/><!--turned-->"  # what `word.py` puts the section's own into
+FIRST_MARK = 90_000  # first id of our bookmarks in Word: pandoc counts its own from 1
+UPRIGHT, TURNED = "<w:sectPr/><!--upright-->", "<w:sectPr/><!--turned-->"  # replaced by section properties in `word.py`
 
 
 class _Office:
-    """What Word and OpenDocument write alike: both need to be told how wide the columns of a table are."""
+    """What Word and OpenDocument have in common; both must be told the widths of a table's columns."""
 
     needs_widths = True
 
     def letter(self, letter: str, low: str) -> list[Node]:
-        """Return a symbol in a sentence."""
+        """Return a symbol in a sentence, with its subscript."""
         return [slanted(letter), *([lowered(low)] if low else [])]
 
     def picture(self, path: str, alt: str, size: tuple[float, float]) -> Node:
-        """Return a picture of a size in mm."""
+        """Return a picture with a size in mm."""
         return image(path, alt, *size)
 
 
@@ -38,25 +38,25 @@ class Word(_Office):
         self.marks = FIRST_MARK
 
     def caption(self, kind: str, label: tuple[str, str, str], mark: str, said: Sequence[Node]) -> list[Node]:
-        """Return the caption of a "figure" or "table": its word, number and what stands behind it, then what it says."""
+        """Return the caption of a "figure" or "table": `label` is its word, number and what follows, `said` its text."""
         word, number, behind = label
         field = word_field(f"SEQ {word.strip().replace(' ', '_')} \\* ARABIC", number)
         inlines = [*text(word), raw("openxml", self._marked(mark, field)), *text(behind), *said]
         return [styled(CAPTIONS[kind], [paragraph(inlines)])]
 
     def numbered(self, latex: str, name: str, mark: str) -> Node:
-        """Return a formula with its number at the margin; a `mark` to refer to it by, "" for none."""
+        """Return a formula with its number at the margin; `mark` is the bookmark for references to it, "" for none."""
         number = f"<w:r><w:t>({escape(name)})</w:t></w:r>"
         tab = "<w:r><w:tab/></w:r>"
         behind = self._marked(mark, number) if mark else number
         return styled("Equation", [paragraph([raw("openxml", tab), math(latex), raw("openxml", tab + behind)])])
 
     def reference(self, mark: str, said: str) -> Node:
-        """Return what leads to a mark."""
+        """Return a reference to a mark."""
         return raw("openxml", word_field(f"REF {mark} \\h", said))
 
     def turned(self, blocks: list[Node]) -> list[Node]:
-        """Return blocks on a page that lies on its side."""
+        """Return blocks on a landscape page."""
 
         def ends(section: str) -> Node:
             return raw_block("openxml", f"<w:p><w:pPr>{section}</w:pPr></w:p>")
@@ -103,7 +103,7 @@ class OpenDocument(_Office):
 
 
 class Tex:
-    """LaTeX: captions, labels and tags by its own commands."""
+    """LaTeX: its own commands for captions, labels and tags."""
 
     suffix, writer, needs_widths = "tex", "latex", False
 
@@ -139,7 +139,7 @@ _TEX = {
 
 
 def begun_field(instruction: str, more: str = "") -> str:
-    """Return the begin of a field of Word, up to what it shows; `more` are attributes of it."""
+    """Return the beginning of a Word field, up to the text that it shows; `more` are its attributes."""
     said = f'<w:r><w:instrText xml:space="preserve"> {escape(instruction, quote=False)} </w:instrText></w:r>'
     return f'<w:r><w:fldChar w:fldCharType="begin"{more}/></w:r>{said}<w:r><w:fldChar w:fldCharType="separate"/></w:r>'
 
@@ -148,12 +148,12 @@ ENDED_FIELD = '<w:r><w:fldChar w:fldCharType="end"/></w:r>'
 
 
 def word_field(instruction: str, shown: str) -> str:
-    """Return a field of Word, with what it shows until Word brings it up to date."""
+    """Return a Word field, with the text that it shows until Word updates it."""
     return f"{begun_field(instruction)}<w:r><w:t>{escape(shown)}</w:t></w:r>{ENDED_FIELD}"
 
 
 def tex_letter(letter: str) -> str:
-    """Return a letter of a formula, with the dot that stands on it."""
+    """Return a letter of a formula, with the dot above it if it has one."""
     plain = _escaped(letter.replace("\u0307", ""))
     return f"\\dot{{{plain}}}" if "\u0307" in letter else plain
 

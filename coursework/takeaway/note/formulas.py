@@ -1,4 +1,4 @@
-"""Formulas of the page as LaTeX, by which pandoc makes those of Word, OpenDocument and TeX.
+"""Formulas of the page as LaTeX, from which pandoc makes those of Word, OpenDocument and TeX.
 
 Enters: Typst math, as the page sets it.  Leaves: LaTeX.  Used by `writer.py`.
 """
@@ -13,19 +13,19 @@ from coursework.report.text.numbers import POINT
 from coursework.takeaway.note.pandoc import called
 
 _QUOTED = re.compile(r'"([^"]*)"')
-_NUMBERS = re.compile(r"[\d.,+−·/()=²³⁰¹⁴⁵⁶⁷⁸⁹⁻ \u2009\u202f]+")  # what is typed in quotes and needs none: 1,63 + (−2) · 0,02
+_NUMBERS = re.compile(r"[\d.,+−·/()=²³⁰¹⁴⁵⁶⁷⁸⁹⁻ \u2009\u202f]+")  # numbers in quotes that need none: 1,63 + (−2) · 0,02
 _RAISED = re.compile(r"[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 NEXT_LINE = " \\ "
-WIDE = 86  # letters that fit a line
+WIDE = 86  # letters that fit on a line
 _UNSEEN = re.compile(r"\\(?:frac|left|right|quad|text|mathrm|overset|(?:begin|end)\{\w+\})")
 _NAMES = re.compile(r"\\(?!(?:arc)?(?:sin|cos|tan))[A-Za-z]+")
 _NO_LETTERS = re.compile(r"[\\{}_^&\s]")
-_WORD = re.compile(r"_\{\\text\{([^{}]*?) \}\}")  # pandoc leaves a space behind a word that stands lower
-_BEGINS = re.compile(r"^= ")  # a sign between two sides looks for the left one
+_WORD = re.compile(r"_\{\\text\{([^{}]*?) \}\}")  # pandoc leaves a space after a subscript word
+_BEGINS = re.compile(r"^= ")  # at the beginning of a line the sign would lack its left side
 _OPENING, _CLOSING = "\\begin{aligned}", "\\end{aligned}"
 _BRACKET = re.compile(r"(?<!\\left)(?<!\\right)(?:[()]|\\[lr]brack\b)")
-# Word's writer would raise the closing bracket alone, and LibreOffice then misses it.
+# Word's writer would raise only the closing bracket, which LibreOffice then misses.
 _POWER = re.compile(r"(?<!\\left)\(([^()]*(?:\([^()]*\)[^()]*)*)(?<!\\right)\)(?=\^)")
 _NO_LEFT, _NO_RIGHT = " \\left. ", " \\right."
 _QUAD = "\\quad"
@@ -36,7 +36,7 @@ _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
 def latex_of(sources: Iterable[str], mark: str, *, aligned: bool) -> dict[str, str]:
     """Return LaTeX by Typst source; `mark` is the decimal sign of the language.
 
-    What takes several lines is `aligned`, or, for programs that show a sign in the empty place before it, a column.
+    A formula of several lines is `aligned`, or a column for programs that show a sign in the empty place before an equals sign.
     """
     listed = list(dict.fromkeys(sources))
     if not listed:
@@ -51,12 +51,12 @@ def latex_of(sources: Iterable[str], mark: str, *, aligned: bool) -> dict[str, s
 
 
 def letters_wide(latex: str) -> int:
-    """Return about how many letters the widest line of a formula has; a fraction counts above and below its line."""
+    """Return about how many letters the widest line of a formula has; numerator and denominator of a fraction are added."""
     return max(len(_NO_LETTERS.sub("", _NAMES.sub("x", _UNSEEN.sub("", line)))) for line in latex.split("\\\\"))
 
 
 def _result_below(latex: str) -> str:
-    """Return a formula in lines whose last one, where it is too long, has its result below it."""
+    """Return a formula of several lines; if the last line is too long, its result moves to a new line below."""
     above, equals, result = latex.rpartition(" = ")
     end = "\n\\end{aligned}"
     if not (equals and latex.endswith(end) and letters_wide(latex.rpartition("\\\\")[2]) > WIDE):
@@ -65,7 +65,7 @@ def _result_below(latex: str) -> str:
 
 
 def _broken(latex: str) -> str:
-    """Return a formula whose lines, where they are too long, go on below before a + or −, of the outermost sum if they can."""
+    """Return a formula whose too long lines are broken before a + or −, in the outermost sum if possible."""
     body = latex.removeprefix(_OPENING).removesuffix(_CLOSING)
     if "\\begin" in body:
         return latex
@@ -75,7 +75,7 @@ def _broken(latex: str) -> str:
 
 
 def _pieces(line: str) -> list[str]:
-    """Return a line in lines that fit, as far as it has places to break."""
+    """Return a line broken into lines that fit, as far as it has places to break."""
     if letters_wide(line) <= WIDE or not (places := _places(line)):
         return [line]
     least = min(depth for depth, _ in places)
@@ -88,7 +88,7 @@ def _held(power: re.Match[str]) -> str:
 
 
 def _balanced(line: str) -> str:
-    """Return a line whose brackets that are closed, or opened, in another line have nothing on their other side."""
+    """Return a line in which every bracket whose partner is in another line gets an empty partner here."""
     opened, closed = list[re.Match[str]](), list[re.Match[str]]()
     for found in _BRACKET.finditer(line):
         if found[0] in ("(", "\\lbrack"):
@@ -105,7 +105,7 @@ def _balanced(line: str) -> str:
 
 
 def _places(line: str) -> list[tuple[int, int]]:
-    """Return where a sign stands between two terms such that what is before it fits, each with the brackets open there."""
+    """Return (depth of open brackets, place) of each sign between two terms before which the line fits."""
     found, braces, brackets = list[tuple[int, int]](), 0, 0
     lead = _LEAD.match(line)
     begin = lead.end() if lead else 0
@@ -135,9 +135,9 @@ def _maths(block: dict[str, object]) -> Iterable[str]:
 
 
 def _bare(source: str, mark: str) -> str:
-    """Return Typst math in which numbers stand as such: in quotes they would be words, with spaces around them."""
+    """Return Typst math with plain numbers: in quotes they would be words, with spaces around them."""
     source = _QUOTED.sub(lambda found: _number(found[1], mark) if _NUMBERS.fullmatch(found[1]) else found[0], source)
-    # Brackets that belong together would hold lines together.
+    # Brackets that belong together would prevent a line break.
     return re.sub(r"([\[\]])", r"\\\1", source) if NEXT_LINE in source else source
 
 

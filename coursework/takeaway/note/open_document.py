@@ -1,4 +1,4 @@
-"""What pandoc leaves to be done in an OpenDocument text: styles, pages, sequences, SVG beside PNG, the same bytes.
+"""Finishes an OpenDocument text made by pandoc: styles, pages, sequences, SVG beside PNG, reproducible bytes.
 
 Enters: an odt as pandoc wrote it.  Leaves: an odt.  Used by `writer.py`.
 """
@@ -23,27 +23,27 @@ _MASTER = re.compile(r"<office:master-styles>.*?</office:master-styles>", re.S)
 _BORDERLESS = re.compile(r'(<style:style style:name="Table(?:Header)?RowCell"[^>]*>).*?</style:style>', re.S)
 _FORMULA = re.compile(r"Formula-\d+/content\.xml")
 _LOW, _END = '<mo accent="true">_</mo>', "</munder>"
-_SIGNS = {  # LibreOffice shows "¿" for a low line below a letter, and a circle under a dot that is to combine with one
+_SIGNS = {  # LibreOffice shows "¿" for a low line below a letter, and a dotted circle under a combining dot
     "<munder><munder>": "<munder>",
     f"{_LOW}{_END}{_LOW}{_END}": f"<mo>\u2550</mo>{_END}",
     _LOW: "<mo>\u2015</mo>",
     "\u0307": "\u02d9", "\u0308": "\u00a8", "\u030a": "\u02da",
 }  # fmt: skip
 _ROW = re.compile(r'<mrow>(<mo stretchy="true" form="prefix">)?|(stretchy="true" form="postfix">[^<]*</mo>)?</mrow>')
-_NO_RIGHT = '<mo stretchy="true" form="postfix"></mo>'  # pandoc leaves it out, and LibreOffice repeats the left one
+_NO_RIGHT = '<mo stretchy="true" form="postfix"></mo>'  # pandoc leaves it out, and then LibreOffice repeats the left bracket
 BORDER = 'fo:border="0.5pt solid #000000" fo:padding="1mm"'
-HEADER = 8.0  # mm within a margin, for the number of the page
+HEADER = 8.0  # mm within a margin, for the page number
 _HEADING = '<text:h text:style-name="Heading_20_1" text:outline-level="1">'
 _SET = _HEADING.replace("Heading_20_1", "Heading_20_Structural")
 
 
 def contents_of(title: str, listed: Sequence[tuple[str, str]], _width: float) -> str:
-    """Return the contents as an index that a program brings up to date, with what it shows until then."""
+    """Return the contents as an index that the program can update, with entries that are shown until then."""
     return xml_of("opendocument", "contents", title=title, listed=listed)
 
 
 def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Picture]) -> bytes:
-    """Return the document; `house` None keeps the styles of a department, `drawings` are those that a PNG shows."""
+    """Return the finished document; `house` None keeps a department's styles; `drawings` maps each PNG to its drawing."""
     files = unpacked(content)
     styles = files[STYLES].decode()
     for name, made in open_document_styles(house).items():
@@ -75,7 +75,7 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
 
 
 def _with_right_sides(formula: str) -> str:
-    """Return MathML in which every bracket that goes on in the next line has an empty one on its right."""
+    """Return MathML in which every bracket that is closed only on a later line has an empty bracket on its right."""
     opened = list[bool]()
 
     def one(found: re.Match[str]) -> str:
@@ -88,7 +88,7 @@ def _with_right_sides(formula: str) -> str:
 
 
 def _with_pages(styles: str, house: House) -> str:
-    """Return the styles with A4 pages of the house, upright and turned, and the paragraphs that begin them."""
+    """Return the styles with A4 pages of the house, upright and landscape, and the paragraph styles that begin them."""
     place, align = house.page_number.split()
     layouts = xml_of("opendocument", "layouts", place=place, page=PAGE, margins=house.margins, header=HEADER)
     begins, masters = xml_of("opendocument", "begins", align=align), xml_of("opendocument", "masters", place=place)
@@ -100,7 +100,7 @@ def _with_pages(styles: str, house: House) -> str:
 
 
 def _with_drawings(files: dict[str, bytes], text: str, drawings: Mapping[bytes, Picture]) -> str:
-    """Return the text in which every picture is an SVG with its PNG behind it, for programs that do not draw SVG."""
+    """Return the text with each drawing as SVG, and its PNG behind it for programs that do not draw SVG."""
     listed: list[str] = []
 
     def with_svg(found: re.Match[str]) -> str:

@@ -1,6 +1,6 @@
-"""The one way to pandoc, a program of its own that is called, not linked.
+"""The only way to pandoc, a separate program that is called, not linked.
 
-Enters: text or a tree, and options.  Leaves: bytes.  Raises `OutputError` where it refuses.
+Enters: text or a tree, and options.  Leaves: bytes.  Raises `OutputError` if pandoc fails.
 Used by `formulas.py` and `writer.py`.
 """
 
@@ -14,8 +14,8 @@ from coursework.words.errors import OutputError
 from coursework.words.sentences import say
 
 SECONDS = 60.0
-LONGEST = 500  # characters of what it says
-ITS_OWN = "CallStack"  # from here on it tells of itself
+LONGEST = 500  # most characters of pandoc's error message
+ITS_OWN = "CallStack"  # from this word on the message is about pandoc itself
 
 
 @cache
@@ -27,9 +27,9 @@ def _program() -> str:
 
 
 def called(options: list[str], content: bytes) -> bytes:
-    """Return what pandoc makes of its input.  It reads no file but those that the options name, and fetches nothing."""
+    """Return the output of pandoc.  It reads only the files that the options name, and fetches nothing."""
     command = [_program(), *options]
-    environment = os.environ | {"SOURCE_DATE_EPOCH": "315532800"}  # the hour of no run: the same bytes each time
+    environment = os.environ | {"SOURCE_DATE_EPOCH": "315532800"}  # a fixed time, so that the bytes are always the same
     try:
         done = subprocess.run(command, input=content, capture_output=True, timeout=SECONDS, env=environment, check=False)
         if not done.returncode:

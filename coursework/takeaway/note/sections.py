@@ -1,4 +1,4 @@
-"""The sections of a note in their order: those of the page, and those that the student writes.
+"""The sections of a note in order: those of the page, and those that the student writes.
 
 Enters: `Results` and a dialect.  Leaves: blocks of pandoc's tree.  Used by `writer.py`.
 """
@@ -19,14 +19,14 @@ from coursework.takeaway.note.blocks import Blocks, kind_of
 from coursework.takeaway.note.tree import Node
 
 CONCLUSION, INTRODUCTION, LITERATURE = "conclusion", "introduction", "literature"
-STRUCTURAL = (INTRODUCTION, CONCLUSION, LITERATURE)  # headings without a number, which the standards set in the middle
-PLACE = "\0"  # of numbers in a sentence
-Headings = Sequence[tuple[str, str]]  # id and text of each
-DIGITS = 3  # of the largest error and of the step that would do, as the page's conclusion has them
+STRUCTURAL = (INTRODUCTION, CONCLUSION, LITERATURE)  # headings without a number, which the standards centre
+PLACE = "\0"  # stands for the numbers in a sentence
+Headings = Sequence[tuple[str, str]]  # id and text of each heading
+DIGITS = 3  # of the largest error and of a sufficient step, as in the page's conclusion
 
 
 def title_blocks(model: ReportModel, blocks: Blocks) -> list[Node]:
-    """Return what stands before the contents: what the work is, of which mechanism, and whose."""
+    """Return the blocks before the contents: the kind of work, its mechanism, its author."""
     found = [
         tree.styled("Subtitle", [tree.paragraph(tree.text(model.kind))]),
         tree.styled("Title", [tree.paragraph(tree.text(model.heading))]),
@@ -50,7 +50,7 @@ def _titled(section: Section) -> str:
 
 
 def section_blocks(results: Results, blocks: Blocks) -> Iterator[Node]:
-    """Yield the sections."""
+    """Yield the blocks of all sections."""
     words = load_words(results.language)
     sections = {section.name: section for section in results.model.sections}
     for name, title in headings(results.model):
@@ -66,7 +66,7 @@ def section_blocks(results: Results, blocks: Blocks) -> Iterator[Node]:
 
 
 def _referred(parts: Sequence[Part], blocks: Blocks, words: Words) -> Iterator[Node]:
-    """Yield the blocks of parts; what has a number is referred to before it stands, neighbours of a kind in one sentence."""
+    """Yield the blocks of parts; numbered ones are referred to first, neighbours of a kind in one sentence."""
     for kind, group in groupby(parts, kind_of):
         together = list(group)
         numbered = dict(map(blocks.numbered, together)) if kind else {}
@@ -82,7 +82,7 @@ def _referred(parts: Sequence[Part], blocks: Blocks, words: Words) -> Iterator[N
 
 
 def _numbers(results: Results, blocks: Blocks) -> Iterator[Node]:
-    """Yield what the conclusion speaks of: the largest error, the step that would do, where the first row meets the last."""
+    """Yield what the conclusion needs: largest error, sufficient step, references to tables (first and last row, extremes)."""
     context = PageContext(results.run, load_words(results.language))
     listed: list[list[Node]] = []
     checks = results.run.checks if "checks" in results.run.asked else ()

@@ -1,10 +1,10 @@
-"""How a note looks: a house style a language, where no department has its own.
+"""How a note looks: a house style for each language, unless a department has its own.
 
 Enters: a language.  Leaves: `House`, and its styles as Word and OpenDocument write them.
 Used by `word.py`, `open_document.py` and `writer.py`.
-ГОСТ 7.32-2017 for ru and ДСТУ 3008:2015 for uk: Times New Roman 14, lines 1.5 high, margins 30, 15, 20 and 20 mm, paragraphs
-begin 12.5 mm in; headings of sections bold behind that indent, those without a number in the middle in capitals; captions of
-figures below in the middle, of tables above at the left; numbers of pages below in the middle (ru), above at the right (uk).
+ГОСТ 7.32-2017 for ru and ДСТУ 3008:2015 for uk: Times New Roman 14, line spacing 1.5, margins 30, 15, 20 and 20 mm, first lines
+indented by 12.5 mm; headings of sections bold with that indent, headings without a number centred in capitals; captions of
+figures below and centred, of tables above and left; page numbers below and centred (ru), above and right (uk).
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from coursework.system.frozen import frozen
 from coursework.words.templates import filled_part
 
 PAGE = (210.0, 297.0)  # mm
-FIRST = "First Paragraph"  # of a section, and behind a formula
-OPEN_NAMES = {  # of pandoc's styles in an OpenDocument text, where they have others there
+FIRST = "First Paragraph"  # of a section, and after a formula
+OPEN_NAMES = {  # names of pandoc's styles in an OpenDocument text, if they differ there
     "Normal": "Standard", "Body Text": "Text_20_body", "Image Caption": "FigureCaption", "Table Caption": "TableCaption",
     "TOC Heading": "Contents_20_Heading", "TOC 1": "Contents_20_1", "Table Text": "Table_20_Contents",
     "Source Code": "Preformatted_20_Text", FIRST: "First_20_paragraph",
 }  # fmt: skip
 REACH = 5.0  # mm into the right margin, for a drawing true to scale that is hardly wider than the text
-MANY = 9  # columns of a table; more have small letters
+MANY = 9  # columns of a table; a table with more has small letters
 
 
 @frozen
 class House:
-    """Faces, sizes (pt), height of lines, margins (mm: left, right, top, bottom), indent of a paragraph (mm)."""
+    """Faces, size (pt), line spacing, margins (mm: left, right, top, bottom), indent of a paragraph (mm)."""
 
     face: str = "Times New Roman"
     eastern: str = "Times New Roman"
@@ -36,7 +36,7 @@ class House:
     line: float = 1.15
     margins: tuple[float, float, float, float] = (20.0, 20.0, 20.0, 20.0)
     indent: float = 0.0
-    by_standard: bool = False  # headings and captions as the standards of reports say
+    by_standard: bool = False  # headings and captions by the standards of reports
     page_number: str = "footer center"
 
     @property
@@ -57,7 +57,7 @@ HOUSES = {
 
 @frozen
 class Style:
-    """A style of paragraphs; None of a size, a line or an indent is that of the text; lengths in mm, spaces in pt."""
+    """A paragraph style; None for size, line or indent means that of the text; lengths in mm, spaces in pt."""
 
     name: str
     size: float | None = None
@@ -71,20 +71,20 @@ class Style:
     first: float | None = None
     level: int = 0  # of a heading, from 1
     keep: bool = False
-    tabs: bool = False  # one in the middle of the text, one at its end
+    tabs: bool = False  # one tab in the middle of the line, one at its end
     grey: bool = False
     new_page: bool = False
     right: float = 0.0
-    typed: bool = False  # in letters of one width
+    typed: bool = False  # in a monospaced face
 
     @property
     def is_text(self) -> bool:
-        """Whether it keeps to the lines and the indent of the text."""
+        """Return whether the style has the line spacing and the indent of the text."""
         return self.line is None and self.first is None
 
 
 def styles_of(house: House) -> tuple[Style, ...]:
-    """Return the styles of a note by the names that pandoc gives them."""
+    """Return the styles of a note, with the names that pandoc gives them."""
     plain, size = not house.by_standard, house.size
     small = size - 2
     caption = small if plain else size
@@ -122,24 +122,24 @@ def styles_of(house: House) -> tuple[Style, ...]:
 
 
 def xml_of(name: str, part: str, /, **content: Any) -> str:
-    """Return a part of `reports/<name>.xml.j2` in one line."""
+    """Return a part of `reports/<name>.xml.j2` as one line."""
     made = filled_part(f"{name}.xml.j2", part, **content)
     return re.sub(r"\s*\n\s*", " ", re.sub(r"\s*\n\s*(?=<|$)", "", made))
 
 
 def twips(mm: float) -> int:
-    """Return a length as Word counts it."""
+    """Return a length (mm) in twips, as Word measures it."""
     return round(mm * (1440 / 25.4))
 
 
 def word_styles(house: House | None) -> dict[str, str]:
-    """Return the XML of every style by its id in Word's `styles.xml`; None leaves the text as a department has it."""
+    """Return the XML of every style by its id in Word's `styles.xml`; with None, body text stays as the department has it."""
     known: dict[str, Any] = {"house": house or House(), "lent": house is None, "twips": twips, "round": round}
     return {one.name.replace(" ", ""): xml_of("word", "style", one=one, **known) for one in styles_of(house or House())}
 
 
 def open_document_styles(house: House | None) -> dict[str, str]:
-    """Return the XML of every style by its name in OpenDocument's `styles.xml`; None as for Word."""
+    """Return the XML of every style by its name in OpenDocument's `styles.xml`; None means the same as for Word."""
     known: dict[str, Any] = {"house": house or House(), "lent": house is None}
     named = {OPEN_NAMES.get(one.name, one.name.replace(" ", "_20_")): one for one in styles_of(house or House())}
     return {name: xml_of("opendocument", "style", one=one, name=name, **known) for name, one in named.items()}

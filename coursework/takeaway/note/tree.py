@@ -1,4 +1,4 @@
-"""Pandoc's tree, as far as a note needs it: plain data that JSON holds.
+"""Pandoc's document tree, as far as a note needs it: plain data that fits into JSON.
 
 Enters: text and parts of the tree.  Leaves: parts of the tree.  Used by `blocks.py`, `dialects.py` and `writer.py`.
 """
@@ -13,17 +13,17 @@ VERSION = [1, 23, 1]
 
 
 def attributes(name: str = "", **values: str) -> list[Any]:
-    """Return an id and further attributes ("custom_style" is custom-style)."""
+    """Return attributes of a node: an id and further ones ("custom_style" becomes custom-style)."""
     return [name, [], [[key.replace("_", "-"), value] for key, value in values.items()]]
 
 
 def printed(said: str) -> str:
-    """Return a text in one line, without what does not print: no document holds that."""
+    """Return a text in one line without unprintable characters, which no document may hold."""
     return "".join(letter for letter in said.replace("\n", " ") if letter.isprintable() or letter in "\u00a0\u2009\u202f\u3000")
 
 
 def text(said: str) -> list[Node]:
-    """Return words and the spaces between them."""
+    """Return the words of a text and the spaces between them."""
     found: list[Node] = []
     for place, word in enumerate(printed(said).split(" ")):
         if place:
@@ -34,7 +34,7 @@ def text(said: str) -> list[Node]:
 
 
 def emphasized(said: str) -> Node:
-    """Return slanted text."""
+    """Return italic text."""
     return {"t": "Emph", "c": text(said)}
 
 
@@ -44,12 +44,12 @@ def strong(inlines: Sequence[Node]) -> Node:
 
 
 def lowered(said: str) -> Node:
-    """Return what stands lower, slanted."""
+    """Return an italic subscript."""
     return {"t": "Subscript", "c": [emphasized(said)]}
 
 
 def raised(said: str) -> Node:
-    """Return what stands higher."""
+    """Return a superscript."""
     return {"t": "Superscript", "c": text(said)}
 
 
@@ -59,17 +59,17 @@ def math(latex: str, *, displayed: bool = False) -> Node:
 
 
 def image(path: str, alt: str, width: float, height: float) -> Node:
-    """Return a picture of a size in mm."""
+    """Return a picture with a size in mm."""
     return {"t": "Image", "c": [attributes(width=f"{width:.4f}mm", height=f"{height:.4f}mm"), text(alt), [path, ""]]}
 
 
 def raw(dialect: str, source: str) -> Node:
-    """Return what stands in one format as it is, in a line."""
+    """Return inline source of one format, which is kept as it is."""
     return {"t": "RawInline", "c": [dialect, source]}
 
 
 def raw_block(dialect: str, source: str) -> Node:
-    """Return what stands in one format as it is, between paragraphs."""
+    """Return a block of source of one format, which is kept as it is."""
     return {"t": "RawBlock", "c": [dialect, source]}
 
 
@@ -79,12 +79,12 @@ def paragraph(inlines: Iterable[Node]) -> Node:
 
 
 def code(lines: str) -> Node:
-    """Return lines as they are typed."""
+    """Return a block of code."""
     return {"t": "CodeBlock", "c": [attributes(), lines]}
 
 
 def styled(style: str, blocks: Iterable[Node]) -> Node:
-    """Return paragraphs of a style."""
+    """Return paragraphs with a style."""
     return {"t": "Div", "c": [attributes(custom_style=style), list(blocks)]}
 
 
@@ -94,16 +94,16 @@ def heading(level: int, name: str, inlines: Iterable[Node]) -> Node:
 
 
 def bullets(items: Iterable[Iterable[Node]]) -> Node:
-    """Return a list."""
+    """Return a bullet list."""
     return {"t": "BulletList", "c": [[{"t": "Plain", "c": list(item)}] for item in items]}
 
 
 def table(
     heads: Sequence[Sequence[Node]], rows: Sequence[Sequence[Sequence[Node]]], words: Sequence[bool], widths: Sequence[float] = ()
 ) -> Node:
-    """Return a table: `words` tells which columns stand at the left; the rest are numbers, at the right.
+    """Return a table; `words` tells which columns are left-aligned; the others are numbers, right-aligned.
 
-    `widths` are those of the columns, as parts of the text; without them each program finds its own.
+    `widths` of the columns are parts of the text width; without them each program chooses its own.
     """
 
     def row(cells: Sequence[Sequence[Node]]) -> list[Any]:

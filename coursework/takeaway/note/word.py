@@ -1,4 +1,4 @@
-"""What pandoc leaves to be done in a Word document: styles, sections, numbers of pages, SVG beside PNG, the same bytes.
+"""Finishes a Word document made by pandoc: styles, sections, page numbers, SVG beside PNG, reproducible bytes.
 
 Enters: a docx as pandoc wrote it.  Leaves: a docx.  Used by `writer.py`.
 """
@@ -22,19 +22,19 @@ _STYLE = r'<w:style\b[^>]*w:styleId="{}".*?</w:style>'
 _EMBEDDED = re.compile(r'<a:blip r:embed="(\w+)"\s*/>|<a:blip r:embed="(\w+)"\s*></a:blip>')
 _TARGET = re.compile(r"<Relationship\b[^>]*>")
 _SVG = "http://schemas.microsoft.com/office/drawing/2016/SVG/main"
-_SVG_USE = "{96DAC541-7B7A-43D3-8B79-37D633B846F1}"  # what Word looks for beside a PNG
+_SVG_USE = "{96DAC541-7B7A-43D3-8B79-37D633B846F1}"  # id of the extension in which Word looks for an SVG
 _PART = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
 _WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 
 
 def contents_of(title: str, listed: Sequence[tuple[str, str]], width: float) -> str:
-    """Return the contents as a field that Word brings up to date, with what it shows until then."""
+    """Return the contents as a field that Word can update, with entries that are shown until then."""
     fields = {"begun": begun_field, "field": word_field, "ended": ENDED_FIELD}
     return xml_of("word", "contents", title=title, listed=listed, width=width, twips=twips, **fields)
 
 
 def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Picture]) -> bytes:
-    """Return the document; `house` None keeps the styles of a department, `drawings` are those that a PNG shows."""
+    """Return the finished document; `house` None keeps a department's styles; `drawings` maps each PNG to its drawing."""
     files = unpacked(content)
     document = files[DOCUMENT].decode()
     files[STYLES] = _with_styles(files[STYLES].decode(), house).encode()
@@ -51,13 +51,13 @@ def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Pictu
 
 
 def _lettered(found: re.Match[str]) -> str:
-    """Return a table in letters that fit its columns."""
+    """Return a table in letters small enough for its columns."""
     columns = found[0].partition("</w:tr>")[0].count("<w:tc>")
     return found[0].replace('w:val="Compact"', f'w:val="TableText{"Small" if columns > MANY else ""}"')
 
 
 def _with_styles(styles: str, house: House | None) -> str:
-    """Return the styles of the house; to those of a department only what it lacks is added."""
+    """Return the styles of the house; to the styles of a department only missing ones are added."""
     for identifier, made in word_styles(house).items():
         pattern = re.compile(_STYLE.format(re.escape(identifier)), re.S)
         if not pattern.search(styles):
@@ -70,7 +70,7 @@ def _with_styles(styles: str, house: House | None) -> str:
 
 
 def _with_page(files: dict[str, bytes], document: str, house: House) -> str:
-    """Return the document with an A4 page of the house, whose number stands where the standard wants it."""
+    """Return the document with A4 pages of the house, with the page number where the standard wants it."""
     place, align = house.page_number.split()
     tag = {"footer": "ftr", "header": "hdr"}[place]
     number = xml_of("word", "page_number", tag=tag, align=align, field=word_field, namespace=_WORD)
@@ -84,7 +84,7 @@ def _with_page(files: dict[str, bytes], document: str, house: House) -> str:
 
 
 def _turned(section: str) -> str:
-    """Return the same section on its side."""
+    """Return the same section in landscape."""
     size = re.search(r"<w:pgSz\b[^>]*>", section)
     wide, high = (
         (found[1] if size and (found := re.search(rf'w:{side}="(\d+)"', size[0])) else str(twips(mm)))
@@ -96,7 +96,7 @@ def _turned(section: str) -> str:
 
 
 def _with_drawings(files: dict[str, bytes], document: str, drawings: Mapping[bytes, Picture]) -> str:
-    """Return the document in which every picture has its SVG beside it, for the Words that draw it."""
+    """Return the document with an SVG beside the PNG of each drawing, for versions of Word that draw it."""
     targets = {}
     for found in _TARGET.findall(files[RELATIONS].decode()):
         identifier, target = re.search(r'Id="([^"]+)"', found), re.search(r'Target="([^"]+)"', found)

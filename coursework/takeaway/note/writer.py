@@ -1,4 +1,4 @@
-"""`--format docx`, `odt`, `tex`: the report as a document that a student goes on writing in.
+"""`--format docx`, `odt`, `tex`: the report as a document that a student can edit.
 
 Enters: `Results`.  Leaves: the bytes of files.  Raises `NotToBeHad` without pypandoc.  Used by the list of formats, by name.
 """
@@ -29,8 +29,8 @@ from coursework.words.data_folders import REPORTS, folder
 
 MODULE, EXTRA = "pypandoc", "note"
 LANGUAGES = {"en": "en-GB", "ru": "ru-RU", "uk": "uk-UA", "zh": "zh-CN"}
-MANY = 7  # columns: in LaTeX a wider table is set smaller
-DEPARTMENT = "reference"  # with the suffix: the department's own styles, in a folder of own pieces
+MANY = 7  # columns: in LaTeX a table with more is set smaller
+DEPARTMENT = "reference"  # stem of the file with a department's styles, in its folder of templates
 
 
 def write_docx(results: Results) -> Iterator[tuple[str, bytes]]:
@@ -62,7 +62,7 @@ def _office_note(
 
 
 def write_tex(results: Results) -> Iterator[tuple[str, bytes]]:
-    """Yield the note for LaTeX, and the drawings that it shows."""
+    """Yield the note for LaTeX, and its drawings."""
     note = _Note(results, "tex")
     title, author = tree.text(results.model.heading), tree.text(results.model.author)
     blocks = [*title_blocks(results.model, note.blocks)[2:], *section_blocks(results, note.blocks)]
@@ -87,7 +87,7 @@ def write_tex(results: Results) -> Iterator[tuple[str, bytes]]:
 
 
 def _sized_tables(blocks: list[tree.Node]) -> list[tree.Node]:
-    """Return blocks in which tables stand in small letters, wide ones in smaller."""
+    """Return blocks with tables in small letters, wide ones in smaller letters."""
     found: list[tree.Node] = []
     for block in blocks:
         if block["t"] != "Table":
@@ -99,7 +99,7 @@ def _sized_tables(blocks: list[tree.Node]) -> list[tree.Node]:
 
 
 class _Note:
-    """What the three formats share: pictures, formulas, the maker of blocks."""
+    """What the three formats share: pictures, formulas, and the `Blocks` that make the tree."""
 
     def __init__(self, results: Results, suffix: str) -> None:
         require(MODULE, suffix, EXTRA)
@@ -114,7 +114,7 @@ class _Note:
 
     @property
     def department(self) -> Path | None:
-        """Return the department's own styles, None where it has none."""
+        """Return the file with the department's own styles, None if it has none."""
         own = folder(REPORTS) / f"{DEPARTMENT}.{self.dialect.suffix}"
         return own if own.is_file() else None
 
@@ -122,7 +122,7 @@ class _Note:
         return f"{FOLDER}/{self.pictures[svg].name}.{'pdf' if self.dialect.suffix == 'tex' else 'png'}"
 
     def save_png(self, place: Path) -> dict[bytes, Picture]:
-        """Save the pictures below a folder; return each by its PNG."""
+        """Save the pictures in a folder; return each by the bytes of its PNG."""
         (place / FOLDER).mkdir()
         found = {}
         listed = list(self.pictures.values())
@@ -132,7 +132,7 @@ class _Note:
         return found
 
     def converted(self, blocks: list[tree.Node], place: Path, own: Path | None, *options: str, **meta: Any) -> bytes:
-        """Return what pandoc makes of blocks, with the pictures below a folder."""
+        """Return the document that pandoc makes of blocks, with the pictures in a folder."""
         language = LANGUAGES.get(self.results.language, self.results.language)
         document = tree.document(blocks, lang={"t": "MetaString", "c": language}, **meta)
         options = ("-f", "json", "-t", self.dialect.writer, "-o", "-", f"--resource-path={place}", *options)

@@ -1,6 +1,6 @@
 """A run as a workbook: sheets Data, Euler, Exact, Checks, Graphs, Read me; the same bytes on every run.
 
-Enters: a `SceneRun` and a language.  Leaves: the bytes of an xlsx file.  Raises `NotToBeHad` where there can be none.
+Enters: a `SceneRun` and a language.  Leaves: the bytes of an xlsx file.  Raises `NotToBeHad` if there can be no workbook.
 Used by `run.py`, `assigning/assign.py`, and by the list of formats, by name.
 """
 
@@ -30,16 +30,16 @@ from coursework.takeaway.workbook.tables import Tables
 from coursework.words.errors import NotToBeHad
 from coursework.words.sentences import say
 
-# The file says when it was made: always then, so that two runs give the same bytes.
+# The file holds the time of its creation: always this one, so that two runs give the same bytes.
 _MADE = datetime(2000, 1, 1)
 _A4 = 9
-_WIDTH, _LINE, _WIDE = 105, 16, 0x2E00  # of a paragraph in letters; of a line in points; letters beyond are twice as wide
+_WIDTH, _LINE, _WIDE = 105, 16, 0x2E00  # letters of a line; points of its height; letters beyond this code are twice as wide
 README = ("data", "steps", "laws", "determinants", "exact", "checks", "graphs", "rows", "values")
-FORCED = ("data", "forces", "exact", "checks", "graphs", "rows")  # where forces move the mechanism
+FORCED = ("data", "forces", "exact", "checks", "graphs", "rows")  # if forces move the mechanism
 
 
 def write(results: Results) -> Iterator[tuple[str, bytes]]:
-    """Yield the workbook of results that are written."""
+    """Yield the workbook of the results."""
     yield f"{results.stem}.xlsx", workbook_of(results.run, results.language)
 
 
@@ -60,9 +60,9 @@ def workbook_of(run: SceneRun, language: str) -> bytes:
 
 
 def task_workbook(run: SceneRun, language: str, help_level: int) -> bytes:
-    """Return the workbook of a task: its data and a table whose formulas are left to the student.
+    """Return the workbook of a task: its data, and a table whose formulas are left to the student.
 
-    With `help_level` 1 the first row has its formulas, and start values that the geometry gives have theirs.
+    With `help_level` 1 the first row has its formulas, and so have the start values that follow from the geometry.
     """
     book, content, table = _begun(run, language)
     sheets = _sheets(book, (DATA, SHEET))
@@ -73,7 +73,7 @@ def task_workbook(run: SceneRun, language: str, help_level: int) -> bytes:
 
 
 def _begun(run: SceneRun, language: str) -> tuple[Book, BytesIO, StepTable]:
-    """Return a workbook and its table.  Raises `NotToBeHad` for what has none, and without XlsxWriter."""
+    """Return an empty workbook and its table.  Raises `NotToBeHad` for runs that have none, and without XlsxWriter."""
     require("xlsxwriter", "xlsx", "workbook")
     if run.settings.project or run.settings.gain:
         raise NotToBeHad(say("fault.W045"))
@@ -88,7 +88,7 @@ def _begun(run: SceneRun, language: str) -> tuple[Book, BytesIO, StepTable]:
 
 
 def _bare(_sheet: Any, formula: str, *_: Any) -> str:
-    """Return a formula as it is stored.  XlsxWriter looks for newer functions, none of which is here: half its time."""
+    """Return a formula as it is stored.  XlsxWriter would search it for newer functions: half of its time, and there are none."""
     return formula.removeprefix("{").removeprefix("=").removesuffix("}")
 
 
@@ -105,7 +105,7 @@ def _sheets(book: Book, names: tuple[str, ...]) -> dict[str, Any]:
 
 
 def _readme(book: Book, sheet: Any) -> None:
-    """Write where each formula comes from."""
+    """Write explanations of where each formula comes from."""
     sheet.write_string(0, 0, plain(book.context.variant.title), book.bold)
     title, is_other = book.context.told(book.run.scheme_title), book.run.motion.scheme != DEFAULT_SCHEME.name
     for row, key in enumerate(README if book.run.variant.motor is None else FORCED, start=2):

@@ -1,9 +1,9 @@
-"""Rows that forces move as formulas: free coordinates and rates by Euler's rule, the others closed, accelerations from the
+"""Rows under forces as formulas: free coordinates and rates by Euler's rule, the others closed, accelerations from the
 equations of motion.
 
 Enters: a run with [motor].  Leaves: `StepTable`; the names of masses, loads and start rates are among its own.
-Used by `book.py`.  Each line of the program of `listing/by_forces.py` is a column, hidden but for determinants and
-accelerations; a position is closed by some of Newton's corrections, one behind the other.
+Used by `book.py`.  Each line of the program of `listing/by_forces.py` is a column, hidden except determinants and
+accelerations; a position is closed by several of Newton's corrections in succession.
 """
 
 from __future__ import annotations
@@ -30,14 +30,17 @@ from coursework.variant.formula.tree import Formula
 from coursework.words.errors import NotToBeHad
 from coursework.words.sentences import say
 
-CORRECTIONS = 3  # of a position: a step leaves 1e-2 or less, and each correction about the square of that
+CORRECTIONS = 3  # of a position: after a step its error is 1e-2 or less, and each correction leaves about its square
 _NUMBER = re.compile(r"-?[\d.]+(?:e[-+]?\d+)?")
 _CALLS = {name: name.upper() for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "sqrt", "abs", "sign")}
 _CELLS = Syntax(frozenset(), "IF({holds},{yes},{no})", "", ("", ""), {**_CALLS, "log": "LN", "pow": "POWER"})
 
 
 def forced_columns(run: SceneRun, tables: Tables) -> StepTable:
-    """Return the table of a motion under forces as formulas.  Raises `NotToBeHad` for another scheme, and for tabulated loads."""
+    """Return the table of a motion under forces as formulas.
+
+    Raises `NotToBeHad` for other schemes than Euler's, for blocks without a formula, and for tables of values.
+    """
     found, motion = moving(run), run.motion
     solves = any("_solve" in line.text or "_table_" in line.text for line in (*found.known, *found.closing, *found.lines))
     if motion.scheme != DEFAULT_SCHEME.name or solves:
@@ -52,13 +55,13 @@ class _Writer:
 
     def __init__(self, table: StepTable, found: Moving) -> None:
         self.table, self.found = table, found
-        # Where private names stand: data by their defined names, then what the lines give.
+        # Cells by private name: data by their defined names, then the results of lines.
         self.cells = {name: table.names.get(public(name, ()), repr(value)) for name, value in found.numbers.items()}
         self.values: dict[str, Any] = {name: np.float64(value) for name, value in found.numbers.items()}
         self.places = {name: letters(1 + place) for place, name in enumerate(table.motion.names)}
 
     def write(self) -> None:
-        """Write known values, positions, velocities, accelerations, and how a row follows from the one before it."""
+        """Write known values, positions, velocities and accelerations, and how each row follows from the one before."""
         table, found, motion = self.table, self.found, self.table.motion
         states = [c.name for c in found.variant.coordinates]
         self.cells["t"], self.values["t"] = f"$A{ROW}", motion.t
@@ -66,7 +69,7 @@ class _Writer:
         closed = [name for name, _ in found.closed]
         for name in states:
             self._stands(f"v_{name}", self.places[name], motion.column(name))
-        for name in closed:  # from where the rates of the row before lead
+        for name in closed:  # first guess: where the rates of the row before lead
             self._stands(name, *self._guess(public(name, ())))
         self._corrected()
         for name in closed:
@@ -110,9 +113,9 @@ class _Writer:
             self.cells[name], self.values[name] = self.cells[last], self.values[last]
 
     def _lines(self, lines: Iterable[Line], until: int = 0) -> None:
-        """Give every line a column, of which `until` rows stay empty, and what it computes as the cached numbers.
+        """Give every line a column, whose last `until` rows stay empty, with its results as cached numbers.
 
-        A line that only names another, or a number, needs none.
+        A line that is only another name or a number needs no column.
         """
         listed = [line for line in lines if line.targets]
         if not listed:
@@ -131,7 +134,7 @@ class _Writer:
                 self.cells[target] = f"${self.table.add(column)}{f'${FIRST}' if until else ROW}"
 
     def _head(self, target: str) -> str:
-        """Return the head of a column: a determinant and an acceleration as the table calls them."""
+        """Return the head of a column; determinants and accelerations have those of the table."""
         if target.startswith("_det"):
             return f"D{int(target[4:]) + 1}"
         if target.startswith("_acc"):
@@ -153,7 +156,7 @@ class _Writer:
         column.formula, column.first = text, first
 
     def _elsewhere(self, tree: Formula) -> str:
-        """Return a formula of the page over the cells of a row, for another sheet."""
+        """Return a formula of the page over the cells of a row, for use on another sheet."""
         names = {name: f"{SHEET}!${place}{ROW}" for name, place in self.places.items()} | {TIME: f"{SHEET}!$A{ROW}"}
         return spreadsheet(tree, {**self.table.names, **names})
 

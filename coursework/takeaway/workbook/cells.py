@@ -1,4 +1,4 @@
-"""What the table of a workbook is made of: columns with their formulas and numbers, coefficients of blocks behind them.
+"""The parts of a workbook's table: columns with their formulas and numbers, and coefficients of blocks beside them.
 
 Enters: formulas and numbers.  Leaves: `StepTable`.  Used inside `workbook/`.
 """
@@ -16,8 +16,8 @@ from coursework.takeaway.workbook.names import STEP, letters
 from coursework.takeaway.workbook.tables import Tables
 from coursework.variant.formula.tree import Formula
 
-# Stand for the number of a row, of the one before it and the one behind it, and for how many steps lie before it.
-SHEET = "Euler"  # as the sheet is called in every language
+# ROW, BEFORE, NEXT, STEPS stand in formulas for the number of a row, of the one before, of the next, and of steps before it.
+SHEET = "Euler"  # the name of the sheet in every language
 ROW, BEFORE, NEXT, STEPS = "\x01", "\x02", "\x03", "\x04"
 FIRST = 2  # the number of the row of t = 0; row 1 has the names
 TIME = "t"
@@ -25,9 +25,9 @@ TIME = "t"
 
 @changing
 class Column:
-    """One column: its head, the formula of the rows (None: values alone), that of the first one, and its numbers.
+    """One column: its head, the formula of its rows (None: values only), the formula of the `first` row, and its numbers.
 
-    `until` rows from the end stay empty: a slope behind the last row leads nowhere.
+    The last `until` rows stay empty: after the last row a further slope leads nowhere.
     """
 
     head: str
@@ -40,7 +40,7 @@ class Column:
 
 @changing
 class Matrix:
-    """The coefficients of a block in hidden columns from `column` on: `entries`, size rows of size + 1 for each row."""
+    """The coefficients of a block in hidden columns from `column` on; each row has `size` rows of `size` + 1 `entries`."""
 
     column: int
     size: int
@@ -49,7 +49,7 @@ class Matrix:
     until: int = 0
 
     def solved(self, unknown: int, row: int) -> str:
-        """Return the formula of an unknown in a row of the table; the number `size` is the determinant."""
+        """Return the formula of an unknown in a row of the table; `unknown` = `size` means the determinant."""
         top = FIRST + (row - FIRST) * self.size
         first, last, right = (letters(self.column + place) for place in (0, self.size - 1, self.size))
         block = f"${first}${top}:${last}${top + self.size - 1}"
@@ -63,7 +63,7 @@ Solved = tuple[Matrix, int]
 
 @changing
 class StepTable:
-    """The table: `columns` in their order, the `matrices` behind them, `solved` the columns that a matrix gives."""
+    """The table: `columns` in order, `matrices` beside them, `solved` the columns that are solved from a matrix."""
 
     run: SceneRun
     motion: Motion
@@ -78,7 +78,7 @@ class StepTable:
     def of(
         cls, run: SceneRun, motion: Motion, names: Mapping[str, str], tables: Tables, shown: tuple[Sequence[str], Array]
     ) -> StepTable:
-        """Return the table with its times and with the columns and rows that are `shown`, as values."""
+        """Return the table with its times, and with the `shown` columns (names and rows) as values."""
         made = cls(run, motion, names, tables)
         made.add(Column(TIME, f"{STEPS}*{STEP}", motion.t))
         for name, values in zip(shown[0], shown[1].T, strict=True):
@@ -101,5 +101,5 @@ class StepTable:
         return letters(len(self.columns) - 1)
 
     def place(self, name: str) -> str:
-        """Return the letters of the column with a head."""
+        """Return the letters of the column with the head `name`."""
         return letters(next(place for place, column in enumerate(self.columns) if column.head == name))

@@ -1,4 +1,4 @@
-"""Sheets Exact and Checks: the true motion beside the table, and what must be zero, as formulas.
+"""Sheets Exact and Checks: the exact motion beside the table, and the residuals, which must be zero, as formulas.
 
 Enters: a `Book` and `StepTable`.  Leaves: the sheets.  Used by `book.py`.
 """
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
 
 EXACT = "Exact"
-Residual = tuple[str, str, "Expression", bool]  # head, formula, expression, whether it keeps its first value and need not be zero
+Residual = tuple[str, str, "Expression", bool]  # head, formula, expression, whether it only has to keep its first value
 
 
 def write_exact(book: Book, sheet: Any, table: StepTable) -> None:
-    """Write the true motion (values), the difference of each cell and the largest one."""
+    """Write the exact motion (values), the difference of each cell of the table, and the largest one of each column."""
     run, motion = book.run, table.motion
     exact = run.scene.exact
     names, rows = run.columns() if run.scene.scheme_rows is not None else (_names(motion, exact), _rows(motion, exact))
@@ -62,7 +62,7 @@ def _rows(motion: Motion, exact: Motion) -> Any:
 
 
 def write_checks(book: Book, sheet: Any, table: StepTable, residuals: list[Residual]) -> None:
-    """Write first and last row with the PERIOD split, then closure and residuals of every row."""
+    """Write first and last row with their difference split as in the check PERIOD, then the residuals of every row."""
     motion, exact = table.motion, book.run.scene.exact
     sheet.write_string(0, 0, book.say("first_last"), book.bold)
     heads = [book.say(f"split.{key}") for key in ("first", "last", "change", "true", "scheme")]
@@ -91,7 +91,7 @@ def write_checks(book: Book, sheet: Any, table: StepTable, residuals: list[Resid
 
 
 def _residuals(book: Book, sheet: Any, table: StepTable, columns: list[Residual], top: int) -> None:
-    """Write what must be zero, a column each: closure of positions, both sides of each velocity equation."""
+    """Write the residuals, a column each: closure of positions, both sides of each velocity equation."""
     if not columns or not table.rows:
         return
     equations, motion = book.run.scene.equations, table.motion
@@ -115,23 +115,23 @@ def _residuals(book: Book, sheet: Any, table: StepTable, columns: list[Residual]
 
 
 def _write_small(sheet: Any, place: int, first: int, text: str, values: Array, look: Any) -> None:
-    """Write what must be small into a column from a row on (from 1), a formula over each row of the table."""
+    """Write small values into a column from a row (from 1) on, each a formula over one row of the table."""
     for step, value in enumerate(values.tolist()):
         sheet.write_formula(first - 1 + step, place, f"={text.replace(ROW, str(FIRST + step))}", look, number(value))
 
 
 def _write_largest(sheet: Any, row: int, place: int, first: int, values: Array, look: Any) -> None:
-    """Write the largest size in a column of such values."""
+    """Write the largest absolute value of a column."""
     span = f"{letters(place)}{first}:{letters(place)}{first + len(values) - 1}"
     sheet.write_formula(row, place, f"=MAX(MAX({span}),-MIN({span}))", look, number(float(np.abs(values).max())))
 
 
 def residuals_of(book: Book, table: StepTable) -> Iterator[Residual]:
-    """Yield head, formula and expression of what must be zero in every row; laws that only these name get columns."""
+    """Yield the residuals of every row; laws that only they use get columns in the table."""
     scene, order = book.run.scene, book.run.scene.equations.order
     if table.motion.coordinate_names != tuple(c.name for c in scene.variant.coordinates):
-        return  # of a table of some columns alone no equation can be looked at
-    known = {"zero": False, "start": True}  # what a drive moves is no residual
+        return  # without all columns no equation can be checked
+    known = {"zero": False, "start": True}  # an equation for a driven coordinate is no residual
     zero = [(one.told, one.expression, known[one.target]) for one in scene.equations.positions if one.target in known]
     for one in scene.equations.equations:
         terms = [slope * symbol(name) for name, slope in one.coefficients.items()]

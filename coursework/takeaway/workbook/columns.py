@@ -1,4 +1,4 @@
-"""The columns of Euler's table as formulas: which column holds what, and what stands in each of its cells.
+"""The columns of Euler's table as formulas: which column holds what, and the formula of each cell.
 
 Enters: a run.  Leaves: `StepTable`, columns with their formulas and the numbers that these give.  Used inside `workbook/`.
 """
@@ -20,7 +20,7 @@ from coursework.takeaway.workbook.tables import Tables
 
 
 def step_columns(run: SceneRun, tables: Tables) -> StepTable:
-    """Return the table of the run's scheme, Euler's where its own table is the exact motion, as formulas."""
+    """Return the table of the run's scheme as formulas; it is Euler's if the run's own table is the exact motion."""
     beside = run.scene.scheme_rows
     motion = run.motion if beside is None else beside
     shown = run.columns() if beside is None else (motion.names, motion.rows)
@@ -57,7 +57,7 @@ class _Writer(Maker):
         return f"{own}{at}+{weighted(row, [f'{rate}{at}' for rate in rates], STEP, '+')}"
 
     def _later(self, stage: int, places: dict[str, str], before: list[Stage], found: list[Array]) -> Stage:
-        """Return a further slope with its time and position in columns of their own."""
+        """Return a further slope, with its time and position in columns of their own."""
         table, motion, step = self.table, self.table.motion, self.table.motion.step
         node, inner, mark = self.scheme.nodes[stage], self.scheme.inner[stage], "′" * stage
         times, q = motion.t[:-1], motion.coordinates[:-1]

@@ -1,4 +1,4 @@
-"""Sheet Data: what the task gives, start values and step, each under a name that the other sheets compute with.
+"""Sheet Data: data of the task, start values and step, each with a name that the other sheets use in formulas.
 
 Enters: a `Book`, the names, the tabulated laws.  Leaves: the sheet.  Used by `book.py`.
 """
@@ -21,15 +21,15 @@ from coursework.takeaway.workbook.tables import SHEET, Tables
 from coursework.variant.formula.tree import Formula, evaluate
 from coursework.variant.toml.positions import KeyPath
 
-COLUMNS = (  # by the keys of their heads
+COLUMNS = (  # keys of the heads
     "given.quantity", "workbook.head.meaning", "workbook.head.value", "given.unit", "workbook.head.as_given",
     "workbook.head.name",
 )  # fmt: skip
 VALUE, UNIT = 2, 3
-ORIGINAL = len(COLUMNS)  # the hidden column of what the file says, beside which a changed cell turns bold
-TABLES = ORIGINAL + 2  # where the coefficients of tabulated laws begin
+ORIGINAL = len(COLUMNS)  # hidden column with the values of the file: a cell that differs from it turns bold
+TABLES = ORIGINAL + 2  # first column of the coefficients of tabulated laws
 HEAD = 2  # the row of heads, from 0
-_AT_BREAK = "(1-1E-14)"  # as the tool: a row on a break takes the new formula
+_AT_BREAK = "(1-1E-14)"  # as in the tool itself: a row at a break uses the new formula
 
 
 @frozen
@@ -45,7 +45,7 @@ class _Line:
 
 
 def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables, *, solved: bool = True) -> None:
-    """Write the sheet and define its names; where not `solved`, start values that the geometry gives are left to the student."""
+    """Write the sheet and define its names; if not `solved`, start values from the geometry are left to the student."""
     variant = book.context.variant
     sheet.write_string(0, 0, plain(f"{variant.name}. {variant.title}"), book.bold)
     heads = [plain(book.context.words(key)) for key in COLUMNS]
@@ -111,7 +111,7 @@ def _starts(book: Book, names: Mapping[str, str], formulas: dict[str, tuple[str,
 
 
 def _weights(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:
-    """Yield masses and loads of a motion under forces, then its rates at the start."""
+    """Yield masses and loads of a motion under forces, then the rates at its start."""
     variant = book.run.variant
     if variant.motor is None:
         return
@@ -141,7 +141,7 @@ def _times(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:
 
 
 def _formula(book: Book, path: KeyPath, value: float, names: Mapping[str, str]) -> str:
-    """Return the formula of a time over the data, "" where it is a number of its own."""
+    """Return the formula of a time in terms of the data, "" if it is a plain number."""
     tree: Formula | None = book.run.variant.times.get(path)
     known = tree is not None and evaluate(tree, book.run.variant.values) == value
     return spreadsheet(tree, names) if tree is not None and known else ""

@@ -1,8 +1,8 @@
-"""Start values that follow from the lengths: each dyad of a chain put together by formulas, as the tool puts it together.
+"""Start values that follow from the lengths: the dyads of a chain are put together by formulas, as in the tool itself.
 
-Enters: a `SceneRun` and the names of the workbook.  Leaves: formulas of coordinates at t = 0, with what stands on the way to them
-in `Work`.  Used by `data.py`.  Source: the dyads of `mechanism/groups/`; a formula that does not give the start of the run is not
-taken.
+Enters: a `SceneRun` and the names of the workbook.  Leaves: formulas of coordinates at t = 0, with intermediate values in
+`Work`.  Used by `data.py`.  Source: the dyads of `mechanism/groups/`; a formula that does not reproduce the start of the run
+is not used.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ from coursework.variant.record.variant import Group
 if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
 
-_NEAR = 1e-9  # rad or m: what a formula may be off the start of the run
+_NEAR = 1e-9  # rad or m: most that a formula may differ from the start of the run
 
 
 @frozen
 class Term:
-    """A formula in a cell and its number; sums and products of terms are terms."""
+    """A formula in a cell and its value; sums, differences, products and quotients of terms are terms."""
 
     text: str
     value: float
@@ -84,19 +84,19 @@ def _minus(p: Vector, q: Vector) -> Vector:
 
 @changing
 class Work:
-    """Cells in a hidden column of sheet Data that keep what is read more than once: head, formula and number of each."""
+    """Cells in a hidden column of sheet Data for values that are used more than once: formula and number of each."""
 
     column: int
     cells: list[Term] = field(default_factory=list)
 
     def keep(self, term: Term) -> Term:
-        """Return the cell that a term gets."""
+        """Put a term into a cell of its own; return the cell as a term."""
         self.cells.append(term)
         return Term(f"${letters(self.column)}${len(self.cells)}", term.value)
 
 
 class _Known:
-    """What stands before a dyad is put together, as terms: points, lengths, guides."""
+    """What is known before a dyad is put together, as terms: points, lengths, guides."""
 
     def __init__(self, run: SceneRun, names: Mapping[str, str], tables: Tables, work: Work) -> None:
         self.run, self.names, self.tables, self.work = run, names, tables, work
@@ -126,7 +126,7 @@ class _Known:
         return self.term(x), self.term(y)
 
     def guide(self, group: Group, place: int) -> tuple[Vector, Vector, Term]:
-        """Return a point of the pin's line, its direction and its angle."""
+        """Return a point of the line on which the pin moves, the direction of the line, and its angle."""
         guide = group.guides[place]
         angle, offset, through = self.scalar(guide.angle), self.scalar(guide.offset), self.point(guide.through)
         e = self.direction(angle)
@@ -204,7 +204,7 @@ def start_formulas(run: SceneRun, names: Mapping[str, str], tables: Tables, work
 
 
 def _turned(term: Term, near: float, unit: str) -> Term:
-    """Return an angle in the turn of another, anything else as it is."""
+    """Return an angle changed by whole turns to be near another; any other term as it is."""
     if unit != "rad":
         return term
     turns = round((near - term.value) / (2 * math.pi))

@@ -1,9 +1,9 @@
-"""Formulas -> formulas of a spreadsheet, English names and points, as Excel and LibreOffice store them.
+"""Formulas -> formulas of a spreadsheet, with English names and decimal points, as Excel and LibreOffice store them.
 
-Enters: `Formula`s and where their names stand.  Leaves: text without the sign of equality.  Used inside `workbook/`.
+Enters: `Formula`s and the cells of their names.  Leaves: text without the equals sign.  Used inside `workbook/`.
 
-A spreadsheet reads -2^2 as (-2)^2 and ATAN2 with x first; a piecewise law is IF inside IF, a tabulated one INDEX of its
-coefficients in the row that MATCH has found.
+A spreadsheet reads -2^2 as (-2)^2 and ATAN2 with x first; a piecewise law becomes nested IFs, a tabulated law INDEX of its
+coefficients in the row found by MATCH.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from collections.abc import Callable, Mapping
 from coursework.variant.formula.tree import Formula
 
 Cell = Callable[[Formula], str]
-_CALLS = {"log": "LN"}  # the others have the same name in capital letters
+_CALLS = {"log": "LN"}  # other functions have the same names in capitals
 _SUM, _PRODUCT, _POWER, _ATOM = 1, 2, 3, 4
 _LEVELS = {"+": _SUM, "-": _SUM, "neg": _SUM, "*": _PRODUCT, "/": _PRODUCT, "^": _POWER}
 
 
 def spreadsheet(tree: Formula, names: Mapping[str, str], table: Callable[[str, Formula], str] | None = None) -> str:
-    """Return a formula as cells compute it; `names` says where each name stands, `table` writes a tabulated law.
+    """Return a formula of a spreadsheet; `names` gives the cell of each name, `table` writes a tabulated law.
 
     >>> from coursework.variant.formula.reader import parse
     >>> spreadsheet(parse("-a^2*atan2(y, x) - (b - 3)"), {"a": "_a", "b": "_b", "x": "B2", "y": "C2"})
@@ -66,14 +66,14 @@ def spreadsheet(tree: Formula, names: Mapping[str, str], table: Callable[[str, F
 
 
 def _begins_with_power(node: Formula) -> bool:
-    """Return whether what is written first is a power, which a minus before it would change."""
+    """Return whether the first factor is a power, whose value a minus before it would change in a spreadsheet."""
     while node.op in {"*", "/"}:
         node = node.args[0]
     return node.op == "^"
 
 
 def _held(text: str, node: Formula, inner: Callable[[Formula, int], str]) -> str:
-    """Return a product whose first factor, a power, stands in parentheses."""
+    """Return a product whose first factor, a power, is put in parentheses."""
     while node.op in {"*", "/"}:
         node = node.args[0]
     power = inner(node, _POWER)

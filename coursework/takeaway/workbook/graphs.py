@@ -1,4 +1,4 @@
-"""Sheet Graphs: native charts of the table, Euler's rows as dots and the exact motion as a line, one chart a unit.
+"""Sheet Graphs: native charts of the table, Euler's rows as dots and the exact motion as a line, one chart per unit.
 
 Enters: a `Book` and `StepTable`.  Leaves: the sheet.  Used by `book.py`.
 """
@@ -14,7 +14,7 @@ from coursework.takeaway.workbook.sheet import Book, plain
 
 COLOURS = ("#1F77B4", "#D62728", "#2CA02C", "#9467BD", "#FF7F0E", "#8C564B", "#17BECF", "#7F7F7F")
 HEIGHT, WIDTH = 360, 860  # px
-_ROWS = 19  # cells that a chart is high
+_ROWS = 19  # height of a chart in rows of cells
 
 
 def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:

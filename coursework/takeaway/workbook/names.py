@@ -1,9 +1,9 @@
-"""The names that cells of a workbook have: `_r1` for a datum, `_phi1_0` for a start value, `step`.
+"""The names of cells in a workbook: `_r1` for a datum, `_phi1_0` for a start value, `step`.
 
 Enters: a `Variant`.  Leaves: defined names by what they stand for.  Used inside `workbook/`.
 
-A spreadsheet takes r1, V1 and C for cells and knows no case: so a datum has an underscore before it, and of two that differ by
-case alone the later one has two.
+A spreadsheet takes r1, V1 and C for cells and ignores case: so a datum begins with an underscore, and of two names that differ
+only in case the later one begins with two.
 """
 
 from __future__ import annotations
@@ -16,24 +16,24 @@ STEP = "step"
 
 
 def start_of(coordinate: str) -> str:
-    """Return what the start value of a coordinate is called here, before it gets its name."""
+    """Return the key of a coordinate's start value, from which its defined name is made."""
     return f"{coordinate}_0"
 
 
 def break_of(law: str, place: int) -> str:
-    """Return what the end of a piece of a law is called, as the expressions of the tool call it."""
+    """Return the key of the end of a piece of a law, the same as in generated expressions."""
     return f"_end{place}_{law}"
 
 
 def break_times(variant: Variant) -> Iterator[tuple[str, int, float]]:
-    """Yield every law of pieces with the number of each that ends, and when (s)."""
+    """Yield, for every law with pieces, its name, the number of each piece that ends, and the time (s) when it ends."""
     for law in (*variant.drive, *variant.functions):
         for place, (time, _) in enumerate(law.pieces[1:]):
             yield law.name, place, time
 
 
 def defined_names(variant: Variant) -> dict[str, str]:
-    """Return the defined name of each datum, each start value and each end of a piece.
+    """Return the defined name of each datum, each start value and each end of a piece, by key.
 
     >>> import coursework
     >>> names = defined_names(coursework.load("31"))

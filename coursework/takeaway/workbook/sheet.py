@@ -1,4 +1,4 @@
-"""What every sheet of a workbook is written with: the workbook itself, its formats, text that stays text.
+"""What all sheets of a workbook share: the workbook itself, its formats, text that stays text.
 
 Enters: a `SceneRun` and a language.  Leaves: `Book`.  Used inside `workbook/`.
 """
@@ -18,15 +18,15 @@ from coursework.system.frozen import frozen
 
 HEADS = "#DCE6F1"
 GREY = {"italic": True, "font_color": "#606060"}
-DIGITS = 7  # shown of the largest number of a column; the cells hold all
-LEAST, MOST = 1e-4, 1e9  # beyond which a number is shown with a power of ten
-WIDTH = 14  # of a column of numbers in letters
+DIGITS = 7  # shown of a column's largest number; the cells hold all digits
+LEAST, MOST = 1e-4, 1e9  # outside this range a number is shown with a power of ten
+WIDTH = 14  # letters of a column of numbers
 RESIDUAL = "0.00E+00;-0.00E+00;0"
 
 
 @frozen
 class Book:
-    """`file` is XlsxWriter's workbook; `context` the page's words and symbols of the same run."""
+    """`file` is XlsxWriter's workbook; `context` has the page's words and symbols of the same run."""
 
     file: Any
     context: PageContext
@@ -61,7 +61,7 @@ class Book:
             sheet.write_string(row, place, plain(text), self.head)
 
     def shown(self, values: Array, **look: object) -> Any:
-        """Return the format that shows the numbers of a column with as many decimals as its largest one calls for."""
+        """Return the format of a column of numbers, with the decimals that its largest number needs."""
         largest = float(np.max(np.abs(values[np.isfinite(values)]), initial=0.0))
         if largest and not LEAST <= largest < MOST:
             return self.file.add_format({"num_format": RESIDUAL, **look})
@@ -69,16 +69,16 @@ class Book:
         return self.file.add_format({"num_format": f"0.{'0' * (DIGITS - before)}".removesuffix("."), **look})
 
     def times(self, step: float) -> Any:
-        """Return the format that shows times, each as short as it is."""
+        """Return the format of times, each without superfluous zeros."""
         decimals = max(DIGITS - math.floor(math.log10(step)), 1) if step else 1
         return self.file.add_format({"num_format": f"0.0{'#' * (min(decimals, WIDTH) - 1)}"})
 
 
 def plain(text: str) -> str:
-    """Return a text that a cell may hold: no control characters, nothing that no program shows."""
+    """Return a text that a cell may hold, without control and other invisible characters."""
     return "".join(letter for letter in text if not unicodedata.category(letter).startswith("C"))
 
 
 def number(value: float) -> float | str:
-    """Return a number as a cached value, nothing for what is none."""
+    """Return a number as a cached value, "" if it is not finite."""
     return value if math.isfinite(value) else ""

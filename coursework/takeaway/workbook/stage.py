@@ -1,8 +1,8 @@
-"""One slope of a step as formulas: time, coordinates and velocities in cells, each velocity the formula of the page.
+"""One slope of a step as formulas: time, coordinates and velocities in cells, each velocity by the formula of the page.
 
-Enters: `StepTable`, and where time and coordinates stand.  Leaves: formulas in its columns.  Used by `columns.py`.
-A law that only one formula names stands in it, any other has a column of its own.  A block that has no formula is solved by
-MMULT and MINVERSE over its coefficients, which stand in hidden columns.
+Enters: `StepTable`, and the places of time and coordinates.  Leaves: formulas in its columns.  Used by `columns.py`.
+A law that is used only once is written out in that formula, any other has a column.  A block without a formula is solved by
+MMULT and MINVERSE over its coefficients, which are in hidden columns.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ from coursework.variant.formula.tree import Formula, mapped
 if TYPE_CHECKING:
     from coursework.equations.algebra.expression import Expression
 
-TIMES = letters(0)  # the column of the times of the rows
+TIMES = letters(0)  # the column with the times of the rows
 
 
 class Maker:
-    """What every slope is written from: the table, the reduction behind it, the laws and how often the formulas name them."""
+    """What all slopes have in common: the table, its reduction, the laws, and how often formulas use each name."""
 
     def __init__(self, table: StepTable) -> None:
         scene = table.run.scene
@@ -48,7 +48,7 @@ class Maker:
 
 
 class Stage:
-    """One slope of a step: where time, coordinates and velocities stand, and the formulas of what follows from them."""
+    """One slope of a step: the places of time, coordinates and velocities, and the formulas that follow from them."""
 
     def __init__(self, writer: Maker, number: int, places: dict[str, str], t: Array, q: Array) -> None:
         self.writer, self.number, self.places, self.t, self.q = writer, number, {TIME: TIMES, **places}, t, q
@@ -60,7 +60,7 @@ class Stage:
         return int(self.number > 0)
 
     def write(self, blocks: Iterable[int]) -> None:
-        """Write the velocities of some blocks, and the laws among the velocities."""
+        """Write the velocities of some blocks, and laws that are velocities."""
         writer, motion = self.writer, self.writer.table.motion
         for name in motion.velocity_names:
             if name in writer.laws:
@@ -77,7 +77,7 @@ class Stage:
             self._set(name, self._limit(index, name, self.text(tree)))
 
     def _limit(self, index: int, name: str, text: str) -> str:
-        """Return the formula of a velocity with the limit that it has where a determinant vanishes and the motion goes on."""
+        """Return the formula of a velocity, with its limit at times when a determinant vanishes but the motion goes on."""
         for passage in self.writer.scene.search.passages:
             if passage.block == index:
                 at, value = passage.middle.time, passage.middle.velocities[name]
@@ -85,7 +85,7 @@ class Stage:
         return text
 
     def _set(self, name: str, formula: str) -> None:
-        """Write a velocity into its column of the table, or into one of its own."""
+        """Write a velocity into its column of the table, or into a new one."""
         table, names = self.writer.table, self.writer.table.motion.velocity_names
         if name in self.places:
             table.columns[number_of(self.places[name])].formula = formula
@@ -97,7 +97,7 @@ class Stage:
         return name + "′" * self.number
 
     def _solved(self, index: int, block: Block) -> None:
-        """Put the coefficients of a block without a formula behind the table, to be solved there."""
+        """Put the coefficients of a block without a formula beside the table, where it is solved."""
         writer, table, size = self.writer, self.writer.table, block.size
         order = writer.equations.order
         rows = [[*row, side] for row, side in zip(block.coefficients, block.sides, strict=True)]
@@ -111,7 +111,7 @@ class Stage:
             table.solved[number_of(self.places[name])] = (made, place)
 
     def values(self, wanted: Sequence[Expression]) -> Array:
-        """Return the numbers (n, k) of expressions in the rows."""
+        """Return the numbers (n, k) of k expressions in the n rows."""
         writer, variant = self.writer, self.writer.scene.variant
         q = np.zeros((len(self.t), len(variant.coordinates)))
         for index, coordinate in enumerate(variant.coordinates):
@@ -136,8 +136,8 @@ class Stage:
         return spreadsheet(opened, self._cells(opened), self._table)
 
     def elsewhere(self, tree: Formula) -> str:
-        """Return a formula over the cells of a row, for another sheet."""
-        self.text(tree)  # what it names gets its columns first
+        """Return a formula over the cells of a row, for use on another sheet."""
+        self.text(tree)  # first, so that all names in it have columns
         own = self.places
         self.places = {name: f"{SHEET}!{place}" for name, place in own.items()}
         try:
@@ -158,14 +158,14 @@ class Stage:
         return self.text(as_formula(symbols.definitions[self._expression(name)], self.writer.equations.order))
 
     def _expression(self, name: str) -> Expression:
-        """Return the symbol of what a formula of the page names: a law, or ∂r/∂φ."""
+        """Return the symbol of a name in a formula of the page: of a law, or ∂r/∂φ."""
         if name in self.writer.laws:
             return symbol(name)
         law, by = self.writer.equations.symbols.derivatives_among([name])[name]
         return local(derivative(private(law), private(by), self.writer.scene.variant.names))
 
     def _opened(self, tree: Formula) -> Formula:
-        """Return a formula with the laws that stand in it alone written out."""
+        """Return a formula in which laws that are used only once are written out."""
         if tree.op == "name" and tree.name in self.writer.laws and tree.name not in self.places:
             law = self.writer.laws[tree.name]
             if law.formula is not None and self.writer.uses[tree.name] == 1:

@@ -1,4 +1,4 @@
-"""Sheet Euler: row 1 the names of table.csv, row k + 1 the k-th row of the table, every cell a formula with our number cached.
+"""Sheet Euler: row 1 has the names of table.csv, row k + 1 the k-th row of the table; cells are formulas with cached values.
 
 Enters: a `Book` and `StepTable`.  Leaves: the sheet.  Used by `book.py`.
 """
@@ -12,7 +12,7 @@ from coursework.takeaway.workbook.sheet import GREY, WIDTH, Book, number, plain
 
 
 def write_steps(book: Book, sheet: Any, table: StepTable) -> None:
-    """Write the sheet."""
+    """Write the sheet: heads, columns, and hidden coefficients of the blocks that it solves."""
     for place, column in enumerate(table.columns):
         sheet.write_string(0, place, plain(column.head), book.right)
         look = GREY if column.formula is None else {}
@@ -44,7 +44,7 @@ def write_steps(book: Book, sheet: Any, table: StepTable) -> None:
 
 
 def write_first_row(book: Book, sheet: Any, table: StepTable, help_level: int) -> None:
-    """Write the heads, and with help the formulas of the row of t = 0 in all columns; the other rows are the student's."""
+    """Write the heads and, with help, the formulas of the row t = 0 in all columns; the other rows are left to the student."""
     shown = len(table.columns) if help_level else 1 + len(table.motion.names)
     for place, column in enumerate(table.columns[:shown]):
         sheet.write_string(0, place, plain(column.head), book.right)
@@ -72,7 +72,7 @@ def _solved(sheet: Any, place: int, table: StepTable) -> None:
 
 
 def _at(text: str, step: int) -> str:
-    """Return the formula of one row."""
+    """Return a formula for one row, with the marks replaced by numbers."""
     row = FIRST + step
     for mark, value in ((ROW, row), (BEFORE, row - 1), (NEXT, row + 1), (STEPS, step)):
         if mark in text:

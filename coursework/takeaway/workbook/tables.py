@@ -1,6 +1,6 @@
 """Tabulated laws in a workbook: their nodes and coefficients in columns, their values by INDEX and MATCH.
 
-Enters: the tabulated laws of a run.  Leaves: columns behind the data, and formulas that read them.  Used inside `workbook/`.
+Enters: the tabulated laws of a run.  Leaves: columns beside the data, and formulas that read them.  Used inside `workbook/`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ FIRST = 2  # the number of the first row of coefficients
 
 
 class Tables:
-    """The laws in the order of their columns on sheet Data, from `column` on: node, coefficients of the value, of its slope."""
+    """The laws on sheet Data from `column` on; each has columns of nodes, of coefficients of its value and of its slope."""
 
     def __init__(self, laws: Mapping[str, TableLaw], column: int) -> None:
         self.laws = laws
@@ -28,7 +28,7 @@ class Tables:
         self.end = column
 
     def columns(self) -> Iterator[tuple[int, str, list[float]]]:
-        """Yield the number, head and numbers of every column."""
+        """Yield number, head and values of every column."""
         for name, law in self.laws.items():
             column = self.starts[name]
             yield column, law.name, law.nodes[:-1].tolist()
@@ -38,7 +38,7 @@ class Tables:
                     yield column, f"{head}·u^{power}", values.tolist()
 
     def value(self, called: str, argument: str) -> str:
-        """Return the formula of a law, or of its slope, of an argument: a polynomial in u = 0 … 1 inside an interval."""
+        """Return the formula of a law, or of its slope, for an argument: a polynomial in u = 0 … 1 within an interval."""
         found = _CALLED.fullmatch(called)
         assert found is not None
         name, order = found[1], int(found[2])
