@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
 # Most rows lie between the quantiles _MOST and 1 - _MOST; a column with a range of over _SUDDEN times theirs has a pulse.
 _MOST, _SUDDEN = 0.9, 20.0
 _LAST_BIT = 1 + 1e-9
+_DATA_KEPT = 32
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +63,7 @@ class Key:
 
     def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
         """Return all velocities (n, r), in the table's order, at times (n,) and positions (n, m); `data` replaces some data."""
-        return self.model.rates(t, q, {**self.variant.values, **data} if data else self._assigned)
+        return self.model.rates(t, q, self._with(tuple(data.items())) if data else self._assigned)
 
     def sets_at(self, t: Array, q: Array, sets: Sequence[Mapping[str, float]]) -> Array:
         """Return the velocities (sets, n, r) with each of several `sets` of changed data."""
@@ -97,6 +98,11 @@ class Key:
     @cached_property
     def _assigned(self) -> Data:
         return self.model.data(self.variant.values)
+
+    @cached_property
+    def _with(self) -> Callable[[tuple[tuple[str, float], ...]], Data]:
+        """Return the function of changed data that gives all data, for those last asked for without reading them again."""
+        return lru_cache(_DATA_KEPT)(lambda changed: self.model.data({**self.variant.values, **dict(changed)}))
 
     @cached_property
     def exact(self) -> Array:

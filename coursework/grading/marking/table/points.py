@@ -22,8 +22,6 @@ from coursework.system.frozen import frozen
 # suffices if in _COLUMNS of the columns as many rows have the task's value.  RUN: fewer right cells in a column are chance.
 ENOUGH_ROWS, _COLUMNS, RUN = 0.6, 0.5, 5
 _CONSTANT = 1e-9
-# Part of the velocities that must be explained before a step may start from a row in which a cell was put right.
-_MOSTLY = 0.5
 # _SPARE: extra tolerance of a step, as a part of the largest one-step gap.  _MOST: part of a row's coordinates that must be near.
 # FEW_FOLLOWING: part of the rows that must follow before anything counts; FOLLOWING: for everything to count.
 _SPARE, _MOST, FEW_FOLLOWING, FOLLOWING = 0.25, 0.66, 0.35, 0.75
@@ -91,16 +89,16 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     used = np.zeros_like(right)
     rates = sound[rows, m : 2 * m]
     used[rows[1:], :m] = rates[:-1] | (marks[rows[1:], :m] == STEP_TRUE) | (np.mean(rates, axis=0) >= ENOUGH_ROWS)
-    used[rows[1:], :m] &= _moves_as_it_may(key, cells)
+    used[rows[1:], :m] &= moves_as_it_may(key, cells)
     velocities = cells.carried & ~steps
-    still = right & _constant(key)
+    still = right & constant(key)
     shut = {
         "start": cells.carried & (_begins_wrong(cells, m) or (bool(cells.wrong[0, m:].any()) and not works)),
         "used_velocity": steps & ~used,
         "rows": steps & (not rows_enough),
         "untold": untold | untold_steps(key, cells, steps, rows),
         "motion": but((velocities | still) & follows[:, None], motion) | ((velocities | still) & ~follows[:, None]),
-        "chance": but(right & ~_in_a_run(marks == KEY, rows), works),
+        "chance": but(right & ~in_a_run(marks == KEY, rows), works),
     }
     credit = np.where(cells.carried, carried, np.where(right, 1.0, 0.0))
     counts: dict[str, int] = {}
@@ -123,7 +121,7 @@ def handed_in(cells: Cells) -> Places:
     return np.flatnonzero(found)
 
 
-def _constant(key: Key) -> Flags:
+def constant(key: Key) -> Flags:
     """Return which columns (m + r,) never change: a right value in them says nothing about its row."""
     return np.asarray(key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0))
 
@@ -135,32 +133,6 @@ def _begins_wrong(cells: Cells, m: int) -> bool:
         if not len(below) or cells.marks[1 + below[0], place] != KEY:
             return True
     return False
-
-
-def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bool = False, as_it_is: bool = False) -> float:
-    """Return the share of counted cells that some explanation `holds` for (n, m + r), or that agree with the key.
-
-    The gates are those of the points. A step counts if its velocity is explained too, or was before a cell of its row was put
-    right; a velocity counts if its row belongs to the motion of the explained steps; other right cells count in runs.
-    With `as_it_is` no cell of the table is taken as put right; with `only_velocities` no coordinate counts.
-    """
-    m = len(key.coordinates)
-    rows, by_key = handed_in(cells), cells.marks == KEY
-    after_put = (holds & ~by_key)[rows[1:], :m] & np.any(by_key, axis=1, keepdims=True)[rows[:-1]]
-    holds = (holds | by_key) & ~cells.missing & cells.counted
-    after_put &= not as_it_is and holds[rows, m:].mean() >= _MOSTLY
-    moves = _moves_as_it_may(key, cells)
-    steps = holds[rows[1:], :m] & (holds[rows[:-1], m : 2 * m] | after_put) & moves
-    counts = np.zeros_like(holds)
-    counts[rows[1:], :m] = steps
-    follows, motion = _following(cells.student.values[rows, :m], steps, np.asarray(moves.any(axis=1)))
-    found = np.zeros_like(holds)
-    found[rows, m:] = holds[rows, m:] & follows[:, None]
-    counts |= found & ~but(found, motion)
-    counts |= by_key & cells.counted & _in_a_run(by_key, rows) & ~_constant(key)
-    if only_velocities:
-        counts[:, :m] = False
-    return float(counts.sum()) / max(int(cells.counted.sum()), 1)
 
 
 def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
@@ -182,7 +154,7 @@ def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
     steps |= excused & (excused.sum(axis=0) <= _EXCUSED * len(excused))
     moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[rows, :m]).any(axis=1))
     follows = np.zeros(len(cells.marks), dtype=bool)
-    follows[rows], motion = _following(q, near | steps, moves)
+    follows[rows], motion = following(q, near | steps, moves)
     return follows, motion
 
 
@@ -201,7 +173,7 @@ def _near_steps(key: Key, table: StudentTable, rows: Places) -> Flags:
     return np.asarray(near)
 
 
-def _following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:
+def following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:
     """Return which rows follow, from the steps (n - 1, m) that are `near` and the rows (n - 1,) that move, and their worth.
 
     A step may be broken if those beside it in its column are not: one slip, or one cell put right, is no other motion.
@@ -217,7 +189,7 @@ def _following(q: Array, near: Flags, moves: Flags) -> tuple[Flags, float]:
     return follows, motion
 
 
-def _in_a_run(right: Flags, rows: Places) -> Flags:
+def in_a_run(right: Flags, rows: Places) -> Flags:
     """Return where a cell (n, k) is one of RUN right ones in successive `rows`; fewer are right by chance."""
     if len(rows) < RUN:
         return right
@@ -239,7 +211,7 @@ def _moves(angles: Array) -> Flags:
     return np.asarray(np.abs(np.diff(angles, axis=0)) > _CONSTANT)
 
 
-def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
+def moves_as_it_may(key: Key, cells: Cells) -> Flags:
     """Return where a coordinate moves from one row handed in to the next, now or before cells were put right, or need not.
 
     It need not move where the key's hardly does; nor in some rows if it moves in many, as digits hide small steps.

@@ -10,7 +10,7 @@ from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
-from coursework.grading.marking.table.points import _following, stands_still, table_points
+from coursework.grading.marking.table.points import following, stands_still, table_points
 from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.table.test_equal_faults import Desk
 from tests.mechanisms.library import mechanism
@@ -149,5 +149,5 @@ def test_one_broken_step_is_no_other_motion_and_two_are(broken: list[int], apart
     """Of ten rows of one coordinate, at both ends too; row 1 always belongs, what lies between two broken steps does not."""
     near = np.ones((9, 1), dtype=bool)
     near[broken] = False
-    follows, motion = _following(np.arange(10.0)[:, None], near, np.ones(9, dtype=bool))
+    follows, motion = following(np.arange(10.0)[:, None], near, np.ones(9, dtype=bool))
     assert np.flatnonzero(~follows).tolist() == apart and motion == 1.0

@@ -21,7 +21,8 @@ from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.causes.own_rows import on_own_rows
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
-from coursework.grading.marking.table.points import explained_share, stands_still, table_points
+from coursework.grading.marking.table.explained import Explained
+from coursework.grading.marking.table.points import stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.untold import FINEST, untold_cells
 from coursework.grading.marking.table.ways import KEY, StudentTable, near
@@ -121,7 +122,8 @@ def explanations(
     printed = TableUnderTest(key, cells.student)
     explained, spoken = euler_cells(key, cells)
     euler_share = share_of(explained, spoken)
-    euler_fit = explained_share(key, cells, explained, as_it_is=True)
+    gates = Explained(key, cells)
+    euler_fit = gates.share(explained, as_it_is=True)
     began = own_start(key, cells)
     elsewhere = began is not None or begins_elsewhere(key, cells)
     by_key = np.asarray(cells.marks == KEY)
@@ -146,7 +148,8 @@ def explanations(
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
-        fit = explained_share(key, put_right, holds, only_velocities=claim.code in OTHER_STEPS)
+        own_gates = gates if put_right is cells else Explained(key, put_right)
+        fit = own_gates.share(holds, only_velocities=claim.code in OTHER_STEPS)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
         count = int((holds | by_key).sum())
@@ -156,7 +159,7 @@ def explanations(
             held[claim.code] = count, claim, holds
     for code, (_, claim, holds) in sorted(held.items(), key=lambda found: -found[1][0])[:_CLOSER]:
         holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
-        fit = explained_share(key, cells, holds, only_velocities=code in OTHER_STEPS)
+        fit = gates.share(holds, only_velocities=code in OTHER_STEPS)
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
     untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
@@ -248,7 +251,7 @@ def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
     if own is None:
         return None
     right, says = euler_cells(own.key, own.cells)
-    return share_of(right, says), own.filled * explained_share(own.key, own.cells, right, only_velocities=True)
+    return share_of(right, says), own.filled * Explained(own.key, own.cells).share(right, only_velocities=True)
 
 
 def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = None) -> tuple[str, ...]:

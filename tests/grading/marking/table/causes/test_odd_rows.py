@@ -45,7 +45,7 @@ def test_a_wrong_start_value_is_a_slip_of_the_pen_where_the_first_value_below_is
 
 def test_a_column_is_constant_that_changes_by_no_more_than_round_off() -> None:
     key = SimpleNamespace(ranges=5 * np.array([0.0, 0.9e-9, 1.1e-9]), table=np.full((3, 3), -5.0))
-    assert points._constant(key).tolist() == [True, True, False]
+    assert points.constant(key).tolist() == [True, True, False]
 
 
 @pytest.mark.parametrize(

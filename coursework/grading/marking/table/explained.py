@@ -1,0 +1,81 @@
+"""How much of a table something explains, behind the gates of the points.
+
+Enters: marked cells, where an explanation holds.  Leaves: a share of the cells.  Used by `misconceptions.py`.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from coursework.grading.marking.key.key import Key
+from coursework.grading.marking.table.cells import Cells
+from coursework.grading.marking.table.points import constant, following, handed_in, in_a_run, moves_as_it_may
+from coursework.grading.marking.table.untold import but
+from coursework.grading.marking.table.ways import KEY, Places
+from coursework.system.arrays import Flags
+from coursework.system.frozen import caching
+
+# Part of the velocities that must be explained before a row counts as one in which a cell was put right.
+_MOSTLY = 0.5
+
+
+@caching
+class Explained:
+    """The gates of a marked table, which many explanations are held against."""
+
+    key: Key
+    cells: Cells
+
+    def share(self, holds: Flags, *, only_velocities: bool = False, as_it_is: bool = False) -> float:
+        """Return the share of counted cells that some explanation `holds` for (n, m + r), or that agree with the key.
+
+        The gates are those of the points. A step counts if its velocity is explained too, or was before a cell of its row was
+        put right; a velocity counts if its row belongs to the motion of the explained steps; other right cells count in runs.
+        With `as_it_is` no cell of the table is taken as put right; with `only_velocities` no coordinate counts.
+        """
+        m, rows, by_key = len(self.key.coordinates), self._rows, self._by_key
+        after_put = (holds & ~by_key)[rows[1:], :m] & self._above_put
+        holds = (holds | by_key) & self._spoken
+        after_put &= not as_it_is and holds[rows, m:].mean() >= _MOSTLY
+        steps = holds[rows[1:], :m] & (holds[rows[:-1], m : 2 * m] | after_put) & self._moves
+        counts = self._in_runs.copy()
+        counts[rows[1:], :m] |= steps
+        follows, motion = following(self.cells.student.values[rows, :m], steps, np.asarray(self._moves.any(axis=1)))
+        found = np.zeros_like(holds)
+        found[rows, m:] = holds[rows, m:] & follows[:, None]
+        counts |= found & ~but(found, motion)
+        if only_velocities:
+            counts[:, :m] = False
+        return float(counts.sum()) / max(self._count, 1)
+
+    @cached_property
+    def _rows(self) -> Places:
+        return handed_in(self.cells)
+
+    @cached_property
+    def _by_key(self) -> Flags:
+        return np.asarray(self.cells.marks == KEY)
+
+    @cached_property
+    def _above_put(self) -> Flags:
+        """Return the steps (n - 1, 1) from a row in which a cell agrees with the key."""
+        return np.asarray(self._by_key.any(axis=1))[self._rows[:-1], None]
+
+    @cached_property
+    def _spoken(self) -> Flags:
+        return ~self.cells.missing & self.cells.counted
+
+    @cached_property
+    def _count(self) -> int:
+        return int(self.cells.counted.sum())
+
+    @cached_property
+    def _moves(self) -> Flags:
+        return moves_as_it_may(self.key, self.cells)
+
+    @cached_property
+    def _in_runs(self) -> Flags:
+        """Return the cells that agree with the key in runs of rows: they count whatever explains the others."""
+        return np.asarray(self._by_key & self.cells.counted & in_a_run(self._by_key, self._rows) & ~constant(self.key))
