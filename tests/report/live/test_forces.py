@@ -33,7 +33,7 @@ window.acting_on = (t, q, d = data.numbers) => { acts.on(t, Float64Array.from(q)
 OUTSIDE = """
 () => { const field = document.querySelector('#live-field').getBoundingClientRect(), scrub = document.querySelector('#scrub');
   const found = [];
-  for (let row = 0; row <= scrub.max; row += 3) {
+  for (let row = 0; row <= scrub.max; row++) {
     scrub.value = row;
     scrub.dispatchEvent(new Event('input'));
     for (const one of document.querySelectorAll('.live-arrows > *')) {
