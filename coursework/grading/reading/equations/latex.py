@@ -2,12 +2,14 @@ r"""LaTeX as students type it -> the plain signs that equations are read in.
 
 Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; an unknown command is left as
 its word, for the strict reader to refuse.  Nothing is run; what a text itself calls by a short name is put in its place.
-Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula of Markdown, `markdown.py`.
+Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula or matrix of others, `markdown.py`
+and `formula_text.py`.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from coursework.grading.reading.equations.latex_names import with_own_commands
 from coursework.grading.reading.equations.signs import ARROW
@@ -42,7 +44,6 @@ _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi
           **dict.fromkeys(("\\Rightarrow", "\\Longrightarrow", "\\implies", "\\rightarrow", "\\longrightarrow", "\\to",
                            "\\Leftrightarrow", "\\iff", "\\therefore", "\\leadsto"), ARROW)}  # fmt: skip
 _DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
-MATRIX = "[]"  # round a matrix in one piece
 _MOST = 200  # fractions and dots in one line, environments in a text
 
 
@@ -85,14 +86,21 @@ def matrices_in_one_piece(text: str) -> str:
 
 
 def _as_matrix(found: re.Match[str]) -> str:
-    r"""Return a matrix in one piece, "[a, b; c, d]" as MATLAB writes it; an array of equations, or a tall brace, as it stands."""
+    """Return a matrix in one piece; an array of equations, or a tall brace, as it stands."""
     if "=" in found[2]:
         return found[0]
-    rows = [
-        ", ".join(_DECIMAL.sub(".", cell.strip()) for cell in row.split("&"))
-        for row in _LINE_END.split(found[2].replace("\n", " "))
-    ]
-    return f" {MATRIX[0]}{'; '.join(row for row in rows if row.strip())}{MATRIX[1]} " + "\n" * found[0].count("\n")
+    rows = _LINE_END.split(found[2].replace("\n", " "))
+    return in_one_piece(row.split("&") for row in rows) + "\n" * found[0].count("\n")
+
+
+def in_one_piece(rows: Iterable[Iterable[str]]) -> str:
+    """Return a matrix as MATLAB writes it.
+
+    >>> in_one_piece([["a", " 0,5 "], ["c", "d"]])
+    ' [a, 0.5; c, d] '
+    """
+    written = (", ".join(_DECIMAL.sub(".", cell.strip()) for cell in row) for row in rows)
+    return f" [{'; '.join(row for row in written if row.strip())}] "
 
 
 def without_latex(text: str) -> str:
