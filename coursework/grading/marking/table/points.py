@@ -164,6 +164,11 @@ def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bo
     return float(counts.sum()) / max(int(cells.counted.sum()), 1)
 
 
+def share_of(explained: Flags, spoken: Flags) -> float:
+    """Return how many of the cells spoken about are explained; 0 where none are."""
+    return float(explained.sum()) / float(spoken.sum()) if spoken.any() else 0.0
+
+
 def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
     """Return which rows (n,) belong to a motion: the way from or to a neighbour lies between what both velocities make of a step.
 

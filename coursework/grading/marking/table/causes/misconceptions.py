@@ -21,7 +21,7 @@ from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.causes.own_rows import on_own_rows
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
-from coursework.grading.marking.table.points import explained_share, stands_still, table_points
+from coursework.grading.marking.table.points import explained_share, share_of, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.untold import FINEST, untold_cells
 from coursework.grading.marking.table.ways import KEY, StudentTable, near
@@ -298,8 +298,3 @@ def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Fla
     of_euler = np.isnan(claim.expected).all(axis=0)
     says[:, of_euler], holds[:, of_euler] = spoken[:, of_euler], explained[:, of_euler]
     return cells, holds, says
-
-
-def share_of(explained: Flags, spoken: Flags) -> float:
-    """Return how many of the cells spoken about are explained; 0 where none are."""
-    return float(explained.sum()) / float(spoken.sum()) if spoken.any() else 0.0
