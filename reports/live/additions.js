@@ -8,22 +8,30 @@ const velocities = (true_, t) => {
   return from && to ? from.map((value, k) => (to[k] - value) / (after - before)) : null;
 };
 
+// A contact is another point of the wheel at every moment; the one that touches is at rest.
+const moving_ = data.shown_points.filter((name) => !data.wheels.some((wheel) => wheel.contact === name));
+
 const additions = /** @type {Additions} */ ({
-  on: { traces: false, velocities: false, centres: false }, fastest: 0,
+  on: { traces: false, velocities: false, centres: false }, long: 0,
   // After the motion has changed: its traces, and the scale of the arrows.
   renew() {
-    this.fastest = 0;
+    this.long = Infinity;
     tell("live-scale", "");
     const { traces } = drawing.layers;
     traces.replaceChildren();
     if (!drawing.first) return;
-    if (this.on.velocities) {
-      for (let i = 0; i < motion.count; i++) {
-        const speeds = velocities(true, i * motion.h) ?? [];
-        for (const name of data.shown_points) this.fastest = Math.max(this.fastest, Math.hypot(X(speeds, name), Y(speeds, name)) || 0);
+    let fastest = 0;
+    for (let i = 0; this.on.velocities && i < motion.count; i++) {
+      const place = motion.at(true, i * motion.h), speeds = velocities(true, i * motion.h);
+      if (!place || !speeds) continue;
+      for (const name of moving_) {
+        const [x, y] = drawing.put(place, name), dx = X(speeds, name), dy = -Y(speeds, name), size = Math.hypot(dx, dy);
+        if (!(size > 0)) continue;
+        fastest = Math.max(fastest, size);
+        this.long = Math.min(this.long, 80 / size, drawing.room(x, y, dx, dy));
       }
     }
-    if (this.fastest > 0) tell("live-scale", say("arrows", { speed: plain(this.fastest, 3) }));
+    if (fastest > 0) tell("live-scale", say("arrows", { speed: plain(fastest, 3) }));
     if (!this.on.traces) return;
     const parts = Math.min(600, 8 * motion.count);
     for (const true_ of [true, false]) {
@@ -45,13 +53,9 @@ const additions = /** @type {Additions} */ ({
     if (!place || !(this.on.velocities || this.on.centres)) return;
     const speeds = velocities(true, t);
     if (!speeds) return;
-    if (this.on.velocities && this.fastest > 0) {
-      for (const name of data.shown_points) {
-        // A contact is another point of the wheel at every moment; the one that touches is at rest.
-        if (data.wheels.some((wheel) => wheel.contact === name)) continue;
-        const [x, y] = drawing.put(place, name), long = 80 / this.fastest;
-        this.arrow(arrows, x, y, X(speeds, name) * long, -Y(speeds, name) * long);
-      }
+    for (const name of this.on.velocities && this.long < Infinity ? moving_ : []) {
+      const [x, y] = drawing.put(place, name);
+      this.arrow(arrows, x, y, X(speeds, name) * this.long, -Y(speeds, name) * this.long);
     }
     if (this.on.centres) for (const bar of data.links) this.centre(centres, bar, place, speeds, t);
   },

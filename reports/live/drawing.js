@@ -50,9 +50,9 @@ const drawing = /** @type {Drawing} */ ({
     if (!this.first) return;
     this.turns = {};
     this.scale = Math.min((this.WIDE - 90) / Math.max(box[2] - box[0], 1e-12), (0.2 * this.WIDE + 200) / Math.max(box[3] - box[1], 1e-12));
-    const high = (box[3] - box[1]) * this.scale + 80;
-    this.origin = [(this.WIDE - (box[0] + box[2]) * this.scale) / 2, high - 40 + box[1] * this.scale];
-    change(this.field, "viewBox", `0 0 ${this.WIDE} ${f1(high)}`);
+    this.HIGH = (box[3] - box[1]) * this.scale + 80;
+    this.origin = [(this.WIDE - (box[0] + box[2]) * this.scale) / 2, this.HIGH - 40 + box[1] * this.scale];
+    change(this.field, "viewBox", `0 0 ${this.WIDE} ${f1(this.HIGH)}`);
     this.slots = data.slots.map((slot) => this.reach(slot));
     this.racks = data.racks.map((rack) => this.reach(rack));
     this.ground();
@@ -88,6 +88,10 @@ const drawing = /** @type {Drawing} */ ({
   },
   y(value) {
     return this.origin[1] - value * this.scale;
+  },
+  // How many times a way has room between a place and the edge of the field.
+  room(x, y, dx, dy) {
+    return Math.min((dx > 0 ? this.WIDE - 3 - x : x - 3) / Math.abs(dx), (dy > 0 ? this.HIGH - 3 - y : y - 3) / Math.abs(dy));
   },
   put(place, name) {
     return [this.x(X(place, name)), this.y(Y(place, name))];

@@ -2,7 +2,7 @@
 // Enters: `motion`, `acts`.  Leaves: `forces`; drawing, graphs and columns are asked for more than before.
 /** @type {Forces} */
 const forces = {
-  kept: new Map(), largest: 0, scale: 0,
+  kept: new Map(), largest: 0, long: 0, scale: 0,
   // What acts in one motion at t (s); false where it has no such time.
   at(true_, t) {
     const rows = true_ ? motion.truth : motion.rows;
@@ -41,10 +41,11 @@ const forces = {
     const all = this.arrows(), found = acts.reactions(), { energy } = acts;
     if (additions.on.forces && this.largest > 0) {
       for (const { name, at, x, y } of all) {
-        const px = drawing.x(at[0]), py = drawing.y(at[1]), long = 90 / this.largest, dx = x * long, dy = -y * long, far = Math.hypot(dx, dy);
+        const px = drawing.x(at[0]), py = drawing.y(at[1]), dx = x * this.long, dy = -y * this.long, far = Math.hypot(dx, dy);
         additions.arrow(this.layer, px, py, dx, dy);
         if (far < 14) continue;
-        const text = svg("text", { x: f1(px + dx + (9 * dx) / far), y: f1(py + dy + 5 + (9 * dy) / far), "text-anchor": dx < 0 ? "end" : "start" }, this.layer);
+        const word = [px + dx + (9 * dx) / far, py + dy + 5 + (9 * dy) / far].map((value, k) => f1(Math.max(k ? 14 : 30, Math.min(value, k ? drawing.HIGH - 8 : drawing.WIDE - 30))));
+        const text = svg("text", { x: word[0], y: word[1], "text-anchor": dx < 0 ? "end" : "start" }, this.layer);
         symbolic(text, name);
       }
       for (const path of this.layer.querySelectorAll("path")) Object.assign(path.style, { stroke: COLOUR, fill: COLOUR });
@@ -67,12 +68,17 @@ const forces = {
   renew() {
     this.kept.clear();
     this.largest = this.scale = 0;
+    this.long = Infinity;
     if (!drawing.layers) return;
     this.layer ??= svg("g", { class: "live-arrows" }, drawing.field);
     for (let i = 0; i < motion.count; i += Math.ceil(motion.count / 100)) {
       if (!this.at(true, i * motion.h)) continue;
       this.scale = Math.max(this.scale, acts.kinetic);
-      for (const { size } of additions.on.forces ? this.arrows() : []) if (size < Infinity) this.largest = Math.max(this.largest, size);
+      for (const { at, x, y, size } of additions.on.forces ? this.arrows() : []) {
+        if (!(size > 0 && size < Infinity)) continue;
+        this.largest = Math.max(this.largest, size);
+        this.long = Math.min(this.long, 90 / size, drawing.room(drawing.x(at[0]), drawing.y(at[1]), x, -y));
+      }
     }
     tell("live-force", this.largest > 0 ? say("force_scale", { force: shown(this.largest, 3) }) : "");
   },

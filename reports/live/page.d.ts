@@ -1,5 +1,6 @@
 // What the scripts of the live page find beside each other, for whoever checks their types: nothing of this is sent.
 /// <reference path="./types.d.ts" />
+/// <reference path="./forces.d.ts" />
 
 /** The numbers and words of the page, as `coursework/report/live/` writes them. */
 declare const data: Data;

@@ -116,19 +116,6 @@ interface Data {
   forces: Loads;
   [key: string]: any;
 }
-/** What acts: how many bodies and joints there are, each unknown with its two bodies, its joint and its kind. */
-type Loads = {
-  bodies: number;
-  places: number;
-  size: number;
-  more?: number;
-  unknowns: [string, number, number, number, number][];
-  arrows: [string, ...number[]][];
-  drives: string[];
-  free: number[];
-  others: number[];
-  held: number;
-};
 type Bar = { name: string; points: string[]; rate: string | null };
 type Wheel = { link: string; centre: string; contact: string };
 type Track = { centre: string; rim: string; inward: number };
@@ -143,6 +130,7 @@ interface Drawing {
   layers: Record<string, any>;
   paths: Record<string, any>;
   WIDE: number;
+  HIGH: number;
   right: Extent;
   drawn?: string;
   samples: Place[][];
@@ -157,6 +145,7 @@ interface Drawing {
   extent(true_: boolean, last: number, h: number): Extent;
   x(value: number): number;
   y(value: number): number;
+  room(x: number, y: number, dx: number, dy: number): number;
   put(place: Place, name: string): Point;
   ground(): void;
   outline(place: Place, true_: boolean, t: number): string;
@@ -175,7 +164,7 @@ interface Words {
 /** What a switch adds: traces, velocities, instantaneous centres. */
 interface Additions {
   on: Record<string, boolean>;
-  fastest: number;
+  long: number;
   renew(): void;
   draw(place: Place | null, t: number): void;
   arrow(layer: any, x: number, y: number, dx: number, dy: number): void;
@@ -268,31 +257,6 @@ interface Laboratory {
   otherDatum(): string;
   amount(one: Pick<Worst, "value" | "place">): string;
   ratio(): string;
-}
-
-/** What acts on the links at the position that was asked for last; `kind` 0: along x, 1: along y, 2: a couple, more: a guide. */
-interface Acts {
-  on(t: number, q: Float64Array, d: any): boolean;
-  reactions(): number[];
-  way(kind: number): Float64Array | number[];
-  place(at: number): Point;
-  arm(at: number, centre: number, x: number, y: number): number;
-  readonly kinetic: number;
-  readonly energy: number;
-}
-/** A force that is drawn at a place (m): x, y and its size in N. */
-type Arrow = { name: string; at: Point; x: number; y: number; size: number };
-interface Forces {
-  kept: Map<Rows, Float64Array[]>;
-  largest: number;
-  scale: number;
-  layer?: any;
-  at(true_: boolean, t: number): boolean;
-  columns(rows: Rows): Float64Array[];
-  arrows(): Arrow[];
-  draw(t: number): void;
-  tell(first: Arrow[], energy: number, t: number, found?: number[]): void;
-  renew(): void;
 }
 
 /** An element of the page by its id, whatever it is. */

@@ -90,6 +90,12 @@ def test_a_body_of_30_mb_is_refused_before_it_has_come(server: Server):
     connection.close()
 
 
+def test_who_sends_too_much_at_once_hears_why(server: Server):
+    status, _, body = server.ask("POST", "/api/table", {"text": "", "name": "t.csv", "data": "A" * 7 * 10**6})
+    assert status == 413
+    assert b"6000000 bytes" in body
+
+
 def test_a_newer_text_of_the_same_desk_is_answered_and_the_older_is_not(server: Server):
     slow = TEXT.replace('"0.48 s"', '"48 s"').replace('"table",', '"table", "accelerations",')
     with ThreadPoolExecutor(8) as threads:

@@ -17,7 +17,8 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 MOST_BYTES, MOST_TABLE_BYTES = 10**6, 6 * 10**6
-PATIENCE = 20.0  # s, time limit for a whole body
+PATIENCE = 20.0  # s for a whole body
+LINGER = 1.0  # s in which what is too much is read and thrown away: who is cut off while sending never hears why
 TOO_LATE, TOO_LARGE, NO_JSON, OTHER_SHAPE = 408, 413, 400, 422
 TEXT, TEXTS, NAMES, FLAG, NUMBER, PLACE = "text", "texts by name", "texts", "flag", "number", "two numbers"
 OPTIONAL = {
@@ -36,17 +37,19 @@ class Refused(HTTPException):
 async def bytes_of(request: Request, most: int = MOST_BYTES) -> bytes:
     """Return the bytes of a body.  Raises `Refused` for more than `most` and for a body that takes too long."""
     length = request.headers.get("content-length", "")
-    if length.isdecimal() and int(length) > most:
-        raise Refused(TOO_LARGE, say("desk.too_large", most=most))
+    declared = int(length) if length.isdecimal() else 0
     content = bytearray()
     try:
-        async with asyncio.timeout(PATIENCE):
+        async with asyncio.timeout(LINGER if declared > most else PATIENCE) as limit:
             async for part in request.stream():
-                content += part
-                if len(content) > most:
-                    raise Refused(TOO_LARGE, say("desk.too_large", most=most))
+                if len(content) <= most < len(content) + len(part):
+                    limit.reschedule(asyncio.get_running_loop().time() + LINGER)
+                content += part if len(content) <= most else b""
     except (TimeoutError, ClientDisconnect):
-        raise Refused(TOO_LATE, say("desk.too_late")) from None
+        if max(declared, len(content)) <= most:
+            raise Refused(TOO_LATE, say("desk.too_late")) from None
+    if max(declared, len(content)) > most:
+        raise Refused(TOO_LARGE, say("desk.too_large", most=most))
     return bytes(content)
 
 

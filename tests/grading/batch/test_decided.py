@@ -129,3 +129,36 @@ def test_the_page_of_a_withdrawn_submission_is_removed_and_told(tmp_path):
     assert "withdrawn" in (out / "class.html").read_text(encoding="utf-8")
     assert grade(tmp_path / "in", out).exit_code == 0
     assert changes(out) == []
+
+
+def test_a_missing_part_that_the_instructor_read_elsewhere_gives_a_number(tmp_path):
+    source, out = tmp_path / "in", tmp_path / "out"
+    for student in ("ada", "bert"):
+        hand_in(source / student)
+        (source / student / "equations.txt").unlink()
+    decided = tmp_path / "overrides.csv"
+    decided.write_text("id,check,points,reason\nada,equations,30,read on paper\nbert,table,50,a scan\n", encoding="utf-8")
+    assert grade(source, out, "--overrides", decided).exit_code == 0
+    found = submissions(out)
+    assert (found["ada"]["status"], found["ada"]["score"], found["ada"]["proposed"]) == ("graded-with-notes", 90, None)
+    assert found["ada"]["equations"] == {"score": 30, "max": 40, "independent": 0, "needed": 0, "items": []}
+    assert (found["bert"]["status"], found["bert"]["score"], found["bert"]["proposed"]) == ("needs-review", None, 50)
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("adda,total,5,x", 'nobody has the id "adda". Did you mean "ada"?'),
+        ("ada,tabel,5,x", 'there is no part "tabel". Did you mean "table"?'),
+        ("ada,table,60.01,x", "points from 0 to 60"),
+        ("ada,table,lots,x", 'found "lots"'),
+    ],
+)
+def test_decisions_that_cannot_be_meant_stop_before_anything_is_graded(tmp_path, line, told):
+    hand_in(tmp_path / "in" / "ada")
+    decided = tmp_path / "overrides.csv"
+    decided.write_text(f"id,check,points,reason\n{line}\n", encoding="utf-8")
+    done = grade(tmp_path / "in", tmp_path / "out", "--overrides", decided)
+    assert done.exit_code == 2
+    assert told in done.output
+    assert not (tmp_path / "out").exists()

@@ -10,7 +10,6 @@ from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.variant.formula.tree import spelled
 from tests.grading.reading.dialects import DIALECTS, archive, written
 from tests.grading.scenes import expected, times
-from tests.mechanisms.library import mechanism
 
 GRID = expected().grid
 COLUMNS = {column.name: (column.unit, column.values) for column in GRID.columns}
@@ -271,41 +270,3 @@ def test_text_typed_into_moodle() -> None:
     typed = read(("onlinetext.html", page.encode()))
     assert typed.equations is not None
     assert [line.fault for line in typed.equations] == [None, None]
-
-
-def variant_file(**changes: tuple[str, str]) -> bytes:
-    return mechanism(expected().variant.name, *changes.values()).encode()
-
-
-def test_of_a_variant_file_only_the_equations_are_used() -> None:
-    content = variant_file(
-        data=('r1    = "0.953 m"', 'r1    = "1 m"'), keys=("[given]", "score = 100\n\n[rubric]\npoints = 9\n\n[given]")
-    )
-    contents = read(("31.toml", content), ("t.csv", table()))
-    assert contents.equations is not None
-    assert [line.fault for line in contents.equations] == [None] * 4
-    assert not any(line.guessed or line.may_be_datum or line.repaired for line in contents.equations)
-    assert contents.equations[0].line == content.decode()[: content.decode().index("VMy - 2*r3")].count("\n") + 1
-    assert contents.review is None
-    notes = {note.code: note.text for note in contents.notes}
-    assert "r1" in notes["data_differ"]
-    assert "score, rubric" in notes["ignored_file"] or "score and rubric" in notes["ignored_file"]
-    other = read(("x.toml", (expected("v101").variant.path or __file__).read_bytes()))  # type: ignore[union-attr]
-    assert other.review == "Variant v101 was submitted, 31 is assigned."
-
-
-@pytest.mark.parametrize(
-    ("content", "line"),
-    [
-        (b"format = 1\ntitle = \"x\n", 2), (b"format = 1\n[given\n", 2), ("format = 1\ntitle = 'Привіт'".encode("cp1251"), 2),
-        (b"format = 1\nr1 = 1\nr1 = 2\n", 3), (b"format = 1\nx = " + b"1" * 10_000, 0),
-        (b"format = 1\n" + b"a." * 9_000 + b"b = 1", 2),
-        (b"format = 1\nx = " + b"[" * 9_000, 2),
-    ],
-)  # fmt: skip
-def test_a_variant_file_that_is_no_toml_is_one_line_with_its_number(content: bytes, line: int) -> None:
-    contents = read(("mine.toml", content))
-    assert contents.equations is not None
-    (only,) = contents.equations
-    assert only.fault is not None
-    assert only.fault.line == line

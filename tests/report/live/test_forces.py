@@ -30,6 +30,21 @@ window.acting_on = (t, q, d = data.numbers) => { acts.on(t, Float64Array.from(q)
   return [acts.reactions().slice(0, unknowns.length), acts.energy]; };
 """
 
+OUTSIDE = """
+() => { const field = document.querySelector('#live-field').getBoundingClientRect(), scrub = document.querySelector('#scrub');
+  const found = [];
+  for (let row = 0; row <= scrub.max; row++) {
+    scrub.value = row;
+    scrub.dispatchEvent(new Event('input'));
+    for (const one of document.querySelectorAll('.live-arrows > *')) {
+      const box = one.getBoundingClientRect();
+      const off = Math.max(field.left - box.left, box.right - field.right, field.top - box.top, box.bottom - field.bottom);
+      if (off > 1) found.push([row, one.textContent, off]);
+    }
+  }
+  return found; }
+"""
+
 
 @pytest.fixture(scope="module")
 def engine(browser: Any) -> Any:
@@ -121,6 +136,9 @@ def test_the_arm_is_seen_to_gain_energy_until_it_is_nonsense(written: Any, opene
 @pytest.mark.browser
 def test_reactions_are_arrows_and_both_drives_are_told(written: Any, opened: Any) -> None:
     page = opened(written("31-forces"), viewport={"width": 390, "height": 800})
+    page.page.click("#live-velocities")
+    assert page.page.evaluate(OUTSIDE) == []  # no arrow and no name is cut at the edge of the drawing
+    page.page.click("#live-velocities")
     page.set("#scrub", 19)
     assert "FMy = −2564 N; dashed: −1254 N." in page.page.inner_text("#live-drive")
     arrows = "document.querySelectorAll('#live-field > g:last-child path').length"

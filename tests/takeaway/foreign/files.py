@@ -119,3 +119,8 @@ FILES = {
     "four.pmks.csv": FOUR_BAR.encode(), "mechanism.json": MECHANISM.encode(), "linkage.json": LINKAGE.encode(),
     "rocker.linkage2": ROCKER, "piston.linkage2": PISTON,
 }  # fmt: skip
+
+
+def changed(text, **parts):
+    """A file of pylinkage with other values of some keys."""
+    return json.dumps({**json.loads(text), **parts}).encode()

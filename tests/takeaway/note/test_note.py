@@ -14,9 +14,7 @@ import pytest
 
 from coursework.report.output.formats import formats_for
 from coursework.report.text.parts import Checks, Claims, Equations, Figure, Panels, Table
-from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note.formulas import WIDE, _places, latex_of, letters_wide
-from coursework.takeaway.note.open_document import MANIFEST, _with_drawings
 from coursework.takeaway.note.writer import LANGUAGES
 from coursework.variant.catalogue import names
 from tests.command import call
@@ -285,17 +283,3 @@ def test_a_formula_may_go_on_below_before_a_sign_between_two_terms_that_no_brace
 def test_the_two_tables_of_checks_have_a_title_that_keeps_to_them():
     styles = [one.style.name for one in docx.Document(io.BytesIO(note("31", "docx", "en"))).paragraphs]
     assert styles.count("Table Title") == 4  # the claims, and in the appendix the checks
-
-
-def test_a_drawing_whose_title_has_what_does_not_print_leaves_the_text_readable():
-    files = {"a.png": b"PNG", MANIFEST: b"<manifest:manifest></manifest:manifest>"}
-    drawn = {b"PNG": Picture("a", "<svg/>", 1.0, 1.0, "the <wheel>\x07\u202e")}
-    text = _with_drawings(files, '<draw:image xlink:href="a.png"/>', drawn)
-    assert text.endswith("<svg:desc>the &lt;wheel&gt;</svg:desc>") and "a.svg" in files
-
-
-def test_a_picture_that_is_no_drawing_stays_as_it_is():
-    files = {"a.png": b"PNG", MANIFEST: b"<manifest:manifest></manifest:manifest>"}
-    text = '<p><draw:image xlink:href="a.png"/><draw:image xlink:href="b.png"/></p>'
-    assert _with_drawings(files, text, {b"other": Picture("a", "<svg/>", 1.0, 1.0, "")}) == text
-    assert files[MANIFEST] == b"<manifest:manifest></manifest:manifest>"

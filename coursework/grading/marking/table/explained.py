@@ -1,6 +1,6 @@
 """How much of a table something explains, behind the gates of the points.
 
-Enters: marked cells, where an explanation holds.  Leaves: a share of the cells.  Used by `misconceptions.py`.
+Enters: marked cells, where an explanation holds.  Leaves: a share of the cells.  Used by `misconceptions.py` and `whole.py`.
 """
 
 from __future__ import annotations
@@ -79,3 +79,8 @@ class Explained:
     def _in_runs(self) -> Flags:
         """Return the cells that agree with the key in runs of rows: they count whatever explains the others."""
         return np.asarray(self._by_key & self.cells.counted & in_a_run(self._by_key, self._rows) & ~constant(self.key))
+
+
+def share_of(explained: Flags, spoken: Flags) -> float:
+    """Return the share of the cells spoken about that are explained; 0 if there are none."""
+    return float(explained.sum()) / float(spoken.sum()) if spoken.any() else 0.0

@@ -1,13 +1,15 @@
 r"""LaTeX as students type it -> the plain signs in which equations are read.
 
-Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; of an unknown command the word
-is left, which the strict reader refuses.  Nothing is executed; commands that the text itself defines are replaced.
-Used by `lines.py` (to find the lines), `plain_text.py` (to read a line) and, for formulas in Markdown, `markdown.py`.
+Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; an unknown command is left as
+its word, for the strict reader to refuse.  Nothing is run; what a text itself calls by a short name is put in its place.
+Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula or matrix of others, `markdown.py`
+and `formula_text.py`.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from coursework.grading.reading.equations.latex_names import with_own_commands
 from coursework.grading.reading.equations.signs import ARROW
@@ -42,8 +44,7 @@ _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi
           **dict.fromkeys(("\\Rightarrow", "\\Longrightarrow", "\\implies", "\\rightarrow", "\\longrightarrow", "\\to",
                            "\\Leftrightarrow", "\\iff", "\\therefore", "\\leadsto"), ARROW)}  # fmt: skip
 _DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
-MATRIX = "[]"  # brackets around a matrix written in one piece
-_MOST = 200  # most fractions and most dots in a line; most environments in a text
+_MOST = 200  # fractions and dots in one line, environments in a text
 
 
 def logical_lines(text: str) -> list[tuple[int, str]]:
@@ -88,11 +89,18 @@ def _as_matrix(found: re.Match[str]) -> str:
     r"""Return a matrix in one piece, "[a, b; c, d]" as in MATLAB; leave an array of equations (after a brace) unchanged."""
     if "=" in found[2]:
         return found[0]
-    rows = [
-        ", ".join(_DECIMAL.sub(".", cell.strip()) for cell in row.split("&"))
-        for row in _LINE_END.split(found[2].replace("\n", " "))
-    ]
-    return f" {MATRIX[0]}{'; '.join(row for row in rows if row.strip())}{MATRIX[1]} " + "\n" * found[0].count("\n")
+    rows = _LINE_END.split(found[2].replace("\n", " "))
+    return in_one_piece(row.split("&") for row in rows) + "\n" * found[0].count("\n")
+
+
+def in_one_piece(rows: Iterable[Iterable[str]]) -> str:
+    """Return a matrix as MATLAB writes it.
+
+    >>> in_one_piece([["a", " 0,5 "], ["c", "d"]])
+    ' [a, 0.5; c, d] '
+    """
+    written = (", ".join(_DECIMAL.sub(".", cell.strip()) for cell in row) for row in rows)
+    return f" [{'; '.join(row for row in written if row.strip())}] "
 
 
 def without_latex(text: str) -> str:

@@ -21,7 +21,7 @@ from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.causes.own_rows import on_own_rows
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
-from coursework.grading.marking.table.explained import Explained
+from coursework.grading.marking.table.explained import Explained, share_of
 from coursework.grading.marking.table.points import stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.untold import FINEST, untold_cells
@@ -301,8 +301,3 @@ def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Fla
     of_euler = np.isnan(claim.expected).all(axis=0)
     says[:, of_euler], holds[:, of_euler] = spoken[:, of_euler], explained[:, of_euler]
     return cells, holds, says
-
-
-def share_of(explained: Flags, spoken: Flags) -> float:
-    """Return the share of the cells spoken about that are explained; 0 if there are none."""
-    return float(explained.sum()) / float(spoken.sum()) if spoken.any() else 0.0

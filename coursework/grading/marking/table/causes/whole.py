@@ -14,9 +14,10 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim
-from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, is_one_thing, share_of
+from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, is_one_thing
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
+from coursework.grading.marking.table.explained import share_of
 from coursework.grading.marking.table.points import TablePoints
 from coursework.grading.marking.table.untold import FINEST
 from coursework.grading.marking.table.ways import StudentTable, near

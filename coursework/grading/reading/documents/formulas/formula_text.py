@@ -11,10 +11,11 @@ import unicodedata
 from itertools import accumulate
 
 from coursework.grading.reading.documents.signs import plain_signs
+from coursework.grading.reading.equations.latex import in_one_piece
 
 DOT = "\u0307"
 _DOTS = {DOT, "˙", ".", "dot"}
-_DECIMAL, MATRIX = re.compile(r"(?<=\d),(?=\d)"), re.compile(r"\s*\[[^\[\]]*\]\s*")
+MATRIX = re.compile(r"\s*\[[^\[\]]*\]\s*")
 FUNCTIONS = {"sin", "cos", "tan", "tg", "ctg", "cot", "arcsin", "arccos", "arctan", "arctg", "asin", "acos", "atan", "ln",
               "log", "exp", "sqrt", "abs", "sgn"}  # fmt: skip
 _PRIMES = {"'", "′", "’"}
@@ -97,7 +98,7 @@ def matrix_of(rows: list[list[str]]) -> str:
     """
     if any("=" in cell for row in rows for cell in row) or not any(map(str.strip, map("".join, rows))):
         return rows_of([" ".join(row) for row in rows])
-    return f" [{'; '.join(', '.join(_DECIMAL.sub('.', on_one_line(cell).strip()) for cell in row) for row in rows)}] "
+    return in_one_piece(map(on_one_line, row) for row in rows)
 
 
 def equations_in(text: str) -> list[str]:
