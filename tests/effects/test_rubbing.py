@@ -47,6 +47,14 @@ def test_a_block_on_a_spring_loses_the_same_of_every_swing_and_stops():
     assert "schemes of higher order lose their order" in page and "the pair at C comes to rest" in page
 
 
+def test_what_nothing_pulls_stands_in_every_row_though_the_last_time_is_rounded_beyond_the_end():
+    """239 * 0.05 + 0.05 is more than 240 * 0.05: a loop that began at the end again and again had no end itself."""
+    spring = 'k1 = { spring = ["O", "C"], stiffness = "50 N/m", free = "1 m" }\n'
+    run = coursework.solve(coursework.parse_variant(BLOCK.replace(spring, "")), scheme="exact")
+    assert run.motion.stop is None and run.motion.t[-1] == 12.0 and np.ptp(run.motion.column("s")) == 0.0
+    assert run.summary.startswith("Nothing moves: the forces hold the mechanism where it stands")
+
+
 def test_a_guide_of_some_length_bears_a_couple_at_its_two_ends():
     """The mass 0.05 m above the guide tilts the block on its ends 0.1 m apart: they bear m|a| together, where that is more than
     the weight, so the block swings as if it had a tenth more of mass while it is slowed down.

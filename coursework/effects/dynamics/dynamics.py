@@ -170,7 +170,7 @@ class Dynamics:
                 loose = rubbing.loose(self._where, now, later[later >= at].tolist())
                 if (loose is None and error.at) or loose == at:
                     raise
-                self.rests_until, length[0] = whole if loose is None else loose, goal - t
+                self.rests_until, length[0] = math.inf if loose is None else loose, goal - t
         return now
 
     def _to(self, t: float, now: list[float], goal: float, length: list[float], whole: float) -> list[float]:
