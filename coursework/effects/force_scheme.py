@@ -92,8 +92,10 @@ class ForceScheme:
         return named(held[0]) if held else None
 
     def holder(self, point: str) -> str:
-        """Return the body that holds a point: a block before the link it is hinged to, the frame if no body holds it."""
-        holders = [name for name in in_order(self.holds) if name != FRAME and point in self.holds[name]]
+        """Return the body that holds a point: the frame if the point is fixed, a block before the link it is hinged to."""
+        holders = [name for name in in_order(self.holds) if point in self.holds[name]]
+        if FRAME in holders:
+            return FRAME
         return next((name for name in holders if len(self.holds[name]) == 1), holders[0] if holders else FRAME)
 
 

@@ -200,7 +200,9 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
         if (body := _carrier(formula, carried, points)) != FRAME:
             holds[body].append(name)
     coordinates = {body: coordinate for coordinate, body in carried.items()}
-    return Linkage(tuple(carried.values()), tuple(joints), coordinates, {body: tuple(names) for body, names in holds.items()})
+    return Linkage(
+        tuple(sorted(coordinates, key=int)), tuple(joints), coordinates, {body: tuple(names) for body, names in holds.items()}
+    )
 
 
 def _driven_turn(coordinate: Coordinate, variant: Variant, bodies: tuple[str, str]) -> Joint:
@@ -223,13 +225,13 @@ def link_names(chain: Linkage, variant: Variant) -> dict[str, str]:
     >>> variant = load("walschaerts")
     >>> chain = chain_of_groups(variant, dict(variant.points))
     >>> {chain.coordinates[body]: name for body, name in link_names(chain, variant).items()}
-    {'phi1': '1', 'phi3': '3', 'phi2': '2', 's4': '6', 'phi4': '4', 's5': '7', 'phi5': '5'}
+    {'phi1': '1', 'phi2': '2', 'phi3': '3', 'phi4': '4', 's4': '6', 'phi5': '5', 's5': '7'}
     """
     coordinates = {c.name: c for c in variant.coordinates}
     carried = {body: coordinates[name] for body, name in chain.coordinates.items()}
     wanted = dict.fromkeys(chain.bodies, "")
     for body in sorted(chain.bodies, key=lambda body: carried[body].unit != "rad"):
-        digits = re.search(r"\d+$", carried[body].rate)
+        digits = re.search(r"[1-9]\d*$", carried[body].rate)  # 0 is the frame
         wanted[body] = digits[0] if digits and digits[0] not in wanted.values() else ""
     free = (str(k) for k in range(1, 2 * len(wanted) + 1) if str(k) not in wanted.values())
     return {body: name or next(free) for body, name in wanted.items()}

@@ -32,6 +32,7 @@ from coursework.scene.motion_results import MotionResults
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array
 from coursework.system.on_demand import computed
+from coursework.variant.record.no_value import without_value
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import either, say
@@ -139,7 +140,7 @@ class MotorScene(Scene):
         time = self.variant.time
         pace = max(1, time.steps // LOOKS)
         fine, coarser = Dynamics(self.free_equations, list(self.start)), Dynamics(self.free_equations, list(self.start), COARSER)
-        found = fine.exact(self._begin, time.step, time.steps)
+        found = self._with_values(fine.exact(self._begin, time.step, time.steps))
         return known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
 
     @cached_property
@@ -166,6 +167,15 @@ class MotorScene(Scene):
             "dead point" if found.ended == LIMIT else found.ended, found.at, found.at / step, (), last, cause,
             say(f"dynamics.{means}_means", row=len(found.t), names=either(others) if others else ""),
         )  # fmt: skip
+
+    def _with_values(self, found: FreeMotion) -> FreeMotion:
+        """Return rows as found.  Raises `InputError` where they end because a force has no value there."""
+        motor = self.free_equations.free
+        names = (*(c.name for c in self.variant.coordinates), *(self.variant.coordinates[place].rate for place in motor))
+        place = dict(zip(names, found.lost[1:], strict=False))
+        if found.lost and (fault := without_value(self.variant, found.lost[0], place)):
+            raise InputError([fault])
+        return found
 
     def _ended_as(self, found: FreeMotion) -> FreeMotion:
         """Return the rows of a scheme; if no position closes, the exact motion decides whether links or step are the cause."""
@@ -196,7 +206,8 @@ class MotorScene(Scene):
         scheme, time = self.scheme, self.variant.time
         if scheme is None:
             return self._exact_rows
-        found = Dynamics(self.free_equations, list(self.start)).rows(scheme, self._begin, time.step, time.steps)
+        rows = Dynamics(self.free_equations, list(self.start)).rows(scheme, self._begin, time.step, time.steps)
+        found = self._with_values(rows)
         return self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found)))
 
     @computed("free_equations", "stop", "start")

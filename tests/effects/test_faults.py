@@ -39,6 +39,11 @@ CASES = [
     ("andrews-forces", 'spring = ["S", "K"]', 'spring = ["K", "K"]', "V745", "Name two points"),
     ("example-1-forces", 'on = "3", at = "C"', 'on = "9", at = "C"', "V723", 'there is no link "9"'),
     ("example-1-forces", 'at = "C"', 'at = "Q"', "V053", "forces.F1.at"),
+    ("31-forces", 'gravity = "9.81 m/s^2"', 'gravity = "-9.81 m/s^2"', "V704", "forces.gravity: a value that is not below zero"),
+    ("31-forces", 'gravity = "9.81 m/s^2"', 'gravity = "9,81 m/s^2"', "V121", "decimals are written with a point"),
+    ("andrews-forces", 'stiffness = "4530 N/m"', 'stiffness = "-4530 N/m"', "V704", "forces.k1.stiffness"),
+    ("example-1-forces", 'torque = "-60 N*m"', 'torque = "-6 kgf*m"', "V701", 'Write "-58.8399 N*m"'),
+    ("example-1-forces", 'inertia = "0.0533 kg*m^2"', 'inertia = "0.0533 kg*m"', "V105", "a moment of inertia was expected"),
 ]  # fmt: skip
 
 

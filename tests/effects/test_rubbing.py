@@ -47,6 +47,25 @@ def test_a_block_on_a_spring_loses_the_same_of_every_swing_and_stops():
     assert "schemes of higher order lose their order" in page and "the pair at C comes to rest" in page
 
 
+def test_what_nothing_pulls_stands_in_every_row_though_the_last_time_is_rounded_beyond_the_end():
+    """239 * 0.05 + 0.05 is more than 240 * 0.05: a loop that began at the end again and again had no end itself."""
+    spring = 'k1 = { spring = ["O", "C"], stiffness = "50 N/m", free = "1 m" }\n'
+    run = coursework.solve(coursework.parse_variant(BLOCK.replace(spring, "")), scheme="exact")
+    assert run.motion.stop is None and run.motion.t[-1] == 12.0 and np.ptp(run.motion.column("s")) == 0.0
+    assert run.summary.startswith("Nothing moves: the forces hold the mechanism where it stands")
+
+
+@pytest.mark.parametrize("start", [179.9, 180.0, 180.1])
+def test_a_slider_that_starts_from_rest_near_its_dead_centre_turns_round_there_and_goes_on(start):
+    """It slides in at first, then out: its speed is 0 at the start and again where it turns, between which it is sought."""
+    changes = ("[ask]", f"[friction]\n{RUBS}\n\n[ask]"), ('end    = "2 s"', 'end = "0.2 s"'), ('"0 deg"', f'"{start} deg"')
+    run = coursework.solve(coursework.parse_variant(mechanism("example-2-motor", *changes)), scheme="exact")
+    assert run.stop is None and len(run.motion.t) == 21
+    assert np.ptp(run.motion.column("theta1")) == pytest.approx(1.2717573, abs=1e-3)
+    left, exchanged = remainder(run.results.forces)
+    assert np.abs(left).max() < 1e-4 * exchanged
+
+
 def test_a_guide_of_some_length_bears_a_couple_at_its_two_ends():
     """The mass 0.05 m above the guide tilts the block on its ends 0.1 m apart: they bear m|a| together, where that is more than
     the weight, so the block swings as if it had a tenth more of mass while it is slowed down.

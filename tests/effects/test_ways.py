@@ -188,6 +188,19 @@ def test_a_spring_pulls_with_its_stretch_and_the_rate_of_it_whatever_its_length(
     assert found == {"1": pytest.approx(16 * (0.6 + 0.8j)), "2": pytest.approx(-16 * (0.6 + 0.8j))}
 
 
+def test_a_spring_from_a_fixed_hinge_pulls_at_the_frame_and_not_at_the_link_that_turns_there():
+    """So the reactions at both ends of the crank differ by what the crank itself weighs, with the spring or without."""
+    load = 'gravity = "9.81 m/s^2"'
+    plain = mechanism("example-1-forces")
+    sprung = mechanism("example-1-forces", (load, f'{load}\nk = {{ spring = ["A", "C"], stiffness = "1 kN/m", free = "0.9 m" }}'))
+    found, bare = of_text(sprung), of_text(plain)
+    for axis in "xy":
+        pairs = [(one.column(f"R01{axis}"), one.column(f"R12{axis}")) for one in (found, bare)]
+        (first, second), (third, fourth) = pairs
+        assert np.abs(first - third).max() > 50
+        assert np.allclose(first - second, third - fourth, atol=1e-9)
+
+
 @pytest.mark.parametrize(("count", "rows"), [(1, [0]), (39, [*range(39)]), (200, [*range(0, 200, 5)])])
 def test_how_fast_deviations_die_out_and_swing_is_looked_at_in_forty_rows_from_the_first_on(count, rows, monkeypatch):
     looked = []

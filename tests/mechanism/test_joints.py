@@ -11,7 +11,7 @@ from coursework.drawing.outline.tracing import read_outline
 from coursework.mechanism import groups
 from coursework.mechanism.groups import GROUPS, group_kind, joint
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint, JointKind
-from coursework.mechanism.joints import FRAME, linkage
+from coursework.mechanism.joints import FRAME, chain_of_groups, link_names, linkage
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
 from coursework.variant.formula.tree import named
@@ -37,7 +37,7 @@ def test_links_and_frame_of_variant_31():
 CHAINS = {
     "example-1": [(REVOLUTE, ("1", "0")), (REVOLUTE, ("1", "2")), (REVOLUTE, ("0", "3")), (REVOLUTE, ("2", "3"))],
     "example-2": [(REVOLUTE, ("1", "0")), (REVOLUTE, ("1", "2")), (REVOLUTE, ("2", "3")), (PRISMATIC, ("3", "0"))],
-    "example-4": [(REVOLUTE, ("1", "0")), (REVOLUTE, ("1", "3")), (PRISMATIC, ("3", "2")), (REVOLUTE, ("2", "0"))],
+    "example-4": [(REVOLUTE, ("1", "0")), (REVOLUTE, ("1", "2")), (PRISMATIC, ("2", "3")), (REVOLUTE, ("3", "0"))],
     "example-5": [(REVOLUTE, ("1", "0")), (REVOLUTE, ("1", "2")), (PRISMATIC, ("2", "3")), (PRISMATIC, ("3", "0"))],
 }
 
@@ -47,6 +47,31 @@ def test_a_chain_of_groups_names_its_joints(name):
     """Each dyad of the textbook, by hand: crank on the frame, then two links and three pairs."""
     found = [(kind, tuple(sorted(bodies))) for kind, bodies in joints(replace(coursework.load(name), links=()))]
     assert found == [(kind, tuple(sorted(bodies))) for kind, bodies in CHAINS[name]]
+
+
+@pytest.mark.parametrize(
+    ("name", "rates", "links"),
+    [
+        ("example-1", ("wa", "wb", "wc"), {"theta1": "1", "theta2": "2", "theta3": "3"}),
+        ("example-1", ("w0", "w01", "w3"), {"theta1": "2", "theta2": "1", "theta3": "3"}),  # 0 is the frame
+        ("example-2", ("wa", "wb", "vc"), {"theta1": "1", "theta2": "2", "s3": "3"}),
+        ("example-4", ("wa", "wb", "vc"), {"theta1": "1", "s2": "2", "theta3": "3"}),
+        ("example-5", ("wa", "vb", "vc"), {"theta1": "1", "s2": "2", "s3": "3"}),
+        ("prp", ("wa", "vb", "vc"), {"psi": "1", "si": "2", "sj": "3"}),
+    ],
+)
+def test_links_whose_rates_have_no_number_are_counted_along_the_chain(name, rates, links):
+    """Crank, then two a group: of RRR first what hangs on its first point, rod before slider, block before lever."""
+    variant = coursework.load(name)
+    called = dict(zip(variant.rates, rates, strict=True))
+    variant = replace(
+        variant,
+        links=(),
+        coordinates=tuple(replace(c, rate=called[c.rate]) for c in variant.coordinates),
+        drive=tuple(replace(law, name=called.get(law.name, law.name)) for law in variant.drive),
+    )
+    chain = chain_of_groups(variant, dict(variant.points))
+    assert {chain.coordinates[body]: name for body, name in link_names(chain, variant).items()} == links
 
 
 def test_a_dyad_on_a_moving_guide_slides_on_the_link_that_carries_it():

@@ -15,6 +15,7 @@ SLIPS = [
     ('A = "O + r1 @ phi1"', 'A = "O + 0.3 m @ phi1"', {"V143": 'put "0.3 m" into [given]'}),
     ("@ phi2", "@ (phi2 + 30 deg)", {"V143": 'put "30 deg" into [given]'}),
     ('angle = "0"', 'angle = "phi1 + 90 deg"', {"V143": 'put "90 deg" into [given]'}),
+    ("V*sin(p*t)", "V*sin(p*t) + 9.81 m/s^2*t", {"V143": 'put "9.81 m/s^2" into [given]'}),
     ("r1*w1*sin(phi1) = 0", "r1*w1*sin(phi1)) = 0", {"V144": "closes nothing"}),
     ("V*sin(p*t)", "V*Sin(p*t)", {"V126": 'Did you mean "sin"?'}),
     ("V*sin(p*t)", "V*sin(p*T)", {"V053": 'Did you mean "t"?'}),

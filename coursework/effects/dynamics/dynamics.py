@@ -44,7 +44,7 @@ class FreeMotion:
 
     `ended` is "" if it reached its end, else "dead point", "too steep" (the forces), "not finite", "held" or "locked" (by
     friction at the point `by`), "sensitive" (unknown beyond), "limit position" (of the free coordinates alone); `at` is the time
-    (s).
+    (s), and `lost` holds time, coordinates and free rates at which something had no value.
     """
 
     t: Array
@@ -54,6 +54,7 @@ class FreeMotion:
     ended: str = ""
     at: float = 0.0
     by: str = ""
+    lost: tuple[float, ...] = ()
 
 
 @dataclass(slots=True)
@@ -70,6 +71,7 @@ class Dynamics:
     rests_until: float = -math.inf
     _rates: list[float] = field(default_factory=list)
     _first: tuple[float, ...] = ()
+    _lost: tuple[float, ...] = ()
 
     def closed(self, t: float, free: Sequence[float]) -> list[float]:
         """Return the closed position with these free coordinates.  Raises `Open` if there is none nearby."""
@@ -98,7 +100,11 @@ class Dynamics:
             self.q = self.closed(t, free)
         elif [self.q[place] for place in self.motion.free] != list(free):
             self.q = self.closed(t, free) if not self._rates else self._followed(t, free)
-        found = self.motion.slope(t, *self.q, *rates)
+        try:
+            found = self.motion.slope(t, *self.q, *rates)
+        except (ValueError, ZeroDivisionError):  # a root below zero, a determinant or what a force is divided by
+            self._lost = (t, *self.q, *rates)
+            raise ZeroDivisionError from None
         self.count += 1
         self._rates = [rates[0], *found[count:]]
         return [*rates, *found[:count]]
@@ -164,7 +170,7 @@ class Dynamics:
                 loose = rubbing.loose(self._where, now, later[later >= at].tolist())
                 if (loose is None and error.at) or loose == at:
                     raise
-                self.rests_until, length[0] = whole if loose is None else loose, goal - t
+                self.rests_until, length[0] = math.inf if loose is None else loose, goal - t
         return now
 
     def _to(self, t: float, now: list[float], goal: float, length: list[float], whole: float) -> list[float]:
@@ -193,7 +199,7 @@ class Dynamics:
             if ratio <= 1.0:
                 if rubbing is not None:
                     taken, after = rubbing.turned(moving, self._where, (state, slope), taken, after)
-                at, state = at + taken, after
+                at, state, self._lost = at + taken, after, ()
                 if taken == length[0] or ratio > 0:
                     length[0] = max(length[0], taken) if taken < length[0] else next_length(taken, ratio, 8)
                 continue
@@ -213,7 +219,7 @@ class Dynamics:
 
     def _march(self, state: Sequence[float], step: float, steps: int, take: Take) -> FreeMotion:
         count, now = len(self.motion.free), list(state)
-        self.count = 0
+        self.count, self._lost = 0, ()
         positions, rates, ended, at, by = [], [], "", 0.0, ""
         for row in range(steps + 1):
             t = row * step
@@ -241,7 +247,7 @@ class Dynamics:
                 break
         size = len(positions)
         q, v = np.array(positions).reshape(size, -1), np.array(rates).reshape(size, count)
-        return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at, by)
+        return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at, by, self._lost if ended else ())
 
 
 def _stepper(scheme: Scheme) -> Callable[..., list[float]]:

@@ -194,7 +194,7 @@ def _step(e: Evidence) -> Finding:
         told |= {"rate": swinging, "product": e.step * swinging, "limit": _RK4_SWINGS, "step": 0.9 * _RK4_SWINGS / swinging}
         return Finding("COARSE", say("check.STABLE.stiff", **told), e.step * swinging, _RK4_SWINGS, "", step=told["step"])
     if e.exact.rows.count < e.own.rows.count:  # unknown: it may become steeper where the motion could not be followed
-        return skipped(say("check.unknown"))
+        return skipped(say("check.STABLE.unknown", row=e.exact.rows.count))
     return Finding("PASS", say("check.STABLE.pass", **told, swing=e.step * swinging), product, limit)
 
 

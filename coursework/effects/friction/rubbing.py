@@ -28,6 +28,7 @@ MOST_TURNS = 4  # number of guesses for the directions of pairs at rest
 LATER = 1e-5  # s; how far ahead a pair with zero speed and acceleration is examined
 SHARP = 1e-14  # share of a step: accuracy of the time at which a pair reverses
 STANDS = 1e-9  # share of the speeds: below it a pair is at rest at a reversal
+HALVINGS = 40  # halvings of a step from rest, until a pair slides the way it began
 Moving = Callable[..., list[float]]  # a state, its time last -> its derivative
 Where = Callable[..., tuple[float, ...]]  # a state, its time last -> time, closed position, free rates
 
@@ -195,20 +196,26 @@ class Rubbing:
         def left(length: float) -> float:
             end = after if length == taken else dormand_prince_8(moving, state, slope, length)[0]
             ends[length] = end, self.speeds(where, end)
-            return min(sign * v for sign, v in zip(self.held, ends[length][1], strict=True))
+            return self._least(ends[length][1])
 
         at_end = left(taken)
         if at_end >= 0:
             return taken, after
         sizes = [abs(v) for v in ends[taken][1]]
-        at_begin = min(sign * v for sign, v in zip(self.held, self.speeds(where, state), strict=True))
-        length = crossing(left, (0.0, taken), (max(at_begin, 0.0), at_end), SHARP) or 0.0
+        low, at_low = 0.0, max(self._least(self.speeds(where, state)), 0.0)
+        if not at_low:  # it begins at rest: it turns round where it comes to rest again
+            low, at_low = next(((x, v) for k in range(1, HALVINGS) if (v := left(x := taken / 2**k)) > 0), (low, at_low))
+        length = crossing(left, (low, taken), (at_low, at_end), SHARP) or 0.0
         if length not in ends:
             left(length)
         (end, found), rates = ends[length], _rates(state)
         end[rates] *= np.abs(end[rates]) > STANDS * np.max(np.abs(state[rates]))
         self.begin(moving, where, end, [abs(v) <= STANDS * max(size, *sizes) for v, size in zip(found, sizes, strict=True)])
         return length, end
+
+    def _least(self, speeds: Sequence[float]) -> float:
+        """Return the least speed in the assumed direction of sliding; it is negative if a pair slides the other way."""
+        return min((sign * v for sign, v in zip(self.held, speeds, strict=True) if sign), default=0.0)
 
     def taken(self, count: int, *rows: Array) -> Array:
         """Return what friction adds to the `count` free accelerations (f, n), for t, coordinates and free rates, each (n,)."""

@@ -108,7 +108,7 @@ def _solve(known: Known, mode: int) -> GroupMotion:
 
 
 def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
-    rod, block = own
+    block, rod = own
     return (
         Joint(REVOLUTE, (points[0], block), group.start_points[0]),
         Joint(PRISMATIC, (block, rod), group.start_points[0], unknowns(group)[0]),
@@ -116,4 +116,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-RPR = GroupKind("RPR", GROUP_SHAPES["RPR"], _closure, _solve, _joints)
+RPR = GroupKind("RPR", GROUP_SHAPES["RPR"], _closure, _solve, _joints, carries=(1, 0))

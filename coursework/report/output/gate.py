@@ -78,7 +78,9 @@ def _blocks(run: SceneRun, pages: bool) -> Iterator[Block]:
         yield Block(run.exact.names, np.asarray(run.exact.rows), say("graphs.exact"))
     for name, table in (run.own_tables | run.section_tables).items():
         rows = np.asarray(table.rows)
-        yield Block(table.names, np.where(np.isnan(rows), 0.0, rows) if table.blanks else rows, name)
+        if table.blanks and np.isnan(rows).any() and _lost_force(run) is None:  # empty is what is not unique
+            rows = np.where(np.isnan(rows), 0.0, rows)
+        yield Block(table.names, rows, name)
     study = run.accuracy if pages or run.timed is not None else None
     if study is not None:
         rows = np.array([[row.max_error, row.end_error] for row in study.rows if not row.failed]).reshape(-1, 2)
@@ -102,14 +104,21 @@ def _faults(run: SceneRun, block: Block, spoilt: Flags) -> Iterator[Fault]:
             continue
         told.add(what)
         rows = _rows(np.flatnonzero(spoilt[:, index]))
-        reason = None if block.of else _reason(run, owner if is_point else "")
+        reason = _lost_force(run) if block.of else _reason(run, owner if is_point else "")
         if reason is not None:
             yield _because(variant, what, reason, rows)
+            if block.of:  # all that follows from the forces is lost with one of them
+                return
         elif block.of:
             yield _fault(variant, f"{block.of}, {name}", 0, say("fault.V603", rows=rows))
         else:
             section = "points" if is_point else "coordinates"
             yield _fault(variant, f"{section}.{what}", variant.line_of(section, what), say("fault.V602", rows=rows))
+
+
+def _lost_force(run: SceneRun) -> Reason | None:
+    """Return what has no value in a force, a mass or what else moves the mechanism."""
+    return Formulas(run.variant, run.motion, False).of_forces()
 
 
 def _reason(run: SceneRun, point: str) -> Reason | None:

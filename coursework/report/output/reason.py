@@ -88,6 +88,16 @@ class Formulas:
                 return reason
         return None
 
+    def of_forces(self) -> Reason | None:
+        """Return why a force has no value; the points and the laws may be why."""
+        for point, formula in self.variant.points:
+            if reason := self._of(("points", point), f"points.{point}", formula, point):
+                return reason
+        for path, formula, _ in self.variant.forces.measured() if self.variant.forces is not None else ():
+            if reason := self._of(path, ".".join(map(str, path)), formula):
+                return reason
+        return None
+
     def _of_law(self, section: str, law: Law) -> Reason | None:
         path, label = (section, law.name), f"{section}.{law.name}"
         if law.table:

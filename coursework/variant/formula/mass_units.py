@@ -28,7 +28,9 @@ _CYRILLIC = ("кг", "г", "т", "Н", "кН", "м", "см", "мм", "с", "Вт
 REFUSED = {
     "kgf": (Fraction("9.80665"), "N"), "kp": (Fraction("9.80665"), "N"), "кгс": (Fraction("9.80665"), "Н"),
     "lb": (Fraction("0.45359237"), "kg"), "lbf": (Fraction("4.4482216152605"), "N"),
+    "kgf*m": (Fraction("9.80665"), "N*m"), "кгс*м": (Fraction("9.80665"), "Н*м"),
 }  # fmt: skip
+PARTS = frozenset((*_LATIN, *_CYRILLIC, *REFUSED))  # of which a unit is made
 
 
 def _all_units() -> dict[str, tuple[Fraction, str]]:

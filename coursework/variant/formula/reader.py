@@ -28,6 +28,7 @@ MAX_EXPONENT = 8
 _FUNCTION_ALIASES = {
     "tg": "tan", "arctg": "atan", "arctan": "atan", "arcsin": "asin", "arccos": "acos", "ln": "log",
 }  # fmt: skip
+_UNIT_TOKENS = 5  # the longest unit: m, /, s, ^, 2
 _COTANGENT = {"ctg", "cot"}
 # Words that always mean a function, so that they cannot be names.
 FUNCTION_WORDS = frozenset({*FUNCTIONS, *_FUNCTION_ALIASES, *_COTANGENT})
@@ -170,8 +171,9 @@ class _Reader:
         if token.kind in {"name", "number"} or token.text == "(":
             before = self.tokens[self.position - 1] if self.position else token
             if before.kind == "number" and UNITS.get(token.text, (0, "1"))[1] != "1":
-                told = say("fault.V143", number=before.text, unit=token.text)
-                raise FormulaFault(token.column, told)
+                behind = [one.text for one in self.tokens[self.position : self.position + _UNIT_TOKENS]]
+                unit = next(u for k in range(len(behind), 0, -1) if (u := "".join(behind[:k])) in UNITS)
+                raise FormulaFault(token.column, say("fault.V143", number=before.text, unit=unit))
             raise FormulaFault(token.column, say("fault.V120", text=token.text))
         if token.text == ")":
             raise FormulaFault(token.column, say("fault.V144"))

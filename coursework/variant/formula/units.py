@@ -118,12 +118,12 @@ def plain_mass_unit(unit: str) -> str:
 
 
 def is_mass_quantity(text: str) -> bool:
-    """Return whether `text` looks like "value unit", with units that contain a mass allowed."""
-    from coursework.variant.formula.mass_units import REFUSED
-    from coursework.variant.formula.mass_units import UNITS as WITH_MASS
+    """Return whether `text` looks like "value unit"; units with a mass in them, and their products, are allowed."""
+    from coursework.variant.formula.mass_units import PARTS
 
     match = VALUE.match(text)
-    return is_quantity(text) or (match is not None and plain_mass_unit(match["unit"] or "") in {*WITH_MASS, *REFUSED})
+    unit = plain_mass_unit(match["unit"] or "") if match else "?"
+    return is_quantity(text) or PARTS.issuperset(part.removesuffix("^2") for part in re.split("[*/]", unit))
 
 
 def quantity(written: str, size: tuple[Fraction, str], unit: str, text: str) -> Quantity:

@@ -79,12 +79,11 @@ def _values(
 
 def _gravity(value: str | int | float, parts: Parts) -> tuple[Formula, Formula]:
     path: KeyPath = ("forces", GRAVITY)
-    if isinstance(value, str) and not parts.is_quantity(value):
-        tree = parts.formula(path, value, "any", "force")
-        if tree.op == "pair":
-            return tree.args[0], tree.args[1]
-        return ZERO, Formula("neg", (tree,))
-    return ZERO, Formula("neg", (parts.scalar(path, value, "force", "m/s^2"),))
+    if isinstance(value, str) and "," in value:
+        tree = parts.formula(path, value, "vector", "force")
+        x, y = tree.args if tree.op == "pair" else (Formula("part", (tree,), axis) for axis in "xy")
+        return x, y
+    return ZERO, Formula("neg", (_value(path, value, "m/s^2", parts, True),))
 
 
 def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[Load | Spring]:
@@ -101,7 +100,7 @@ def _load(key: str, entry: schema.Load | str | float, parts: Parts) -> Iterator[
         missing = [name for name in (("stiffness", "free") if entry.spring else ("damping",)) if getattr(entry, name) is None]
         if missing:
             parts.say(path, say("fault.V706", name=key, missing=missing[0]))
-        yield Spring(key, both, **_values(path, entry, ("stiffness", "free", "damping"), parts))
+        yield Spring(key, both, **_values(path, entry, ("stiffness", "free", "damping"), parts, True))
         return
     if entry.on is None or (entry.force is None) == (entry.torque is None):
         parts.say(path, say("fault.V707", name=key))

@@ -21,7 +21,10 @@ _ROUNDED, _BEFORE = 1e-15, 1e-6
 
 
 def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> Fault | None:
-    """Return a fault for the first law, equation or point without a finite value at time `t` (s) and a position (rad, m)."""
+    """Return a fault for the first law, equation or point without a finite value at time `t` (s) and a position (rad, m).
+
+    Of a mechanism that forces move the forces too; `position` has the free rates then.
+    """
     values: dict[str, complex] = {"pi": math.pi, **variant.values, "t": t, **position}
     values |= dict.fromkeys((name for name in variant.sought if name not in values), 1.0)
     for section, law in in_order(variant):
@@ -36,7 +39,8 @@ def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> 
     for path, formula in variant.formulas():
         if fault := _judged(variant, path, str(path[1]) if path[0] == "points" else "", formula, values, t):
             return fault
-    return None
+    moving = variant.forces.measured() if variant.forces is not None and variant.forces.motor is not None else ()
+    return next((fault for path, formula, _ in moving if (fault := _judged(variant, path, "", formula, values, t))), None)
 
 
 def law_without_value(variant: Variant, times: Iterable[float]) -> Fault | None:

@@ -36,6 +36,24 @@ def test_rows_of_a_scheme_that_reach_the_limit_are_told_so():
     assert run.motion.stop.kind == "dead point" and run.motion.stop.time == pytest.approx(0.3826, abs=1e-3)
 
 
+def test_rows_that_go_on_beyond_the_limit_are_judged_up_to_it_and_not_called_unknown_as_well():
+    run = piston("u3", "semi-implicit", step=0.02)
+    assert len(run.motion.t) > len(piston("u3", step=0.02).motion.t) == 20
+    assert "in row 20" in run.summary and "Beyond row 20 the motion itself is not followed" in run.summary
+    assert "how close the table is" not in run.summary
+
+
+ROOT, POLE = "c*sqrt(1 - t/0.3)*u3", "c*u3/(t - 0.1)*t"
+
+
+@pytest.mark.parametrize(("scheme", "law"), [("exact", ROOT), ("euler", ROOT), ("rk4", ROOT), ("euler", POLE)])
+def test_a_force_without_a_value_is_charged_and_not_the_links(scheme, law):
+    text = mechanism("example-2-motor", ("(-c*u3, 0)", f"(-{law}, 0)"))
+    why = "no real number" if law == ROOT else "division by zero"
+    with pytest.raises(coursework.InputError, match=rf"V019 bad.toml:\d+  forces.F1, column \d+: .*{why}"):
+        _ = coursework.solve(coursework.parse_variant(text, "bad.toml"), scheme=scheme).motion
+
+
 def test_links_without_mass_would_have_to_stretch():
     """A heavy crank drives a rod that is too short for it, and nothing but the crank has a mass: it hits its limit."""
     text = rod_of(r=0.36, M1=1, T=0)

@@ -20,6 +20,7 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases
 from tests.command import call
 from tests.hard.scenes import V31_IMPOSSIBLE, solve
+from tests.mechanisms.library import mechanism
 from tests.solved import solved
 
 pytestmark = pytest.mark.usefixtures("folder")
@@ -51,6 +52,16 @@ CASES = {
         "in rows 1 to 25: exp(1.63e+03). It grows beyond any number; see phi1.",
     ),
 }
+
+
+def test_a_load_without_a_value_is_told_once_with_its_formula_and_not_as_rows_of_the_energy(folder):
+    text = mechanism("example-1-forces", ("(F0, 0)", "(F0*sqrt(1 - t/0.3), 0)"))
+    Path("load.toml").write_text(text, encoding="utf-8")
+    line = text[: text.index("F1 = {")].count("\n") + 1
+    result = call("run", "load.toml", "--format", "csv")
+    assert result.exit_code == 2 and result.stderr.count("\n") == 1
+    assert result.stderr.startswith(f"V604 load.toml:{line}  forces.F1.force, ")
+    assert "in rows 19 to 37: sqrt(-0.0472). There is no square root of a negative number" in result.stderr
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -15,6 +15,7 @@ from coursework.results.checks.computed_right import beginning, conditioning, eq
 from coursework.results.checks.evidence import Evidence
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.drives import Law, four_bar
+from tests.mechanisms.library import mechanism
 from tests.results.checks import closed_form
 from tests.results.checks.scenes import V31, evidence_of, finding, found, solve, spoil
 
@@ -117,6 +118,16 @@ def test_a_wrong_period_is_wrong_and_not_coarse(stated):
 def test_a_period_with_three_digits_is_the_period(scheme):
     run = solve(V31.replace('"2*pi/p"', '"0.480 s"'), scheme)
     assert "FAIL" not in {one.verdict for one in run.checks}
+
+
+def test_drift_is_a_share_of_a_link_and_not_of_an_offset_or_of_a_datum_that_nothing_has():
+    """Where sines are written out instead of vectors: r = 0.1 m, l = 0.4 m, beside them an offset and the module of a gear."""
+    start = f'"{math.asin((0.002 - 0.1 * math.sin(0.5)) / 0.4)!r} rad"'
+    changes = ('l = "0.4 m"', 'l = "0.4 m"\ne = "2 mm"\nm = "1 mm"'), ("= 0", "= e"), ('"-0.1201453472 rad"', start)
+    judged = evidence_of(solve(mechanism("slider-crank-loop", *changes)))
+    closure, motion = judged.closure, judged.motion
+    residual, _ = closure.residual(motion.t, motion.coordinates, closure.targets(motion.t)[0])
+    assert finding("DRIFT", judged).value == pytest.approx(np.abs(residual).max() / 0.1, rel=1e-12)
 
 
 @pytest.mark.parametrize(("factor", "verdict"), [(0.999, "PASS"), (1.001, "COARSE")])

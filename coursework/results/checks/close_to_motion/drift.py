@@ -7,6 +7,8 @@ Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from coursework.equations.reduction.system import compile_values
@@ -14,7 +16,7 @@ from coursework.motion.geometry.closure import Closure
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, Verdict, percent, skipped
 from coursework.system.arrays import Array
-from coursework.variant.formula.tree import evaluate, spelled
+from coursework.variant.formula.tree import Formula, evaluate, spelled
 from coursework.variant.record.places import lengths_of
 from coursework.words.sentences import joined
 
@@ -75,7 +77,7 @@ def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int
 
 
 def shortest_length(evidence: Evidence) -> float:
-    """Return the shortest length (m) of a vector or group, over all rows if it changes; of the data if there is none."""
+    """Return the shortest length (m) of a vector or group, over all rows if it changes; without any, of data that are factors."""
     variant, motion = evidence.variant, evidence.motion
     trees = {*lengths_of(variant)}
     sliding = {coordinate.name for coordinate in variant.coordinates if coordinate.unit == "m"}
@@ -86,8 +88,18 @@ def shortest_length(evidence: Evidence) -> float:
         scalars = [evidence.equations.symbols.scalar(tree) for tree in sorted(changing, key=spelled)]
         values = compile_values(evidence.equations, scalars)[1](motion.t, *motion.coordinates.T)
         sizes += [float(np.min(np.abs(value))) for value in values]
-    data = [abs(given.value) for given in variant.given if given.si == "m"]
-    return _shortest(sizes) or _shortest(data) or 1.0
+    data = {given.name: abs(given.value) for given in variant.given if given.si == "m"}
+    turned = {name for path, formula in variant.formulas() if path[-1] != "equation" for name in _factors(formula, fixed)}
+    return _shortest(sizes) or _shortest([data[name] for name in turned & {*data}]) or _shortest([*data.values()]) or 1.0
+
+
+def _factors(formula: Formula, fixed: set[str]) -> Iterator[str]:
+    """Yield the names that multiply something that moves: links, where an offset stands alone."""
+    for node in formula.walk():
+        if node.op == "*":
+            for arm, other in (node.args, node.args[::-1]):
+                if not fixed.issuperset(other.names()):
+                    yield from arm.names()
 
 
 def _shortest(sizes: list[float]) -> float:
