@@ -100,10 +100,10 @@ def _between(angle: Array, w: Array, slope: Array, k: int) -> tuple[float, float
     """Return the angle between two rows at which the slope is zero, and the speed there, by the quintic through six slopes."""
     low = min(max(k - 2, 0), len(angle) - 6)
     x = (angle[low : low + 6] - angle[k]) / (angle[k + 1] - angle[k])
-    cubic = np.polynomial.Polynomial.fit(x, slope[low : low + 6], 5).convert()
-    found = [complex(root) for root in cubic.roots().tolist()]
+    quintic = np.polynomial.Polynomial.fit(x, slope[low : low + 6], 5).convert()
+    found = [complex(root) for root in quintic.roots().tolist()]
     roots = [one.real for one in found if abs(one.imag) < 1e-9 and -1e-9 <= one.real <= 1 + 1e-9]
     at = roots[0] if roots else 0.0
-    whole = cubic.integ()
+    whole = quintic.integ()
     step = float(angle[k + 1] - angle[k])
     return float(angle[k]) + at * step, float(w[k]) + step * float(whole(at) - whole(0.0))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -24,9 +24,6 @@ from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import Slopes
 from coursework.system.arrays import Array, as_columns
 from coursework.system.frozen import caching
-
-if TYPE_CHECKING:
-    pass
 
 _SOLVED = 25  # cost of a block solved numerically, in formulas
 # Share of its time by which a step stays before a break of the drive: its last slope must still use the old formula.

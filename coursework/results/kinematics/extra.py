@@ -1,7 +1,7 @@
 """Tables beside the table of results: analogs and invariants of a crank-driven motion, ready for a page.
 
 Enters: a motion with its accelerations.  Leaves: `ExtraTable`.  Computed on request only.
-Used by `scene_run.py`, `quantities.py`, `tables.py` and `scene_run.py`.
+Used by `scene_run.py`, `quantities.py` and `tables.py`.
 """
 
 from __future__ import annotations
