@@ -5,18 +5,21 @@ Enters: marked cells.  Leaves: the same cells marked against that table.  Used b
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
+from coursework.grading.marking.table.before.guesses import agreed
 from coursework.grading.marking.table.cells import GIVEN, Cells, mark_cells
-from coursework.grading.marking.table.ways import HALF, KEY
+from coursework.grading.marking.table.ways import HALF, KEY, as_printed, near, own_ways
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 # A start that is not printed must explain this part of all cells more than the task's start does.
 _MORE = 0.1
+# A start that velocities tell is taken with as few decimals as give them.
+_DECIMALS = range(1, 9)
 
 
 @frozen
@@ -35,14 +38,14 @@ def begins_elsewhere(key: Key, cells: Cells) -> bool:
 def own_start(key: Key, cells: Cells) -> OwnStart | None:
     """Return the table marked from its own start, None if that is the task's or row 1 does not follow from it.
 
-    The start may be what row 1 prints, or what stood there before it was put right or misprinted; single values may be the
-    task's. The start that makes most cells right is taken.
+    The start may be what row 1 prints, or what stood there before it was put right or misprinted, or what the velocities of
+    row 1 tell; single values may be the task's. The start that makes most cells right is taken.
     """
     printed = cells.student.values[0, : len(key.coordinates)]
     least = int((cells.marks == KEY).sum() + _MORE * cells.marks.size)
     found = [
         (start, made)
-        for start in _starts(key, cells)
+        for start in [*_starts(key, cells), *_told_by_velocities(key, cells)]
         if (made := _marked_from(key, cells, start)) and (np.isin(start, printed).all() or (made.marks == KEY).sum() >= least)
     ]
     if not found:
@@ -63,6 +66,25 @@ def _starts(key: Key, cells: Cells) -> list[Array]:
             found.append(np.where(other, start, task))
             found += [np.where(np.arange(m) == place, start, task) for place in np.flatnonzero(other) if other.sum() > 1]
     return [start for start in np.unique(found, axis=0) if (start != task).any()]
+
+
+def _told_by_velocities(key: Key, cells: Cells) -> Iterator[Array]:
+    """Yield a start (m,) with one value more that is not the task's, where the velocities of row 1 follow from it alone."""
+    m, student = len(key.coordinates), cells.student
+    start = np.where(cells.wrong[0, :m], student.values[0, :m], key.table[0, :m])
+    put = np.zeros_like(cells.wrong)
+    put[0, :m] = ~cells.wrong[0, :m] & ~cells.missing[0, :m]
+    if not cells.wrong[0, m:].any():
+        return
+    tolerance = as_printed(key, student.units)[0, m:]
+    for table in agreed(key, student, own_ways(key, student), cells.wrong, put):
+        told = np.isfinite(table[0, :m])
+        for decimals in _DECIMALS:
+            other = np.where(told, np.round(table[0, :m], decimals), start)
+            made = key.velocities_at(key.t[:1], other[None])[0]
+            if (near(student.values[0, m:], made, tolerance) | ~cells.wrong[0, m:]).all():
+                yield other
+                break
 
 
 def _marked_from(key: Key, cells: Cells, start: Array) -> Cells | None:

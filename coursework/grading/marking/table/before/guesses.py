@@ -45,7 +45,7 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
         columns = columns[:1]  # so many wrong cells come from another method, not from one coordinate
     if rows.any():
         yield _by_next_row(key, was, other)
-        for values in _agreed(key, was, own, wrong, other & rows[:, None]):
+        for values in agreed(key, was, own, wrong, other & rows[:, None]):
             told = np.isfinite(values)
             alone = replace(was, values=np.where(told, values, was.values))
             yield alone
@@ -72,7 +72,7 @@ def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
     return guess
 
 
-def _agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> list[Array]:
+def agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> list[Array]:
     """Return tables (n, m + r) of what one cell in each row was, NaN elsewhere; the one on which most cells agree comes first.
 
     Each `wrong` cell gives a value for a cell that may have been `other`. That wrong cell, all others made from the same cell,

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.table.before import restored as search
-from coursework.grading.marking.table.before.guesses import _agreed, _begun, _open_by, guesses, makers_of_several
+from coursework.grading.marking.table.before.guesses import _begun, _open_by, agreed, guesses, makers_of_several
 from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way
 from tests.grading.marking.table.before.test_made import KEY, NAN
 
@@ -67,7 +67,7 @@ def test_a_misprinted_angle_is_what_its_velocities_say_where_all_agree(w, u, fou
     Tolerances are 0.01 for what 7 makes, 14 and 28; for smaller ones less by 2e-4 of the difference: (0.01 - 2e-4 (14 - w))/2.
     """
     key, was, own = seen(SIMPLE, {(1, 0): 7.0, (1, 1): w, (1, 2): u})
-    (one,) = told(_agreed(key, was, own, flags((1, 1), (1, 2)), flags((1, 0))))
+    (one,) = told(agreed(key, was, own, flags((1, 1), (1, 2)), flags((1, 0))))
     assert one == {(1, 0): pytest.approx(found, abs=1e-8)}
 
 
@@ -75,26 +75,26 @@ def test_a_misprinted_angle_is_what_its_velocities_say_where_all_agree(w, u, fou
 def test_what_only_one_cell_says_is_not_believed(w, is_told):
     """By u 1.2 to 0.00134; by w farther off than 0.00384 + 0.00134 it says something else; the row above says 1.3."""
     key, was, own = seen(SIMPLE, {(0, 0): 1.1, (1, 0): 7.0, (1, 1): w, (1, 2): 4.8})
-    assert bool(_agreed(key, was, own, flags((1, 1), (1, 2)), flags((1, 0)))) is is_told
-    assert _agreed(key, was, own, flags((1, 2)), flags((1, 0))) == []
-    assert _agreed(key, was, own, flags(), flags((1, 0))) == [] == _agreed(key, was, own, flags((1, 1), (1, 2)), flags())
+    assert bool(agreed(key, was, own, flags((1, 1), (1, 2)), flags((1, 0)))) is is_told
+    assert agreed(key, was, own, flags((1, 2)), flags((1, 0))) == []
+    assert agreed(key, was, own, flags(), flags((1, 0))) == [] == agreed(key, was, own, flags((1, 1), (1, 2)), flags())
 
 
 def test_a_velocity_is_what_the_later_one_and_the_next_step_say():
     """Of w = 24 for 2.4 in row 2: u = 4.8 and the step to 1.44 say 2.4, as the angle does; so of its row it was."""
     key, was, own = seen(SIMPLE, {(1, 1): 24.0})
-    (one,) = told(_agreed(key, was, own, flags((1, 2), (2, 0)), flags((1, 1))))
+    (one,) = told(agreed(key, was, own, flags((1, 2), (2, 0)), flags((1, 1))))
     assert one == {(1, 1): pytest.approx(2.4, abs=1e-6)}
     missing = replace(was, values=was.values.copy())
     missing.values[2, 0] = NAN
-    assert told(_agreed(key, missing, own, flags((2, 0)), flags((1, 1)))) == []
+    assert told(agreed(key, missing, own, flags((2, 0)), flags((1, 1)))) == []
 
 
 @pytest.mark.parametrize("printed", [80.0, -8.1, 1.8, 9.5])
 def test_an_angle_is_found_from_anywhere_in_the_turn_of_the_task(printed):
     """sin and cos tell 8.1 but for whole turns; sin alone 3 pi - 8.1 too, where the cosine is another."""
     key, was, own = seen(TURNING, {(1, 0): printed})
-    (one, *_) = told(_agreed(key, was, own, flags((1, 1), (1, 2), rows=4), flags((1, 0), rows=4)))
+    (one, *_) = told(agreed(key, was, own, flags((1, 1), (1, 2), rows=4), flags((1, 0), rows=4)))
     assert one == {(1, 0): pytest.approx(8.1, abs=1e-6)}
 
 

@@ -109,6 +109,7 @@ def test_a_start_is_another_by_more_than_its_rounding(
 ) -> None:
     """Half a digit as it is printed; a whole one where what stood there was put right."""
     monkeypatch.setattr(starts, "_marked_from", lambda key, cells, start: SimpleNamespace(marks=np.zeros((1, 1))))
+    monkeypatch.setattr(starts, "_told_by_velocities", lambda key, cells: iter(()))
     key = SimpleNamespace(coordinates=("q",), table=np.array([[3.0]]), told_to=0.0)
     table = StudentTable(np.array([[3.0 + 0.1 * off]]), np.array([[0.1]]))
     student = table if before is None else StudentTable(np.array([[3.0]]), np.array([[0.1]]))
