@@ -1,7 +1,7 @@
 """Where names of points and numbers of links stand in the moving part: chosen once, clear of what is drawn in every position.
 
 Enters: an `Outline`, its positions in the start and in later rows, the words.  Leaves: spots in units of the drawing.
-Used by `report/live/drawn.py`.
+Used by `report/live/drawn.py` and `report/graphs/moving_picture.py`.
 """
 
 from __future__ import annotations
@@ -49,10 +49,10 @@ def spots_of(outline: Outline, poses: Sequence[Poses], names: Sequence[str]) -> 
     A spot is [x, y] from its point, or [part, across, side]: so far along that side of the link, so far to its left; [] for none.
     `poses` are those of the true motion, whose first row is the start, and of other motions that the drawing has room for.
     """
-    return [_spots(outline, poses[0], _scale(outline, poses, width), names) for width in WIDTHS]
+    return [_spots(outline, poses[0], scale_of(outline, poses, width), names) for width in WIDTHS]
 
 
-def _scale(outline: Outline, poses: Sequence[Poses], width: float) -> float:
+def scale_of(outline: Outline, poses: Sequence[Poses], width: float) -> float:
     """Return the units of a metre, as `refit` of drawing.js has them."""
     rims = [(wheel.centre, wheel.contact, slice(None)) for wheel in outline.wheels]
     rims += [(track.centre, track.rim, slice(0, 1)) for track in outline.tracks]
