@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import make_run, step_choice, variant_of
-from coursework.commands.run_on_screen import tell_run, tell_run_briefly
+from coursework.commands.run_on_screen import by_folder, tell_run, tell_run_briefly
 from coursework.commands.screen import is_terminal, refuse_motor, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.motion.settings import stepping
 from coursework.report.output.formats import FORMATS, Format, chosen
@@ -166,4 +166,4 @@ def tell_older(folder: Path, older: tuple[str, ...] | None, written: list[str]) 
         tell(say("screen.held_unfinished", folder=folder, record=Results.record_name))
         older = tuple(f"{Results.stem}.{each.suffix}" for each in FORMATS)
     if left := [name for name in older if name not in written and (folder / name).exists()]:
-        tell(say("screen.from_earlier_run", left=tuple(left)))
+        tell(say("screen.from_earlier_run", left=by_folder(left) if is_terminal() else tuple(left)))

@@ -5,6 +5,7 @@ Enters: a `Run`, the folder and the names of its files.  Leaves: lines on standa
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from coursework.commands.screen import in_language, speaks_english, tell, tell_wrapped, title_of
@@ -69,9 +70,14 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
             tell_wrapped(say("screen.not_passed", mark=mark, title=finding.title, sentence=fact), hanging=INDENT)
     for line in advice:
         tell_wrapped(line)
-    tell_wrapped(say("screen.written_to", out=folder, files=", ".join(written)))
+    tell_wrapped(say("screen.written_to", out=folder, files=", ".join(by_folder(written))))
     if findings:
         tell_wrapped(say("screen.more_with_verbose"))
+
+
+def by_folder(names: Iterable[str]) -> tuple[str, ...]:
+    """Return names of files, those of a folder as one: before a person forty drawings are "figures/"."""
+    return tuple(dict.fromkeys(name[: name.find("/") + 1] or name for name in names))
 
 
 def _parted(finding: Finding) -> list[str]:

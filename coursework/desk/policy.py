@@ -20,13 +20,15 @@ from coursework.desk.job import Policy
 from coursework.report.output.formats import chosen
 from coursework.variant.toml.source import read_bytes
 from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, load_phrases, say
 
 
 def read_policy(path: Path) -> Policy:
     """Return the policy in a file.  Raises `InputError`."""
+    content = read_bytes(path)
     try:
-        data = tomllib.loads(read_bytes(path).decode("utf-8-sig"))
+        data = tomllib.loads(content.decode("utf-8-sig"))
     except ValueError as error:
         raise InputError([Fault(say("fault.C081", reason=str(error)), str(path))]) from None
     if faults := list(_faults(data)):
@@ -35,14 +37,17 @@ def read_policy(path: Path) -> Policy:
     return Policy(**read)
 
 
-def _faults(data: dict[str, Any]) -> Iterator[Any]:
+def _faults(data: dict[str, Any]) -> Iterator[Sentence]:
     known = [field.name for field in fields(Policy)]
-    for key, value in data.items():  # the functions called here raise an error for an unknown language or format
-        if key not in known:
-            yield say("fault.C082", key=key, hint=closest(key, known) or say("hint.known", known=", ".join(known)))
-        elif key == "language":
-            load_phrases(str(value))
-        elif key == "formats":
-            chosen([str(one) for one in (value if isinstance(value, list) else [value])], "run")
-        elif not isinstance(value, bool):
-            yield say("fault.C083", key=key, found=str(value)[:40])
+    for key, value in data.items():
+        try:
+            if key not in known:
+                yield say("fault.C082", key=key, hint=closest(key, known) or say("hint.known", known=", ".join(known)))
+            elif key == "language":
+                load_phrases(str(value))
+            elif key == "formats":
+                chosen([str(one) for one in (value if isinstance(value, list) else [value])], "run")
+            elif not isinstance(value, bool):
+                yield say("fault.C083", key=key, found=str(value)[:40])
+        except InputError as error:  # the functions called here name an unknown language or format
+            yield from (fault.message for fault in error.faults)

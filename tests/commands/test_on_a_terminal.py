@@ -48,6 +48,17 @@ def test_a_run_in_which_everything_passes_names_no_check(terminal):
     assert len(lines) < 12
 
 
+def test_files_of_a_folder_are_told_as_one(terminal, folder, monkeypatch):
+    monkeypatch.setattr("coursework.commands.run.write_all", lambda *_: ["table.csv", "dxf/a.dxf", "dxf/b.dxf", "run.json"])
+    monkeypatch.setattr("coursework.commands.run.earlier_files", lambda _: ("figures/a.svg", "figures/b.svg"))
+    for name in ("a", "b"):
+        (folder / "coursework-31" / "figures").mkdir(parents=True, exist_ok=True)
+        (folder / "coursework-31" / "figures" / f"{name}.svg").touch()
+    assert call("run", "31", "--quantities", "table", "--format", "csv").stdout.splitlines()[-2:] == [
+        "Written to coursework-31: table.csv, dxf/, run.json", "From an earlier run, and not of this one: figures/",
+    ]  # fmt: skip
+
+
 def test_without_checks_there_is_no_word_of_them(terminal):
     text = call("run", "31", "--quantities", "table", "--format", "csv").stdout
     assert "computed right" not in text

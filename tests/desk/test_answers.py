@@ -209,7 +209,7 @@ def test_tables_are_those_sent_then_those_of_the_folder_then_the_catalogues(clie
 def test_a_department_may_keep_the_exact_motion_to_itself():
     with desk(policy=Policy(exact=False)) as client:
         (fault,) = client.post("/api/check", json={"text": TEXT, "scheme": "exact"}).json()["faults"]
-        assert fault["code"] == "C087"
+        assert (fault["code"], fault["sentence"]) == ("C087", "this desk does not offer exact.")
         chain = (VARIANTS / "v101.toml").read_text(encoding="utf-8")
         assert client.post("/api/check", json={"text": chain}).json()["faults"] == []
 

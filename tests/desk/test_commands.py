@@ -59,18 +59,19 @@ def test_a_policy_says_what_is_offered(folder):
 
 
 @pytest.mark.parametrize(
-    ("text", "code"),
+    ("text", "codes"),
     [
-        ("equations = 1", "C083"), ("equation = true", "C082"), ("x", "C081"), ('formats = ["doc"]', "C015"),
-        ('language = "de"', "L002"),
+        ("equations = 1", ["C083"]), ("equation = true", ["C082"]), ("x", ["C081"]), ('formats = ["doc"]', ["C015"]),
+        ('language = "de"', ["L002"]), ('exact = 1\nlanguage = "de"\nformats = ["doc"]', ["C083", "L002", "C015"]),
     ],
 )  # fmt: skip
-def test_a_wrong_policy_is_told(folder, text, code):
+def test_a_wrong_policy_is_told(folder, text, codes):
     Path("p.toml").write_text(text, encoding="utf-8")
     with pytest.raises(InputError) as wrong:
         read_policy(Path("p.toml"))
-    assert [fault.code for fault in wrong.value.faults] == [code]
+    assert [fault.code for fault in wrong.value.faults] == codes
     assert call("serve", "--policy", "p.toml").exit_code == 2
+    assert call("serve", "--policy", "none.toml").stderr.startswith("V003")
 
 
 def test_the_server_loads_no_mathematics_and_a_run_no_server(folder):

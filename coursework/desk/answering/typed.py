@@ -14,7 +14,7 @@ from coursework.api import make_run, step_of, variant_in
 from coursework.desk.answering.mends import appended, mends_of
 from coursework.desk.inside import TablesOf
 from coursework.desk.job import Setup, fault_entry
-from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
+from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES
 from coursework.motion.settings import scheme_for
 from coursework.run import Run
 from coursework.variant.reading.tables import MAX_TABLE_BYTES
@@ -59,7 +59,7 @@ class Desk:
         scheme = str(self.body["scheme"]) if self.body.get("scheme") else None
         if not self.setup.policy.exact and scheme_for(self.variant, scheme) not in SCHEMES:
             if scheme == EXACT:
-                raise InputError(say("fault.C087", what=PRECISE.name))
+                raise InputError(say("fault.C087", what=EXACT))
             scheme = DEFAULT_SCHEME.name
         return make_run(self.variant, scheme, self.step)
 

@@ -12,7 +12,6 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
-from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +25,7 @@ from coursework.drawing.outline.tracing import read_outline
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.report.graphs.graph_paper import SCHEME_INK
+from coursework.report.live.spots import WIDTHS, scale_of, spots_of
 from coursework.report.text.symbols import Symbol, symbol
 from coursework.report.text.words import Words
 from coursework.scene.scene_run import SceneRun
@@ -114,7 +114,7 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
         cursor = _graph(graph, run, table, exact, Words(phrases))
         draw_ground(field, outline, poses, size)
         shapes = [Shape(field, outline, each, size) for each in poses]
-        joints = Joints(field, outline, poses[0], size)
+        joints = Joints(field, outline, poses[0])
         tableau = run.tableau or SCHEMES.get(table.scheme)
         scheme = phrases.written(title_of(tableau)) if tableau else table.scheme
         solid = figure.text(0.64, 0.93, told("truth"))
@@ -254,37 +254,21 @@ class Shape:
 class Joints:
     """The joints of the true mechanism and the names of its points, moved from frame to frame."""
 
-    def __init__(self, field: Axes, outline: Outline, poses: Poses, size: float) -> None:
-        self.names, self.poses, self.off = outline.shown, poses, 0.03 * size
+    def __init__(self, field: Axes, outline: Outline, poses: Poses) -> None:
+        self.names, self.poses = outline.shown, poses
         style: dict[str, Any] = {"color": "black", "markerfacecolor": "white", "markersize": 5, "linewidth": 0, "zorder": 4}
         self.rings = field.plot([], [], marker="o", **style)[0]
-        self.beside = {name: self._beside(outline, name) for name in outline.hinges}
-        self.words = [field.text(0, 0, label_text(symbol(name)), style="italic", zorder=5) for name in self.names]
-
-    def _beside(self, outline: Outline, name: str) -> complex:
-        """Return the direction from a hinge to its name: beside its ground, on the side where links are farther away."""
-        at, down = complex(self.poses.at[name][0]), hinge_ground(outline, self.poses.pose(0), name)
-        ends = [(self.poses.at[a] - at, self.poses.at[b] - at) for bar in outline.bars for a, b in pairwise(bar.corners)]
-
-        def free(way: complex) -> float:
-            spot, gaps = 2 * self.off * way, [np.full(len(self.poses.t), 4 * self.off)]
-            for begin, end in ends:
-                along = end - begin
-                part = np.clip(((spot - begin) * along.conj()).real / np.maximum(np.abs(along) ** 2, 1e-300), 0, 1)
-                gaps.append(np.abs(spot - begin - part * along))
-            return float(np.mean(np.min(gaps, axis=0)))
-
-        return max((1j * down - 0.2 * down, -1j * down - 0.2 * down), key=free)
+        # The spots of the live part on a narrow page, which is about as large: clear of the drawing in every position.
+        width = WIDTHS[-1]
+        spots = spots_of(outline, [poses], self.names)[-1][: len(self.names)]
+        self.beside = np.array([complex(x, -y) for x, y in spots]) / scale_of(outline, [poses], width)
+        middle: Any = {"style": "italic", "zorder": 5, "ha": "center", "va": "center"}
+        self.words = [field.text(0, 0, label_text(symbol(name)), **middle) for name in self.names]
 
     def show(self, frame: int) -> None:
-        """Show one frame; a name stands on the side away from the middle of the mechanism."""
+        """Show one frame."""
         pose = self.poses.pose(frame)
         places = np.array([pose[name] for name in self.names])
         self.rings.set_data(places.real, places.imag)
-        for name, word, at in zip(self.names, self.words, places.tolist(), strict=True):
-            away = at - complex(places.mean())
-            away = self.beside.get(name, away)
-            place = at + self.off * (away / abs(away) if away else 1j)
-            word.set_position((place.real, place.imag))
-            word.set_horizontalalignment("left" if away.real >= 0 else "right")
-            word.set_verticalalignment("bottom" if away.imag >= 0 else "top")
+        for word, at in zip(self.words, places + self.beside, strict=True):
+            word.set_position((at.real, at.imag))

@@ -1,7 +1,7 @@
 """The spots for names of points and numbers of links in the live part: chosen once, clear of the drawing in every position.
 
 Enters: an `Outline`, its positions at the start and in later rows, the words.  Leaves: spots in units of the drawing.
-Used by `report/live/drawn.py`.
+Used by `report/live/drawn.py` and `report/graphs/moving_picture.py`.
 """
 
 from __future__ import annotations
@@ -50,10 +50,10 @@ def spots_of(outline: Outline, poses: Sequence[Poses], names: Sequence[str]) -> 
     distance to its left, or [x, y] if no side is long enough; [] for none.  `poses` are those of the true motion, whose first
     row is the start, and of other motions for which the drawing must have room.
     """
-    return [_spots(outline, poses[0], _scale(outline, poses, width), names) for width in WIDTHS]
+    return [_spots(outline, poses[0], scale_of(outline, poses, width), names) for width in WIDTHS]
 
 
-def _scale(outline: Outline, poses: Sequence[Poses], width: float) -> float:
+def scale_of(outline: Outline, poses: Sequence[Poses], width: float) -> float:
     """Return the units per metre, as `refit` in drawing.js computes them."""
     rims = [(wheel.centre, wheel.contact, slice(None)) for wheel in outline.wheels]
     rims += [(track.centre, track.rim, slice(0, 1)) for track in outline.tracks]

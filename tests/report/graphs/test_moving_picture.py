@@ -79,14 +79,16 @@ def test_a_rack_reaches_its_gear_from_its_slider_and_a_rail_is_hatched_below(rac
     assert racks[0][:, 1].min() < slider.imag
 
 
-def test_the_name_of_a_pivot_stands_beside_its_ground_where_fewer_links_pass():
-    run = coursework.solve("jansen", quantities=("table",))
+def test_a_name_stands_nearer_to_its_own_point_than_to_another():
+    """Of two wheels on one line each contact had its name under the pivot beside it, as the name of that."""
+    run = coursework.solve(coursework.parse_variant(mechanism("gears-and-crank")), quantities=("table",))
     outline = read_outline(run.scene.mechanism)
     poses = read_poses(outline, run.scene.equations)(run.exact.t, run.exact.coordinates)
-    joints = Joints(Figure().add_subplot(), outline, poses, 0.1)
+    joints = Joints(Figure().add_subplot(), outline, poses)
     joints.show(20)
-    (beside,) = (word for word in joints.words if word.get_text() == "Z")
-    assert beside.get_position()[0] > poses.pose(20)["Z"].real  # its crank and the links on it are to the left
+    pose = poses.pose(20)
+    names = dict(zip(joints.names, (complex(*word.get_position()) for word in joints.words), strict=True))
+    assert all(abs(names[name] - pose[name]) < abs(names[name] - pose[other]) for name, other in ("OP", "PO", "QK", "KQ"))
 
 
 LEVER = mechanism(

@@ -8,7 +8,9 @@ from typing import Any
 import pymupdf
 import pytest
 
+import coursework
 from coursework.report.live.page import MOST_BYTES, MOST_ROWS
+from tests.mechanisms.library import mechanism
 from tests.report.live.test_work import rest
 
 pytestmark = pytest.mark.browser
@@ -173,3 +175,10 @@ def test_a_table_too_long_for_a_laboratory_still_moves(written: Any, opened: Any
     page.page.click("#live-velocities")
     assert page.page.locator(".live-arrows path").count() > 0
     assert page.said == []
+
+
+def test_a_wide_mechanism_begins_below_the_answer_and_numbers_stand_at_one_margin(written: Any, opened: Any) -> None:
+    page = opened(written(coursework.parse_variant(mechanism("gears-and-crank"))), viewport={"width": 1400, "height": 1000}).page
+    assert page.evaluate("(one => one.scrollWidth - one.clientWidth)(document.querySelector('#mechanism > div'))") <= 0
+    ends = "all => all.map(one => Math.round(one.getBoundingClientRect().right))"
+    assert len(set(page.eval_on_selector_all("#equations .name", ends))) == 1
