@@ -27,7 +27,7 @@ def read_outline(mechanism: Mechanism) -> Outline | None:
     >>> from coursework.mechanism.mechanism import build
     >>> outline = read_outline(build(load("example-4")))
     >>> [(bar.link, bar.corners) for bar in outline.bars], [(block.link, block.at) for block in outline.blocks]
-    ([('1', ('A', 'B')), ('3', ('D', 'E')), ('2', ('B',))], [('2', 'B')])
+    ([('1', ('A', 'B')), ('2', ('B',)), ('3', ('D', 'E'))], [('2', 'B')])
     """
     if not mechanism.points:
         return None
