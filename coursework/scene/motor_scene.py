@@ -21,6 +21,7 @@ from coursework.effects.dynamics.known_rows import COARSER, LOOKS, known_rows
 from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.dynamics.regime import Regime, find_regime
 from coursework.effects.dynamics.why_ended import LIMIT
+from coursework.effects.friction.held import Held
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.scheme import read_scheme
 from coursework.motion.integration.integrate import TOO_LARGE
@@ -85,6 +86,8 @@ class MotorScene(Scene):
         except (ZeroDivisionError, ValueError, OverflowError):
             told = say("fault.V749") if is_heavy(found, self.start) else say("fault.V744", names=motor.rates)
             raise InputError([Fault(told, variant.file, variant.nearest_line("motor", "rates"))]) from None
+        except Held:  # it locks where it begins: the rows end there
+            pass
         return found
 
     @property

@@ -206,6 +206,15 @@ def test_a_slider_that_locks_is_told_with_its_time():
         assert stop is not None and stop.kind == "locked" and 0.2 < stop.time < 0.4 and "C locks" in str(stop.sentence)
 
 
+@pytest.mark.parametrize(("speed", "scheme"), [("0", "euler"), ("3", "euler"), ("3", "exact")])
+def test_a_mechanism_that_locks_where_it_begins_is_told_so_and_is_no_fault_of_the_tool(speed, scheme):
+    begins = ('"0 deg"', '"45 deg"'), ('rates = ["w1"]', f'rates = ["w1"]\nstart = {{ w1 = "{speed} rad/s" }}')
+    rubs = ("[ask]", '[friction]\nC = { coefficient = "20" }\n\n[ask]')
+    run = coursework.solve(coursework.parse_variant(mechanism("example-2-motor", rubs, *begins)), scheme=scheme)
+    assert run.stop.kind == "locked" and run.stop.time <= 0.01
+    assert {one.verdict for one in run.checks} <= {"PASS", "SKIP"}
+
+
 def test_reactions_that_are_not_unique_leave_friction_unknown():
     motor = '[motor]\nrates = ["w1"]\n1 = { torque = "1 N*m" }\n'
     text = PARALLEL.replace('[drive]\nw1 = "w0"\n', motor) + '[friction]\nA = { radius = "10 mm", coefficient = "0.1" }\n'

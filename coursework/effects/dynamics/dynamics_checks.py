@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.friction.held import Held
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import Scheme
@@ -66,14 +67,20 @@ def _advised(e: Evidence, findings: list[Finding]) -> tuple[Finding, ...]:
 
 
 def remainder(found: ForceAnalysis) -> tuple[Array, float]:
-    """Return the unexplained energy (n,) J, which nothing gave to the motion, and the energy that was exchanged (J)."""
-    energy, t = found.energy, found.rows.motion.t
-    if not len(t):
-        return np.zeros(0), 0.0
+    """Return the unexplained energy (n,) J, which nothing gave to the motion, and the energy that was exchanged (J).
+
+    The rows end before one that friction locks, because the work of friction is unknown there.
+    """
+    energy = found.energy
     power = energy.drive + energy.loads + energy.friction + energy.dampers
+    count = int(np.argmin(np.append(np.isfinite(power), False)))
+    if not count:
+        return np.zeros(0), 0.0
+    power, t = power[:count], found.rows.motion.t[:count]
     work = np.concatenate([[0.0], np.cumsum(_areas(power, t))])
-    total = energy.kinetic + energy.potential
-    exchanged = max(float(np.ptp(energy.kinetic)), float(np.abs(np.diff(work)).sum()), float(np.ptp(energy.potential)))
+    kinetic, potential = energy.kinetic[:count], energy.potential[:count]
+    total = kinetic + potential
+    exchanged = max(float(np.ptp(kinetic)), float(np.abs(np.diff(work)).sum()), float(np.ptp(potential)))
     return total - total[0] - work, exchanged
 
 
@@ -89,9 +96,9 @@ def _areas(values: Array, t: Array) -> Array:
 
 
 def _energy(e: Evidence) -> Finding:
-    if e.own.rows.count < 2:
-        return skipped(say("check.no_row"))
     (left, exchanged), (unseen, given) = remainder(e.own), remainder(e.exact)
+    if len(left) < 2:
+        return skipped(say("check.no_row"))
     moving, stored = (float(np.abs(energy).max()) for energy in (e.exact.energy.kinetic, e.exact.energy.potential))
     if max(exchanged, given) <= _ROUND_OFF * (moving + stored):
         return skipped(say("check.ENERGY.rest" if moving <= _ROUND_OFF * stored else "check.forces.none"))
@@ -152,8 +159,11 @@ def stiffness(e: Evidence) -> tuple[float, float]:
             continue
         t, q = float(motion.t[row]), motion.coordinates[row].tolist()
         v = [float(motion.column(rate)[row]) for rate in motor.motor.rates]
-        with dynamics.rubbing.sliding_as(t, *q, *v) if dynamics.rubbing is not None else nullcontext():
-            by_rates, by_places = _slopes(dynamics, t, q, v)
+        try:
+            with dynamics.rubbing.sliding_as(t, *q, *v) if dynamics.rubbing is not None else nullcontext():
+                by_rates, by_places = _slopes(dynamics, t, q, v)
+        except Held:  # it locks there
+            continue
         damped = max(damped, float(-np.linalg.eigvals(by_rates).real.min()))
         swinging = max(swinging, float(-np.linalg.eigvals(by_places).real.min()))
     return damped, math.sqrt(swinging)

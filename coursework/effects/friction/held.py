@@ -1,6 +1,7 @@
 """Friction that stops a motion: no equilibrium exists, or a pair at rest does not start to slide.
 
-Used by `dynamics.py`, which tells where a motion ends, `rubbing.py`, which finds it, and `friction.py`.
+Used by `dynamics.py` and `scene/motor_scene.py`, which tell where a motion ends, `rubbing.py`, which finds it, `friction.py`,
+and `dynamics_checks.py`.
 """
 
 from __future__ import annotations

@@ -6,23 +6,26 @@ Used by `scene/motion_results.py`.  Words stand under [check.CODE]; to add one: 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from coursework.effects.effects import Action, add_wrench
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.equations.five_point import NODES, five_point_derivative
 from coursework.mechanism.joints import FRAME
-from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.drive import breaks, drive_values
 from coursework.results.checks.close_to_motion.rows import AT_ROW
 from coursework.results.checks.result import Check, Finding, Verdict, floored, skipped
 from coursework.system.arrays import Array
-from coursework.words.sentences import say
+from coursework.words.sentences import joined, say
 
 AGREE = 1e-10  # largest difference of two methods for the same result, as a share of the largest
 POWER_SHARE = 1e-3
 LEAST_DIGITS = 6.0
 _ALL_DIGITS = 16.0
 _CLOSE = 0.05  # share of the largest drive
+_BESIDE, _JUMP = 1e-9, 1e-6  # the drive jumps if it changes by more than _JUMP of its size within _BESIDE of a break
 
 
 def _graded(
@@ -112,7 +115,21 @@ def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     if off.max() < 0:
         return skipped(say("check.POWER.skip"))
     row, value = int(np.argmax(off)) + 3, float(off.max())
-    return _graded("POWER", value, POWER_SHARE, "COARSE", row, value=value)
+    found = _graded("POWER", value, POWER_SHARE, "COARSE", row, value=value)
+    blows = [say("check.STEP.time", time=time) for time in _blows(of)]
+    return replace(found, headline=say("check.POWER.blow", times=joined(blows, "join.numbers"))) if blows else found
+
+
+def _blows(of: ForceAnalysis) -> list[float]:
+    """Return the times (s) at which the drive jumps, and with it the velocities: there no force of a row is what acts."""
+    variant = of.equations.variant
+    times = np.array([time for time in breaks(variant) if time < of.rows.motion.t[-1]])
+    names = [law.name for law in variant.drive]
+    if not (len(times) and names):
+        return []
+    before, after = (drive_values(of.equations, names, times * (1 + side * _BESIDE)) for side in (-1, 1))
+    jumps = np.abs(after - before) > _JUMP * np.maximum(np.abs(before), np.abs(after))
+    return [float(time) for time in times[jumps.any(axis=1)]]
 
 
 def contacts(own: ForceAnalysis) -> list[tuple[str, Array, Array]]:

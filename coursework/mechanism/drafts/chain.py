@@ -155,7 +155,7 @@ class _Drafting:
     def add(self, kind: GroupKind) -> None:
         """Add a group of a kind."""
         bodies = [next(self._bodies) for _ in range(kind.shape.coordinates)]
-        coordinates = tuple(self._coordinate(kind, i, bodies[body]) for i, body in enumerate(kind.carries))
+        coordinates = tuple(self._coordinate(kind, place, body) for place, body in enumerate(bodies))
         if kind.driven:
             self._add_crank(kind, bodies[0], coordinates)
         else:

@@ -6,8 +6,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+import coursework
 from coursework.effects.kinetostatics import checks
 from coursework.effects.kinetostatics.checks import _accuracy, _agreement, _condition, _contact, _friction, _power
+from tests.mechanisms.library import mechanism
 
 NAN = math.nan
 
@@ -34,7 +36,7 @@ def moved(power, count=9, spoilt=None, pieces=()):
     rows = np.zeros((count, 1))
     if spoilt is not None:
         rows[spoilt] = NAN
-    variant = SimpleNamespace(drive=[SimpleNamespace(pieces=[(time, None) for time in pieces])], functions=[])
+    variant = SimpleNamespace(drive=[], functions=[SimpleNamespace(pieces=[(time, None) for time in pieces])])
     return SimpleNamespace(
         rows=SimpleNamespace(motion=SimpleNamespace(t=t)), energy=energy, reactions=SimpleNamespace(rows=rows),
         equations=SimpleNamespace(variant=variant),
@@ -196,3 +198,12 @@ def test_what_is_left_of_all_forces_is_a_share_of_the_largest_moments_over_the_l
     assert found.verdict == verdict
     if largest and not spoilt:
         assert (found.row, found.value) == (2, pytest.approx(left / largest))
+
+
+@pytest.mark.parametrize(("after", "is_blow"), [("w0", False), ("w0 + 5*(t - 0.3)", False), ("1.00001*w0", True), ("0", True)])
+def test_a_drive_that_jumps_is_told_as_a_blow_first_of_all(after, is_blow):
+    """A crank that changes its speed at once needs more than any force; one that changes its acceleration does not."""
+    pieces = f'{{ pieces = [["0 s", "w0"], ["0.3 s", "{after}"]] }}'
+    run = coursework.solve(coursework.parse_variant(mechanism("example-1-forces", w1=pieces)))
+    assert run.summary.startswith("At t = 0.3 s the drive jumps, and the velocities with it: a blow acts") == is_blow
+    assert ("jumps" in run.summary) == is_blow
