@@ -12,7 +12,7 @@ from coursework.variant.record.variant import Variant
 
 @frozen
 class GridColumn:
-    """One column of the assigned table: name, SI unit (rad, m, 1/s, m/s), the key's values in SI.
+    """One column of the assigned table: name, SI unit (rad, m, 1/s, m/s), the key's values in SI, of a coordinate its rate.
 
     The reader looks at `values` for the unit of a column without one in its header and for whole turns, for nothing else.
     """
@@ -20,6 +20,7 @@ class GridColumn:
     name: str
     unit: str
     values: tuple[float, ...]
+    rate: str = ""
 
 
 @frozen
@@ -58,4 +59,6 @@ def grid_of(variant: Variant, columns: dict[str, tuple[float, ...]], given: tupl
     """
     rows = min(len(values) for values in columns.values())
     units = {name: variant.unit_of(name).replace("rad/s", "1/s") for name in variant.columns}
-    return Grid(variant.time.step, rows, tuple(GridColumn(name, unit, columns[name]) for name, unit in units.items()), given)
+    rates = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
+    found = tuple(GridColumn(name, unit, columns[name], rates.get(name, "")) for name, unit in units.items())
+    return Grid(variant.time.step, rows, found, given)

@@ -13,31 +13,41 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells, mark_cells
-from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, LEAST, StudentTable
+from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, StudentTable
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
-# This part of the cells of every column that have a sign must have the other one: a slip or two may stand among them.
-_SIGNS = 0.9
+# Rows in which a table shows which way it begins to turn.
+_BEGINNING = 5
 # A mirrored motion explains this part of the velocities.
 _EXPLAINED = 0.93
 
 
-def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
-    """Return a clockwise table with the signs of the task, None where it is none.
+def turned(key: Key, student: StudentTable) -> StudentTable | None:
+    """Return a table with the signs of the task if it may be clockwise, right or wrong; None where nothing looks like it.
 
-    Either all angular velocities have the other sign while the angles move as the key's, or the angles are mirrored as well.
+    All its angles move against its angular velocities, which all have the other sign; or it begins to turn the other way, the
+    angles mirrored as well.
     """
-    m = len(key.coordinates)
-    if not _opposite(student.values[:, m:], key.table[:, m:], key, _angular(key)[m:]):
+    m, angular = len(key.coordinates), _angular(key)
+    values = student.values
+    steps = np.diff(values[:, :m], axis=0)
+    with np.errstate(invalid="ignore"):
+        steps[~(np.abs(steps) > student.units[1:, :m])] = np.nan
+    against = np.hstack([_opposite(steps, values[:-1, m : 2 * m]), _opposite(values[:, 2 * m :], key.table[:, 2 * m :])])
+    if (against * angular[m:] >= 0).all() and (against[:m] * angular[:m]).any():
+        return _turned(key, student, mirrored=False)
+    begins = slice(_BEGINNING)
+    against = _opposite(values[begins, m:], key.table[begins, m:])[angular[m:]]
+    return _turned(key, student, mirrored=True) if against.sum() > 0 else None
+
+
+def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
+    """Return a clockwise table with the signs of the task, None where it is none, or where it is too wrong to tell."""
+    back = turned(key, student)
+    if back is None:
         return None
-    plain = mark_cells(key, student)
-    turned = _turned(key, student, mirrored=False)
-    reference = key.velocities_at(key.t, turned.values[:, :m])
-    if _steps_agree(key, turned, reference) and _opposite(student.values[:, m:], reference, key, _angular(key)[m:]):
-        return turned if mark_cells(key, turned).wrong.sum() < plain.wrong.sum() else None
-    mirrored = _turned(key, student, mirrored=True)
-    cells = mark_cells(key, mirrored)
+    m, plain, cells = len(key.coordinates), mark_cells(key, student), mark_cells(key, back)
     follows = _explained(key, cells)
     # A drive with the other sign explains its own table as well, and better.  Where both say the same number for number, as in
     # a train of wheels, nobody can tell them apart, and the convention is believed.
@@ -48,7 +58,7 @@ def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
         allowed = np.fmax.reduce([way.tolerance[:, m:] for way in plain.ways])
         with np.errstate(invalid="ignore"):
             by_drive = _part(driven <= allowed, ~cells.missing[:, m:])
-    return mirrored if follows >= _EXPLAINED and follows >= by_drive and cells.wrong.sum() < plain.wrong.sum() else None
+    return back if follows >= _EXPLAINED and follows >= by_drive and cells.wrong.sum() < plain.wrong.sum() else None
 
 
 def _angular(key: Key) -> Flags:
@@ -75,7 +85,7 @@ def _start(key: Key, first: Array) -> Array:
     """Return the start values (m,) that first angles stand for, the task's or their negatives; others as they are."""
     start = key.table[0, : len(first)]
     near = _whole_turns_off(first - start) < _whole_turns_off(first + start)
-    return np.where(near, first, start + _rest(first + start))
+    return np.where(near, first, start - _rest(first + start))
 
 
 def _begins_mirrored(key: Key, student: StudentTable) -> bool:
@@ -96,24 +106,10 @@ def _whole_turns_off(angle: Array) -> Array:
     return np.abs(_rest(angle))
 
 
-def _opposite(printed: Array, reference: Array, key: Key, columns: Flags) -> bool:
-    """Return whether printed velocities (n, r) have the other sign in every one of the columns, and in any at all."""
-    least = LEAST * np.max(np.abs(key.table[:, len(key.coordinates) :]), axis=0)[: len(columns)]
+def _opposite(printed: Array, reference: Array) -> Array:
+    """Return how many more numbers of each column have the other sign than those of a reference, than have the same."""
     with np.errstate(invalid="ignore"):
-        speaks = np.isfinite(printed) & (np.abs(reference) > least) & columns
-        other = speaks & (printed * reference < 0)
-    spoken = speaks.sum(axis=0)
-    return bool(spoken.any() and np.all(other.sum(axis=0) >= _SIGNS * spoken))
-
-
-def _steps_agree(key: Key, turned: StudentTable, reference: Array) -> bool:
-    """Return whether the angles move the way of the reference's rates (n, r), where their digits show any step."""
-    m = len(key.coordinates)
-    angular = _angular(key)[:m]
-    steps = np.diff(turned.values[:, :m], axis=0)
-    with np.errstate(invalid="ignore"):
-        steps[~(key.step * np.abs(reference[:-1, :m]) > turned.units[:-1, :m])] = np.nan
-    return _opposite(-steps, reference[:-1, :m], key, angular) if angular.any() and len(steps) else True
+        return np.asarray(-np.nansum(np.sign(printed) * np.sign(reference), axis=0))
 
 
 def _explained(key: Key, cells: Cells) -> float:

@@ -37,7 +37,7 @@ ALIKE = 0.98
 # How many of those that explain most have their whole table made.
 _CLOSER = 3
 _ROUND_OFF = 1e-9
-ROWS_SHIFTED, ROUNDED_OMEGA = "rows_shifted", "rounded_omega_"
+ROWS_SHIFTED, ORIGIN, ROUNDED_OMEGA = "rows_shifted", "origin_", "rounded_omega_"
 # Whose steps are of another length: of such a table the velocities alone are right.
 OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS)
 
@@ -160,7 +160,7 @@ def explanations(
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
     untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
-    fits = {code: fit for code, fit in fits.items() if code == ROWS_SHIFTED or fit.share > euler_fit + BETTER}
+    fits = {code: fit for code, fit in fits.items() if code.startswith((ROWS_SHIFTED, ORIGIN)) or fit.share > euler_fit + BETTER}
     if (own := cells.student.own) and (fitting := _other_step(key, cells)):
         share, fit = fitting
         if share >= NAMED:
