@@ -112,8 +112,8 @@ def factor_of(column: GridColumn, unit: str) -> float:
 def whole_turns(column: GridColumn, values: Sequence[float]) -> tuple[int, ...]:
     """Return how many whole turns an angle (rad) stands beside the key in each row, () for none.
 
-    It is one number for all rows, and one more or less behind each jump of an angle that is kept within a turn, where that puts
-    it beside the key: a wild motion jumps, too.
+    It is one number for all rows but those that are the key's as they stand, and one more or less behind each jump of an angle
+    that is kept within a turn, where that puts it beside the key: a wild motion jumps, too.
     """
     if column.unit != "rad" or not _apart(column, values):
         return ()
@@ -124,7 +124,8 @@ def whole_turns(column: GridColumn, values: Sequence[float]) -> tuple[int, ...]:
         if stands_beside(column, [value - _TURN * beside for value in whole], median):
             return tuple(beside + turns for turns in jumps)
     beside = _turns_beside(column, values)
-    return (beside,) * len(values) if beside else ()
+    found = tuple(0 if abs(own - key) <= _BEGINS else beside for own, key in zip(values, column.values, strict=True))
+    return found if any(found) else ()
 
 
 def _turns_beside(column: GridColumn, values: Sequence[float]) -> int:

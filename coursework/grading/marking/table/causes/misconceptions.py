@@ -146,7 +146,7 @@ def explanations(
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
-        fit = explained_share(key, put_right, holds, only_velocities=claim.code in OTHER_STEPS)
+        fit = explained_share(key, put_right, holds | (by_key & spoken), only_velocities=claim.code in OTHER_STEPS)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
         count = int((holds | by_key).sum())
