@@ -20,7 +20,7 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import student_of, with_given
 from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.causes.claims import TableUnderTest
-from coursework.grading.marking.table.causes.clockwise import turned_back
+from coursework.grading.marking.table.causes.clockwise import turned
 from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
 from coursework.grading.marking.table.causes.whole import AsMade, as_made, untold_points
@@ -152,15 +152,14 @@ class Marker:
     def grade(self, work: StudentWork) -> Grade:
         """Return the grade of one submission."""
         student = student_of(self.key, work.table) if work.table else None
-        looked_at = student and not self.by_forces and self.rubric.clockwise == "accept"
-        back = turned_back(self.key, student) if student and looked_at else None
-        turning = self.rubric.clockwise == "accept" and (student is None or back is not None)
-        equations = (
-            self.judge.mark(work.equations, turning=turning) if work.equations is not None and not self.by_forces else None
-        )
-        equations = equations if equations and equations.marks else None
+        back = turned(self.key, student) if student and not self.by_forces and self.rubric.clockwise == "accept" else None
+        equations = self._equations(work, turning=self.rubric.clockwise == "accept" and student is None)
         answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
-        table = self._table(work.table, with_given(self.key, back or student), equations) if work.table and student else None
+        table = self._table(work.table, with_given(self.key, student), equations) if work.table and student else None
+        if work.table and table and back:  # the table is marked with both senses of rotation, and the better marks count
+            other = self._equations(work, turning=True)
+            counted = self._table(work.table, with_given(self.key, back), other)
+            table, equations, back = (counted, other, back) if counted.share > table.share else (table, equations, None)
         # The rubric may ask for answers of which none has a value: if other work was handed in, the answers are not missing.
         is_answered = work.answers or ((table or equations) and answers and not answers.marks)
         shares: dict[str, float | None] = {
@@ -182,6 +181,10 @@ class Marker:
             status = "graded-with-notes"
         return Grade(status, shares, self.rubric, self.key, work, table, equations, answers, judged, notes, reason)
 
+    def _equations(self, work: StudentWork, *, turning: bool) -> EquationMarks | None:
+        marks = None if work.equations is None or self.by_forces else self.judge.mark(work.equations, turning=turning)
+        return marks if marks and marks.marks else None
+
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
         cells = marked(self.key, student)
         points = points_of(self.key, cells, self.rubric.carried)
@@ -199,8 +202,7 @@ class Marker:
         return TableMarks(table, cells, points, first, named, earned, hidden, self._forces(table), found.own_line)
 
     def _explained(self, cells: Cells, equations: EquationMarks | None) -> Found:
-        hidden = self._hidden(cells.student)
-        return explanations(self.key, cells, self.confusions, self.others, hidden, equations)
+        return explanations(self.key, cells, self.confusions, self.others, self._hidden(cells.student), equations)
 
     def _as_made(self, cells: Cells, equations: EquationMarks | None) -> AsMade | None:
         """Return the table as the student's cause made it, if too few digits were printed to see the cause in each cell."""

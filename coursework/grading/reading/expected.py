@@ -12,7 +12,7 @@ from coursework.variant.record.variant import Variant
 
 @frozen
 class GridColumn:
-    """One column of the assigned table: its name, its SI unit (rad, m, 1/s, m/s) and the key's values in SI.
+    """One column of the assigned table: its name, SI unit (rad, m, 1/s, m/s) and the key's values in SI; a coordinate's rate.
 
     The reader uses `values` only for the unit of a column whose header names none and for whole turns of an angle.  It uses the
     first row also for the distances between points, to know which length a name such as AB means.
@@ -21,6 +21,7 @@ class GridColumn:
     name: str
     unit: str
     values: tuple[float, ...]
+    rate: str = ""
 
 
 @frozen
@@ -60,4 +61,6 @@ def grid_of(variant: Variant, columns: dict[str, tuple[float, ...]], given: tupl
     """
     rows = min(len(values) for values in columns.values())
     units = {name: variant.unit_of(name).replace("rad/s", "1/s") for name in variant.columns}
-    return Grid(variant.time.step, rows, tuple(GridColumn(name, unit, columns[name]) for name, unit in units.items()), given)
+    rates = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
+    found = tuple(GridColumn(name, unit, columns[name], rates.get(name, "")) for name, unit in units.items())
+    return Grid(variant.time.step, rows, found, given)

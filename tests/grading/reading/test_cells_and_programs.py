@@ -73,3 +73,16 @@ def test_the_pin_on_a_guide_of_the_frame_gives_its_speed_a_name_and_one_on_a_mov
     (crank, slider) = guided.groups
     swinging = replace(slider, guides=(replace(slider.guides[0], angle=named("theta1")),))
     assert spellings_of(replace(guided, groups=(crank, swinging)), ()).canonical("V_C") is None
+
+
+def test_what_a_program_notes_behind_a_solution_and_prints_of_an_array_is_read() -> None:
+    """The unknowns stand in a remark, numbers end in a bare point, words are joined by a hyphen, a definition is not used."""
+    system = "A(1,1) = r3*(2*cos(phi3) + sin(phi3));\nb(1) = VMy;\nx = A\\b;   % x = [w3]"
+    prose = "From the y-component we get VMy - r3*w3*(2*cos(phi3) + sin(phi3)) = 0.\ns_2 = sin(phi2)"
+    rows = [[float(text) for text in row] for row in written(times(GRID), COLUMNS, "fixed", 4, "rad")]
+    rows[0][1] = 2.0
+    printed = ",\n ".join("[" + ", ".join(f"{cell:.4f}".rstrip("0") for cell in row) + "]" for row in rows)
+    for equations in (system, prose):
+        work = read(("t.txt", f"[{printed}]".encode()), ("e.m", equations.encode()))
+        assert work.table is not None and work.table.cells == 7 * 25
+        assert work.equations is not None and [line.tree is not None for line in work.equations] == [True]

@@ -12,7 +12,8 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.causes.misconceptions import NAMED, OTHER_STEPS, ROUNDED_OMEGA, ROWS_SHIFTED, TIE, Found
+from coursework.grading.marking.table.causes import misconceptions as causes
+from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
@@ -58,14 +59,15 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
 def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
     """Yield what each explanation earns; another variant's table is not the student's work and earns nothing.
 
-    Rounded velocities explain some of any steps; they count only if they explain nearly all and no other cause explains more.
+    Rounded velocities explain some of any steps, and another origin some of any angles; each counts only if it explains nearly
+    all and no other cause explains more.
     """
     most = max((fit.share for fit in found.fits), default=0.0)
     for fit in found.fits:
         if fit.code == OWN:
             yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
         elif not fit.code.startswith("variant_") and (
-            fit.share >= max(NAMED, most - TIE) or not fit.code.startswith(ROUNDED_OMEGA)
+            fit.share >= max(NAMED, most - TIE) or not fit.code.startswith((ROUNDED_OMEGA, causes.ORIGIN))
         ):
             yield _earned("misconception", points, fit.share, _worth(rubric, fit.code), fit.code)
 
@@ -73,13 +75,15 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
 def _worth(rubric: Rubric, code: str) -> float:
     """Return the worth of a cell that a misconception explains: for a single slip it is more than for a wrong method.
 
-    Velocities that are right although the step or the rows are not keep their worth; steps with rounded velocities are Euler's
-    and cost little, as print with fewer digits would hide the rounding.
+    An angle counted from another axis is a start that is not the task's.
+    Steps with rounded velocities are Euler's, worked out coarser: what a few digits less in print would hide costs little.
     """
-    if code in {*OTHER_STEPS, ROWS_SHIFTED}:
+    if code in {*causes.OTHER_STEPS, causes.ROWS_SHIFTED}:
         return 1.0
     if code.startswith(ROUNDED_OMEGA):
         return ROUNDED
+    if code.startswith(causes.ORIGIN):
+        return rubric.start_floor
     return rubric.own_equations_floor if code.startswith(_SLIPS) else rubric.misconception_floor
 
 

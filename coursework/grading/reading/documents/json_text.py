@@ -15,6 +15,7 @@ from coursework.system.frozen import frozen
 
 _TEXT = re.compile(r'"(?:[^"\\]++|\\.)*+"?', re.DOTALL)
 _SIGN = re.compile(rf"{_TEXT.pattern}|[\[{{]|[\]}}]", re.DOTALL)
+_BARE_POINT = re.compile(r"(?<=\d)\.(?=[\s,\]}])")  # of a number that NumPy prints: 0.
 
 
 class JsonNumber(str):
@@ -65,7 +66,7 @@ def read_json(text: str, levels: int) -> Any:
 
 def _loaded(text: str) -> Any:
     return json.loads(
-        text,
+        text if '"' in text else _BARE_POINT.sub("", text),
         object_pairs_hook=lambda pairs: JsonObject(tuple(pairs)),
         parse_float=JsonNumber,
         parse_int=JsonNumber,

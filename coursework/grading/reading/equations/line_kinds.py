@@ -66,6 +66,14 @@ def definition(text: str, names: Names) -> tuple[str, Formula] | None:
     return None if isinstance(read, Fault) else (key(name), read.tree.args[1])
 
 
+def no_velocity(text: str, names: Names) -> bool:
+    """Return whether a line names positions and lengths alone: nothing in it has the time in its unit."""
+    variant = names.expected.variant
+    still = {one.name for one in variant.coordinates} | {one.name for one in variant.given if one.si in {"m", "rad", ""}}
+    named = names_in(text, names.spellings)
+    return bool(named) and named <= still
+
+
 def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     """Return the word left of "=" if it may be a name of the student, and the formula on the right; ("", "") if it may not."""
     if len(text) > reader.MAX_CHARACTERS:

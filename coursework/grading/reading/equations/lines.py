@@ -23,6 +23,7 @@ from coursework.grading.reading.equations.line_kinds import (
     is_row,
     is_statement,
     is_step,
+    no_velocity,
     own_name,
     sign_of_list,
 )
@@ -255,7 +256,7 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
             waiting += bool(waits)
             if waits and turn < _PASSES - 1:
                 continue
-            if (found := definition(line, with_own)) and words[found[0]] > 1:
+            if (found := definition(line, with_own)) and (words[found[0]] > 1 or no_velocity(line, names)):
                 labels |= {found[0]} if not turn and found[0] in own and _VANISHED.search(line) else set()
                 own.setdefault(*found)
         if not waiting:

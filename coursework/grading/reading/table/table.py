@@ -25,7 +25,7 @@ from coursework.grading.reading.table.headers import INDEX, TIME
 from coursework.grading.reading.table.layout import Layout
 from coursework.grading.reading.table.parts import NOTHING, Part, joined
 from coursework.grading.reading.table.rows import Rows, place_rows
-from coursework.grading.reading.table.units import factor_of, stands_beside, turns_of_jumps, unit_of_column, whole_turns
+from coursework.grading.reading.table.units import factor_of, stands_beside, turns_of_jumps, units_of_columns, whole_turns
 from coursework.words.sentences import ranges
 
 _UNCOMPUTED = 0.2  # of the cells: above this share of formulas without a value a file is refused
@@ -74,7 +74,7 @@ def _table(part: Part, grid: Grid) -> Table:
     rows = place_rows(layout, places, grid)
     if not any(row is not None for row in rows.of_grid):
         raise unreadable("no_rows", step=grid.step, rows=grid.rows)
-    read = [_column(column, places.places[column.name], layout, rows) for column in grid.columns if column.name in places.places]
+    read = _columns(grid, places, layout, rows)
     read = sorted(map(partial(_like_others, read, layout), read), key=lambda column: column.at)
     read, zeros = _without_zeros(read, layout)
     units: dict[str, dict[str, Any]] = {column.name: {"at": column.at, "by": column.by, "unit": column.unit} for column in read}
@@ -128,10 +128,22 @@ def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Seq
     return OwnTimes(rows.own_step, columns)
 
 
-def _column(column: GridColumn, place: Place, layout: Layout, rows: Rows) -> TableColumn:
-    cells = [NOTHING if row is None else layout.body[row][place.at] for row in rows.of_grid]
+def _columns(grid: Grid, places: Places, layout: Layout, rows: Rows) -> list[TableColumn]:
+    there = {column.name: places.places[column.name] for column in grid.columns if column.name in places.places}
+    cells = {
+        name: [NOTHING if row is None else layout.body[row][place.at] for row in rows.of_grid] for name, place in there.items()
+    }
+    heads = {name: layout.heads[place.at].unit for name, place in there.items()}
+    units = units_of_columns(grid, heads, {name: [cell.value for cell in found] for name, found in cells.items()})
+    return [
+        _column(column, there[column.name], cells[column.name], units[column.name])
+        for column in grid.columns
+        if column.name in there
+    ]
+
+
+def _column(column: GridColumn, place: Place, cells: list[PrintedNumber], unit: str) -> TableColumn:
     decimals, steps = last_places(cells)
-    unit = unit_of_column(column, layout.heads[place.at].unit, [cell.value for cell in cells])
     factor = factor_of(column, unit)
     values = [cell.value * factor for cell in cells]
     turns = whole_turns(column, values)

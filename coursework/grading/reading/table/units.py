@@ -1,16 +1,18 @@
-"""The unit in which a column was printed, from its head or else from its ratio to the key; also whole turns of an angle.
+"""The unit of a printed column, from its head, its ratio to the key or the other columns; also whole turns of an angle.
 
-Enters: printed numbers and a `GridColumn`.  Leaves: unit, factor to SI, turns.  Only here is a table compared with the key.
+Enters: printed numbers and the `Grid`.  Leaves: unit, factor to SI, turns.  Only here is a table compared with the key.
 Used by `table.py`; `precheck.py` and `feedback.py` print the units.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from statistics import median
 
-from coursework.grading.reading.expected import GridColumn
+from coursework.grading.reading.expected import Grid, GridColumn
 from coursework.grading.reading.table.headers import PRINTED
 
 AS_READ = {"1/s": "rad/s", "deg": "°"}  # unit of a column -> its spelling in table headers
@@ -21,31 +23,85 @@ _BEGINS, _AS_BEGUN = 0.05, 0.01  # most deviation at the start: in rad, and as a
 _MOVED, _TURNED = 1 / 6, 1 / 2  # of a turn: an angle's most motion per row; a greater change than the second is a jump
 
 
-def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> str:
-    """Return the unit of a column; `head` is the unit in its header, `values` has one number per row of the grid or NaN."""
+def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, Sequence[float]]) -> dict[str, str]:
+    """Return the unit of each column handed in, by name; `values` have one number for each row of the grid, NaN if missing.
+
+    The head or the key determines the unit.  If a column is too wrong for that, a velocity's unit follows from the steps made
+    with it, and any other column has the unit of most columns of its kind: nobody prints one angle in degrees and the next in
+    radians.  If no column of a kind has a unit, as with exchanged columns, all their numbers together determine it.
+    """
+    there = [column for column in grid.columns if column.name in values]
+    found = {column.name: unit_of_column(column, heads[column.name], values[column.name]) for column in there}
+    named = {column.name: column for column in there}
+
+    def settle(unit: str) -> None:
+        alike = [column for column in there if column.unit == unit]
+        usual = Counter(known for column in alike if (known := found[column.name]))
+        most = usual.most_common(1)[0][0] if usual else _together(alike, values) or _first(unit)
+        found.update({column.name: most for column in alike if not found[column.name]})
+
+    turning = [column for column in there if column.unit == "1/s"]
+    for unit in {column.unit: None for column in there if column not in turning}:
+        settle(unit)
+    if "1/s" not in map(found.get, heads):
+        # Radians added to degrees also give steps as of velocities in degrees, but these velocities are no larger than the task's.
+        sizes = [abs(ratio) for column in turning for ratio in _ratios(column.values, values[column.name]) if ratio]
+        known = {unit: factor for unit, factor in PRINTED["1/s"].items() if _is_about(sizes, factor)}
+        for column in there:
+            if column.rate in named and not found[column.rate]:
+                factor = factor_of(column, found[column.name] or "")
+                moves = [factor * (later - before) for before, later in pairwise(values[column.name])]
+                made_with = [grid.step * rate for rate in values[column.rate][:-1]]
+                found[column.rate] = _alike(_ratios(moves, made_with), known, _WIDTH)
+    if turning:
+        settle("1/s")
+    return {name: unit or "" for name, unit in found.items()}
+
+
+def _first(unit: str) -> str:
+    return next(iter(PRINTED.get(unit, {unit: 1.0})))
+
+
+def _together(columns: Sequence[GridColumn], values: Mapping[str, Sequence[float]]) -> str | None:
+    """Return the unit of columns of one kind from the sizes of all their numbers, in whichever column each one is."""
+    cells = [(own, key) for column in columns for own, key in zip(values[column.name], column.values, strict=True)]
+    own, key = zip(*(map(abs, pair) for pair in cells if all(map(math.isfinite, pair))), strict=True) if cells else ((), ())
+    return _alike(_ratios(sorted(key), sorted(own)), PRINTED.get(columns[0].unit, {}), _WIDTH)
+
+
+def _is_about(sizes: Sequence[float], factor: float) -> bool:
+    """Return whether ratios to the key are nearer to the factor of a unit than to 1."""
+    off = math.log(median(sizes or [1.0]))
+    return abs(off + math.log(factor)) <= abs(off)
+
+
+def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> str | None:
+    """Return the unit of a column from its head or the key, None if neither determines it."""
     known = PRINTED.get(column.unit, {column.unit: 1.0})
     if head in known:
         return head
     if column.unit == "1/s" and head in {"deg", "rad"}:
         return {"deg": "deg/s", "rad": "1/s"}[head]
-    ratios = _ratios(column.values, values)
     # A column that starts with the task's start value in some unit has that unit; a wrong table may later differ by any factor.
     # Velocities are not judged by their start: a factor of 57 may also come from a calculator set to degrees.
     first = values[0] / column.values[0] if column.unit == "rad" and column.values[0] else math.nan
     begins = [first] if math.isfinite(first) else []
     increments = _ratios(_increments(column.values), _increments(values))
-    for seen, width in ((ratios, _WIDTH), (begins, _AS_BEGUN), (increments, _WIDTH)):
-        for unit, factor in known.items():
-            if seen and _in_unit(seen, factor, width):
+    for seen, width in ((_ratios(column.values, values), _WIDTH), (begins, _AS_BEGUN), (increments, _WIDTH)):
+        if unit := _alike(seen, known, width):
+            return unit
+    return None
+
+
+def _alike(ratios: Sequence[float], known: Mapping[str, float], width: float) -> str | None:
+    """Return the unit that most ratios are those of; where they are nearer to ten, a point has slipped: rpm is 9.55."""
+    sizes = [abs(ratio) for ratio in ratios]  # of a drive with the other sign, too
+    for unit, factor in known.items():
+        if 2 * sum(abs(size * factor - 1) <= width for size in sizes) > len(sizes):
+            middle = median(sizes)
+            if abs(middle * factor - 1) <= abs(middle / 10 - 1):
                 return unit
-    return next(iter(known))
-
-
-def _in_unit(ratios: Sequence[float], factor: float, width: float) -> bool:
-    """Return whether most ratios fit a unit and the median is not nearer to 10, a slipped decimal point (rpm gives 9.55)."""
-    middle = median(ratios)
-    most = 2 * sum(abs(ratio * factor - 1) <= width for ratio in ratios) > len(ratios)
-    return most and abs(middle * factor - 1) <= abs(middle / 10 - 1)
+    return None
 
 
 def factor_of(column: GridColumn, unit: str) -> float:
@@ -56,8 +112,8 @@ def factor_of(column: GridColumn, unit: str) -> float:
 def whole_turns(column: GridColumn, values: Sequence[float]) -> tuple[int, ...]:
     """Return by how many whole turns an angle (rad) differs from the key in each row, () if by none.
 
-    The number is the same in all rows.  If the angle is kept within one turn, the number changes at each jump, provided that this
-    brings the angle to the key: a wild motion jumps, too.
+    The number is the same in all rows, except in rows that agree with the key as printed.  If the angle is kept within one turn,
+    the number changes at each jump, provided that this brings the angle to the key: a wild motion jumps, too.
     """
     if column.unit != "rad" or not _apart(column, values):
         return ()
@@ -68,7 +124,8 @@ def whole_turns(column: GridColumn, values: Sequence[float]) -> tuple[int, ...]:
         if stands_beside(column, [value - _TURN * beside for value in whole], median):
             return tuple(beside + turns for turns in jumps)
     beside = _turns_beside(column, values)
-    return (beside,) * len(values) if beside else ()
+    found = tuple(0 if abs(own - key) <= _BEGINS else beside for own, key in zip(values, column.values, strict=True))
+    return found if any(found) else ()
 
 
 def _turns_beside(column: GridColumn, values: Sequence[float]) -> int:

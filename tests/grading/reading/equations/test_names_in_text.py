@@ -11,6 +11,7 @@ from tests.grading.scenes import expected
 @pytest.mark.parametrize(("written", "meant"), [
     ("u_1", "u1"), ("U_1", "U1"), ("u_{2}", "u2"), ("ω1", "om1"), ("ω_2", "om2"), ("omega_3", "om3"), ("W1", "W1"), ("W_1", "W1"),
     ("θ₁", "th1"), ("theta_3", "th3"), ("om1_i", "om1"), ("ω_2i", "om2"), ("rho1_k", "rho1"), ("vx_n", "vx"),
+    ("ω_θ1", "om1"), ("omega_{th3}", "om3"), ("v_{ρ1}", "u1"),
     ("c_k", None), ("U1_i", None), ("om4", None), ("i", None),
 ])  # fmt: skip
 def test_a_spelling_means_the_name_with_letters_of_its_size(written: str, meant: str | None) -> None:

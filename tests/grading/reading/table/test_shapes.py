@@ -14,7 +14,7 @@ from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.grading.reading.table.columns import find_columns
 from coursework.grading.reading.table.layout import layouts_of
-from coursework.grading.reading.table.units import turns_of_jumps, unit_of_column
+from coursework.grading.reading.table.units import turns_of_jumps, unit_of_column, whole_turns
 from tests.grading.reading.misread import HEAD, ROWS, csv, read
 from tests.grading.scenes import expected
 
@@ -87,11 +87,17 @@ def test_an_angle_that_is_kept_within_a_turn_is_the_angle():
     assert turns_of_jumps([0.0, 2.5, 5.0, 1.2, 3.9]) == [0, 0, 0, 0, 0]
 
 
-@pytest.mark.parametrize(("first", "unit"), [(57.2958, "deg"), (57.8, "deg"), (58.0, "rad"), (60.1, "rad"), (1.0, "rad")])
+@pytest.mark.parametrize(("first", "unit"), [(57.2958, "deg"), (57.8, "deg"), (58.0, None), (60.1, None), (1.0, "rad")])
 def test_a_column_that_begins_as_the_task_in_degrees_is_in_degrees(first: float, unit: str) -> None:
     """A small start counts too; what only comes near is another column, or another start."""
     key = GridColumn("phi1", "rad", (0.05, 1.0, 2.0, 3.0))
     assert unit_of_column(key, "", [0.05 * first, 9.0, 17.0, 23.0]) == unit
+
+
+def test_a_cell_that_is_right_as_it_stands_keeps_its_turns():
+    """Put right in a column that is half a turn off, by another origin, it was moved away from the key."""
+    key = GridColumn("phi1", "rad", (1.0, 1.2, 1.4, 1.6))
+    assert whole_turns(key, [-2.3, -2.1, math.nan, 1.6]) == (-1, -1, -1, 0)
 
 
 def test_rows_that_a_notebook_prints_with_names_are_no_equations():

@@ -13,31 +13,41 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells, mark_cells
-from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, LEAST, StudentTable
+from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, StudentTable
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
-# In every column this part of the cells with a sign must have the opposite one; the others may be slips.
-_SIGNS = 0.9
+# The first rows, by which it is judged in which sense a table begins to turn.
+_BEGINNING = 5
 # A mirrored motion must explain this part of the velocities.
 _EXPLAINED = 0.93
 
 
-def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
-    """Return a clockwise table with the signs of the task, None if it is not clockwise.
+def turned(key: Key, student: StudentTable) -> StudentTable | None:
+    """Return the table with the signs of the task if it may be clockwise, right or wrong; None if nothing suggests that.
 
-    Either all angular velocities have the opposite sign while the angles move as the key's, or the angles are mirrored too.
+    Either all angular velocities have the opposite sign and the angles move against them, or the table begins to turn in the
+    opposite sense with the angles mirrored too.
     """
-    m = len(key.coordinates)
-    if not _opposite(student.values[:, m:], key.table[:, m:], key, _angular(key)[m:]):
+    m, angular = len(key.coordinates), _angular(key)
+    values = student.values
+    steps = np.diff(values[:, :m], axis=0)
+    with np.errstate(invalid="ignore"):
+        steps[~(np.abs(steps) > student.units[1:, :m])] = np.nan
+    against = np.hstack([_opposite(steps, values[:-1, m : 2 * m]), _opposite(values[:, 2 * m :], key.table[:, 2 * m :])])
+    if (against * angular[m:] >= 0).all() and (against[:m] * angular[:m]).any():
+        return _turned(key, student, mirrored=False)
+    begins = slice(_BEGINNING)
+    against = _opposite(values[begins, m:], key.table[begins, m:])[angular[m:]]
+    return _turned(key, student, mirrored=True) if against.sum() > 0 else None
+
+
+def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
+    """Return a clockwise table with the signs of the task, None where it is none, or where it is too wrong to tell."""
+    back = turned(key, student)
+    if back is None:
         return None
-    plain = mark_cells(key, student)
-    turned = _turned(key, student, mirrored=False)
-    reference = key.velocities_at(key.t, turned.values[:, :m])
-    if _steps_agree(key, turned, reference) and _opposite(student.values[:, m:], reference, key, _angular(key)[m:]):
-        return turned if mark_cells(key, turned).wrong.sum() < plain.wrong.sum() else None
-    mirrored = _turned(key, student, mirrored=True)
-    cells = mark_cells(key, mirrored)
+    m, plain, cells = len(key.coordinates), mark_cells(key, student), mark_cells(key, back)
     follows = _explained(key, cells)
     # A drive with the opposite sign explains its own table as well, and better.  If both give the same numbers, as in a train of
     # wheels, they cannot be told apart, and the convention is believed.
@@ -48,7 +58,7 @@ def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
         allowed = np.fmax.reduce([way.tolerance[:, m:] for way in plain.ways])
         with np.errstate(invalid="ignore"):
             by_drive = _part(driven <= allowed, ~cells.missing[:, m:])
-    return mirrored if follows >= _EXPLAINED and follows >= by_drive and cells.wrong.sum() < plain.wrong.sum() else None
+    return back if follows >= _EXPLAINED and follows >= by_drive and cells.wrong.sum() < plain.wrong.sum() else None
 
 
 def _angular(key: Key) -> Flags:
@@ -75,7 +85,7 @@ def _start(key: Key, first: Array) -> Array:
     """Return the first values (m,) as they are after turning back: those near the negative start are moved to the start."""
     start = key.table[0, : len(first)]
     near = _whole_turns_off(first - start) < _whole_turns_off(first + start)
-    return np.where(near, first, start + _rest(first + start))
+    return np.where(near, first, start - _rest(first + start))
 
 
 def _begins_mirrored(key: Key, student: StudentTable) -> bool:
@@ -96,24 +106,10 @@ def _whole_turns_off(angle: Array) -> Array:
     return np.abs(_rest(angle))
 
 
-def _opposite(printed: Array, reference: Array, key: Key, columns: Flags) -> bool:
-    """Return whether printed velocities (n, r) have the opposite sign in each of the `columns` that has signs, at least one."""
-    least = LEAST * np.max(np.abs(key.table[:, len(key.coordinates) :]), axis=0)[: len(columns)]
+def _opposite(printed: Array, reference: Array) -> Array:
+    """Return for each column how many more numbers have the opposite sign of the reference than the same sign."""
     with np.errstate(invalid="ignore"):
-        speaks = np.isfinite(printed) & (np.abs(reference) > least) & columns
-        other = speaks & (printed * reference < 0)
-    spoken = speaks.sum(axis=0)
-    return bool(spoken.any() and np.all(other.sum(axis=0) >= _SIGNS * spoken))
-
-
-def _steps_agree(key: Key, turned: StudentTable, reference: Array) -> bool:
-    """Return whether the angles move as the reference velocities (n, r) say, where their digits can show a step."""
-    m = len(key.coordinates)
-    angular = _angular(key)[:m]
-    steps = np.diff(turned.values[:, :m], axis=0)
-    with np.errstate(invalid="ignore"):
-        steps[~(key.step * np.abs(reference[:-1, :m]) > turned.units[:-1, :m])] = np.nan
-    return _opposite(-steps, reference[:-1, :m], key, angular) if angular.any() and len(steps) else True
+        return np.asarray(-np.nansum(np.sign(printed) * np.sign(reference), axis=0))
 
 
 def _explained(key: Key, cells: Cells) -> float:

@@ -38,7 +38,7 @@ ALIKE = 0.98
 # For so many of the hypotheses that explain most the whole table is computed.
 _CLOSER = 3
 _ROUND_OFF = 1e-9
-ROWS_SHIFTED, ROUNDED_OMEGA = "rows_shifted", "rounded_omega_"
+ROWS_SHIFTED, ORIGIN, ROUNDED_OMEGA = "rows_shifted", "origin_", "rounded_omega_"
 # Causes with steps of another length: in such a table only the velocities are right.
 OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS)
 
@@ -149,7 +149,7 @@ def explanations(
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
         own_gates = gates if put_right is cells else Explained(key, put_right)
-        fit = own_gates.share(holds, only_velocities=claim.code in OTHER_STEPS)
+        fit = own_gates.share(holds | (by_key & spoken), only_velocities=claim.code in OTHER_STEPS)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
         count = int((holds | by_key).sum())
@@ -163,7 +163,7 @@ def explanations(
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
     untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
-    fits = {code: fit for code, fit in fits.items() if code == ROWS_SHIFTED or fit.share > euler_fit + BETTER}
+    fits = {code: fit for code, fit in fits.items() if code.startswith((ROWS_SHIFTED, ORIGIN)) or fit.share > euler_fit + BETTER}
     if (own := cells.student.own) and (fitting := _other_step(key, cells)):
         share, fit = fitting
         if share >= NAMED:

@@ -25,7 +25,7 @@ _PRODUCTS = (
         rf"(?m)(?:^|[$,;])[ \t]*{_NAME}[ \t]*(?:[*@·⋅×]|\\cdot|\.dot\(|[ \t])[ \t]*{_NAME}\)?"
         rf"[ \t]*={{1,2}}[ \t]*{_NAME}[ \t]*(?=[,;.$]|$)"
     ),
-    re.compile(rf"(?m)^[ \t]*(?:{_NAME}|{_NAMES})[ \t]*=[ \t]*{_SOLVED}$"),
+    re.compile(rf"(?m)^[ \t]*(?:{_NAME}|{_NAMES})[ \t]*=[ \t]*{_SOLVED}(?:[%#/].*)?$"),
     re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}#[ \t]*{_NAMES}[ \t]*$"),
 )
 _ORDERS = ((0, 1, 2), (1, 0, 2), (0, 2, 1))  # places of the matrix, the unknowns and the right side in each of `_PRODUCTS`
