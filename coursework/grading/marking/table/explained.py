@@ -84,3 +84,10 @@ class Explained:
 def share_of(explained: Flags, spoken: Flags) -> float:
     """Return the share of the cells spoken about that are explained; 0 if there are none."""
     return float(explained.sum()) / float(spoken.sum()) if spoken.any() else 0.0
+
+
+def euler_cells(key: Key, cells: Cells) -> tuple[Flags, Flags]:
+    """Return which cells follow Euler's rules, and which cells these speak about: all that are shown except start values."""
+    spoken = ~cells.missing
+    spoken[0, : len(key.coordinates)] = False
+    return cells.follows & spoken, spoken

@@ -44,7 +44,7 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
     for unit in {column.unit: None for column in there if column not in turning}:
         settle(unit)
     if "1/s" not in map(found.get, heads):
-        # Radians added to degrees also give steps as of velocities in degrees, but these velocities are no larger than the task's.
+        # Radians added to degrees also give steps as of velocities in degrees, but these are no larger than the task's.
         sizes = [abs(ratio) for column in turning for ratio in _ratios(column.values, values[column.name]) if ratio]
         known = {unit: factor for unit, factor in PRINTED["1/s"].items() if _is_about(sizes, factor)}
         for column in there:

@@ -21,7 +21,7 @@ from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.causes.own_rows import on_own_rows
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
-from coursework.grading.marking.table.explained import Explained, share_of
+from coursework.grading.marking.table.explained import Explained, euler_cells, share_of
 from coursework.grading.marking.table.points import stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.untold import FINEST, untold_cells
@@ -277,13 +277,6 @@ def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = 
             alike = 1.0 - share_of((apart > allowed) & spoken, spoken)
         found[claim.code] = min(alike, found.get(claim.code, 1.0))
     return tuple(code for code, alike in found.items() if alike >= ALIKE and code in differs)
-
-
-def euler_cells(key: Key, cells: Cells) -> tuple[Flags, Flags]:
-    """Return which cells follow Euler's rules, and which cells these speak about: all that are shown except start values."""
-    spoken = ~cells.missing
-    spoken[0, : len(key.coordinates)] = False
-    return cells.follows & spoken, spoken
 
 
 def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Flags) -> tuple[Cells, Flags, Flags]:

@@ -7,8 +7,9 @@ import pytest
 
 import coursework
 from coursework.grading.marking.key.key import key_of
-from coursework.grading.marking.table.causes.misconceptions import euler_cells, explanations, indistinct, looked_for
+from coursework.grading.marking.table.causes.misconceptions import explanations, indistinct, looked_for
 from coursework.grading.marking.table.cells import mark_cells
+from coursework.grading.marking.table.explained import euler_cells
 from tests.grading.marking import students
 from tests.grading.marking.table.test_cells import printed
 
