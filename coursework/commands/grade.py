@@ -59,7 +59,7 @@ def grade_source(
     with Source(source) as opened:
         sheet = read_worksheet(_bytes(worksheet), str(worksheet)) if worksheet else None
         if sheet is not None:
-            sheet.check_total(marking.points, str(rubric or "the default rubric"))
+            sheet.check_total(marking.points, str(rubric) if rubric else say("grading.default_rubric"))
         gradebook = read_gradebook(_bytes(canvas), str(canvas), marking.points) if canvas else None
         listed = _listed(opened, variant, roster, sheet)
         for found in listed.variants.values():

@@ -19,6 +19,7 @@ from coursework.grading.platforms.names import name_key
 from coursework.grading.reading.numbers import filled_in
 from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _NO = {*MOODLE["no"]}
@@ -54,7 +55,7 @@ class Worksheet:
     maximum: float
     mark: str
 
-    def check_total(self, points: float, rubric: str) -> None:
+    def check_total(self, points: float, rubric: str | Sentence) -> None:
         """Raise `InputError` if the rubric's total is not the worksheet's maximum grade: Moodle would skip grades."""
         if abs(points - self.maximum) > 1e-9:
             raise InputError([Fault(say("fault.G025", maximum=self.maximum, rubric=rubric, points=points), self.cells.file)])

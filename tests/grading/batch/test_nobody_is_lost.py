@@ -131,6 +131,19 @@ def test_a_journal_that_is_no_file_is_refused(tmp_path, kind):
     assert other.read_bytes() == b"kept"
 
 
+@pytest.mark.parametrize("with_rubric", [True, False])
+def test_a_total_that_moodle_would_refuse_is_told_with_the_rubric_it_comes_from(tmp_path, with_rubric):
+    hand_in(tmp_path / "in" / "Ada_7000_assignsubmission_file_")
+    (tmp_path / "own.toml").write_text("points = 90\n", encoding="utf-8")
+    sheet = tmp_path / "sheet.csv"
+    head = "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,Last modified (grade),Comments"
+    sheet.write_text(f"{head}\nParticipant 7000,Ada,a@x.edu,s,,80.00,Yes,-,\n", encoding="utf-8")
+    own = ["--rubric", str(tmp_path / "own.toml")] if with_rubric else []
+    done = grade(tmp_path / "in", tmp_path / "out", "--worksheet", str(sheet), *own)
+    assert done.exit_code == 2
+    assert ("own.toml gives 90 points" if with_rubric else "and the default rubric gives 100 points") in done.output
+
+
 @posix
 def test_pages_are_not_written_through_a_link(tmp_path):
     hand_in(tmp_path / "in" / "ada")
