@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 
 from coursework.effects.dynamics.dynamics import Dynamics, FreeMotion
-from coursework.effects.dynamics.dynamics_checks import check_dynamics
+from coursework.effects.dynamics.dynamics_checks import Evidence, check_dynamics
 from coursework.effects.dynamics.dynamics_lesson import energy_of_rows, is_heavy, rates_of
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.effects.dynamics.known_rows import COARSER, LOOKS, known_rows
@@ -54,7 +54,14 @@ class MotorResults(MotionResults):
         """Return the checks of a motion under forces: energy, distance from the exact motion, stability of the step."""
         scene = self.scene
         assert isinstance(scene, MotorScene)
-        return check_dynamics(self.forces, scene.exact_analysis, scene.free_equations, scene.scheme, scene.variant.time.step)
+        return check_dynamics(self.evidence_of_forces, scene.finer)
+
+    @property
+    def evidence_of_forces(self) -> Evidence:
+        """Return what the checks of a motion under forces look at."""
+        scene = self.scene
+        assert isinstance(scene, MotorScene)
+        return Evidence(self.forces, scene.exact_analysis, scene.free_equations, scene.scheme, scene.variant.time.step)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -243,6 +250,12 @@ class MotorScene(Scene):
     def one_period(self) -> Motion:
         """Return the exact rows: a motion under forces has no period."""
         return self.exact
+
+    def finer(self, parts: int) -> Evidence:
+        """Return the evidence about the same motion with a step so many times shorter."""
+        results = MotorScene(self.variant.timed(self.variant.time.step / parts), self.settings).results
+        assert isinstance(results, MotorResults)
+        return results.evidence_of_forces
 
     @cached_property
     def exact_analysis(self) -> ForceAnalysis:
