@@ -6,7 +6,7 @@ Used by `exact_scene.py`, for a file with a motor only.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
@@ -36,6 +36,7 @@ from coursework.system.on_demand import computed
 from coursework.variant.record.no_value import without_value
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import either, say
 
 if TYPE_CHECKING:
@@ -172,11 +173,23 @@ class MotorScene(Scene):
         free = self.free_equations.free
         turned = tuple(coordinates[place].name for place in free)
         others = [one.rate for place, one in enumerate(coordinates) if place not in free]
-        cause = say(f"dynamics.{key}", time=found.at, at=found.by, names=turned)
+        cause = say(f"dynamics.{key}", time=found.at, at=found.by, names=turned, causes=either(list(self._steep)))
         return Stop(
             "dead point" if found.ended == LIMIT else found.ended, found.at, found.at / step, (), last, cause,
             say(f"dynamics.{means}_means", row=len(found.t), names=either(others) if others else ""),
         )  # fmt: skip
+
+    @property
+    def _steep(self) -> Iterator[Sentence]:
+        """Yield what can make the forces of this file too steep."""
+        forces, constants = self.variant.forces, {*self.variant.values, "pi"}
+        assert forces is not None and forces.motor is not None
+        laws = [one.torque or one.force for one in (*forces.loads, *forces.motor.torques)]
+        yield say("dynamics.steep_masses")
+        if any(law is not None and not constants.issuperset(law.names()) for law in laws):
+            yield say("dynamics.steep_laws")
+        if forces.springs:
+            yield say("dynamics.steep_springs")
 
     def _with_values(self, found: FreeMotion) -> FreeMotion:
         """Return rows as found.  Raises `InputError` where they end because a force has no value there."""
