@@ -52,7 +52,7 @@ def main() -> None:
 @SCHEME
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
-@click.option("--end", type=float, help="End of the run in s.")
+@click.option("--end", help='End of the run in s, such as 0.48, or with a unit: "480 ms".')
 @SET
 @click.option("--check-row", type=click.IntRange(min=1), help="Row of the graph-analytical check, from 1.")
 @click.option(

@@ -30,7 +30,7 @@ WRONG_INPUT = 2
 
 
 def run_variant(
-    variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
+    variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: str | None,
     scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, verbose: bool, language: str, live: bool,
     set_values: tuple[str, ...], check_row: int | None, **options: Any,
 ) -> int:  # fmt: skip

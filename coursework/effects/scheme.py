@@ -13,7 +13,7 @@ from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknow
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, with_sliders
 from coursework.mechanism.mechanism import Mechanism
-from coursework.mechanism.structure import Bodies, fitting_linkage, in_order
+from coursework.mechanism.structure import Bodies, driven_freedoms, fitting_linkage, in_order
 from coursework.variant.formula.tree import Formula, named, number
 from coursework.variant.record.entries import reached
 from coursework.variant.record.forces import DISC, POINT, ROD, Forces, Mass
@@ -33,7 +33,13 @@ def read_scheme(mechanism: Mechanism, instead: Forces | None = None) -> ForceSch
         raise InputError([Fault(say("fault.V721"), variant.file, 1)])
     found = fitting_linkage(mechanism)
     if found is None:
-        raise InputError([Fault(say("fault.V722"), variant.file, 1)])
+        mobility, drives = mechanism.mobility, driven_freedoms(variant)
+        if mobility is None or not 0 < drives < mobility.degrees:
+            raise InputError([Fault(say("fault.V722.none"), variant.file, 1)])
+        told = say("fault.V722.loose", degrees=mobility.degrees, drives=drives)
+        raise InputError(
+            [Fault(told, variant.file, variant.nearest_line("links", variant.links[0].name) if variant.links else 1)]
+        )
     weighed = {one.body for one in forces.masses} | {load.on for load in forces.loads}
     blocks = with_sliders(found, lambda joint: bool(variant.groups) or (joint.where is not None and joint.where.name in weighed))
     return _Reader(mechanism, Bodies(mechanism, blocks), forces).scheme()

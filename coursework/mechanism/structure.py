@@ -39,7 +39,7 @@ def read_structure(mechanism: Mechanism) -> Structure | None:
     found = fitting_linkage(mechanism)
     if found is None:
         return None
-    bodies, drives = Bodies(mechanism, with_sliders(found)), _drives(mechanism.variant)
+    bodies, drives = Bodies(mechanism, with_sliders(found)), driven_freedoms(mechanism.variant)
     return Structure(
         tuple(bodies.members()), tuple(bodies.pairs()), bodies.linkage.mobility, found.mobility, drives, bodies.driven,
         tuple(bodies.groups()) if found.mobility.degrees == drives else (),
@@ -52,12 +52,12 @@ def fitting_linkage(mechanism: Mechanism) -> Linkage | None:
     ways = [mechanism.linkage] if mechanism.linkage is not None else []
     if ways and variant.links and variant.groups:
         ways.append(chain_of_groups(variant, dict(mechanism.points)))
-    drives = _drives(variant)
+    drives = driven_freedoms(variant)
     fitting = [way for way in ways if way.mobility.degrees == drives] or [way for way in ways if way.mobility.degrees < drives]
     return fitting[0] if fitting and drives else None
 
 
-def _drives(variant: Variant) -> int:
+def driven_freedoms(variant: Variant) -> int:
     """Return how many freedoms are driven: rates, and components of point velocities."""
     laws = {law.name for law in variant.drive}
     return len(variant.known_rates) + len(laws.intersection(_axes(variant)))
@@ -186,7 +186,7 @@ class Bodies:
             if not bodies:
                 return None
             found.append(bodies[0])
-        halves = _drives(variant) - len(variant.known_rates)
+        halves = driven_freedoms(variant) - len(variant.known_rates)
         return found if halves == (2 if self.driven else 0) else None
 
     def _found(self) -> Iterator[tuple[tuple[str, ...], set[str]]]:

@@ -6,7 +6,7 @@ Used by `exact_scene.py`, for a file with a motor only.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 
 from coursework.effects.dynamics.dynamics import Dynamics, FreeMotion
-from coursework.effects.dynamics.dynamics_checks import check_dynamics
+from coursework.effects.dynamics.dynamics_checks import Evidence, check_dynamics
 from coursework.effects.dynamics.dynamics_lesson import energy_of_rows, is_heavy, rates_of
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.effects.dynamics.known_rows import COARSER, LOOKS, known_rows
@@ -36,6 +36,7 @@ from coursework.system.on_demand import computed
 from coursework.variant.record.no_value import without_value
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import either, say
 
 if TYPE_CHECKING:
@@ -54,7 +55,14 @@ class MotorResults(MotionResults):
         """Return the checks of a motion under forces: energy, distance from the exact motion, stability of the step."""
         scene = self.scene
         assert isinstance(scene, MotorScene)
-        return check_dynamics(self.forces, scene.exact_analysis, scene.free_equations, scene.scheme, scene.variant.time.step)
+        return check_dynamics(self.evidence_of_forces, scene.finer)
+
+    @property
+    def evidence_of_forces(self) -> Evidence:
+        """Return what the checks of a motion under forces look at."""
+        scene = self.scene
+        assert isinstance(scene, MotorScene)
+        return Evidence(self.forces, scene.exact_analysis, scene.free_equations, scene.scheme, scene.variant.time.step)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -165,11 +173,23 @@ class MotorScene(Scene):
         free = self.free_equations.free
         turned = tuple(coordinates[place].name for place in free)
         others = [one.rate for place, one in enumerate(coordinates) if place not in free]
-        cause = say(f"dynamics.{key}", time=found.at, at=found.by, names=turned)
+        cause = say(f"dynamics.{key}", time=found.at, at=found.by, names=turned, causes=either(list(self._steep)))
         return Stop(
             "dead point" if found.ended == LIMIT else found.ended, found.at, found.at / step, (), last, cause,
             say(f"dynamics.{means}_means", row=len(found.t), names=either(others) if others else ""),
         )  # fmt: skip
+
+    @property
+    def _steep(self) -> Iterator[Sentence]:
+        """Yield what can make the forces of this file too steep."""
+        forces, constants = self.variant.forces, {*self.variant.values, "pi"}
+        assert forces is not None and forces.motor is not None
+        laws = [one.torque or one.force for one in (*forces.loads, *forces.motor.torques)]
+        yield say("dynamics.steep_masses")
+        if any(law is not None and not constants.issuperset(law.names()) for law in laws):
+            yield say("dynamics.steep_laws")
+        if forces.springs:
+            yield say("dynamics.steep_springs")
 
     def _with_values(self, found: FreeMotion) -> FreeMotion:
         """Return rows as found.  Raises `InputError` where they end because a force has no value there."""
@@ -243,6 +263,12 @@ class MotorScene(Scene):
     def one_period(self) -> Motion:
         """Return the exact rows: a motion under forces has no period."""
         return self.exact
+
+    def finer(self, parts: int) -> Evidence:
+        """Return the evidence about the same motion with a step so many times shorter."""
+        results = MotorScene(self.variant.timed(self.variant.time.step / parts), self.settings).results
+        assert isinstance(results, MotorResults)
+        return results.evidence_of_forces
 
     @cached_property
     def exact_analysis(self) -> ForceAnalysis:

@@ -118,7 +118,9 @@ WRONG = {
     "too many rows": (["run", "31", "--step", "4.8e-10"], "1e+09 rows are asked for; at most 200000 are computed."),
     "end before step": (["run", "31", "--end", "0.001"], "the end (0.001 s) must be at least one step (0.02 s)."),
     "end nan": (["run", "31", "--end", "nan"], "the end must be a number of seconds, found nan."),
-    "end text": (["run", "31", "--end", "abc"], "C057 --end takes a number."),
+    "error text": (["run", "31", "--error", "abc"], "C057 --error takes a number."),
+    "end text": (["run", "31", "--end", "abc"], "C012 the end must be a number of seconds, found 'abc'."),
+    "end in metres": (["run", "31", "--end", "0.2 m"], "C012 the end must be a number of seconds, found '0.2 m'."),
     "aliasing": (["run", "31", "--step", "0.3"], "The step 0.3 s is too large for this drive"),
     "format": (["run", "31", "--format", "rtf"], '"rtf" is not a format here. Formats: html, pdf, csv'),
     "format closest": (["run", "31", "--format", "htm"], 'Did you mean "html"?'),
@@ -236,7 +238,9 @@ def test_profile_counts_calls():
 
 
 def test_options_change_the_run():
-    result = call("run", "31", "--scheme", "heun", "--step", "0.01 s", "--end", "0.1", "--quantities", "table", "--format", "csv")
+    result = call(
+        "run", "31", "--scheme", "heun", "--step", "0.01 s", "--end", "100 ms", "--quantities", "table", "--format", "csv"
+    )
     assert "Heun, h = 0.01 s, 11 rows" in result.stdout
     projected = call("run", "31", "--project", "--quantities", "table", "--format", "csv", "--out", "p")
     assert projected.exit_code == 0

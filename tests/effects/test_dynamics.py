@@ -159,7 +159,7 @@ def test_a_step_is_advised_from_errors_that_still_tell_one(share, stable, told):
     run = solved("falling-arm", scheme="euler")
     evidence = Evidence(run.results.forces, run.scene.exact_analysis, run.scene.free_equations, SCHEMES["euler"], 0.01)
     found = [Finding("COARSE", "Energy.", 0.06), Finding("COARSE", "Motion.", share), Finding(stable, "Step.")]
-    energy, motion, _ = (str(one.sentence) for one in _advised(evidence, found))
+    energy, motion, _ = (str(one.sentence) for one in _advised(evidence, found, lambda _: False))
     assert energy == "Energy." and told in motion and (told != "" or motion == "Motion.")
 
 

@@ -91,3 +91,13 @@ def test_what_hangs_at_rest_is_told_so_and_no_energy_of_round_off():
     assert coursework.solve(coursework.parse_variant(hanging), scheme="euler").summary.startswith(
         "Nothing moves: the forces hold"
     )
+
+
+@pytest.mark.parametrize(("scheme", "told"), [
+    ("exact", "The rows are the motion itself; no step decides about them."), ("rk4", "The table is close to the motion: w2 is "),
+    ("euler", "Not close to the motion: "),
+])  # fmt: skip
+def test_where_forces_are_asked_too_the_summary_says_how_close_the_motion_under_forces_is(scheme, told):
+    """Reactions of the rows are right in every row, whatever the step; how close the rows are is another question."""
+    run = coursework.solve("example-2-motor", scheme, end="0.5 s", step="0.025 s", quantities=["table", "checks", "forces"])
+    assert run.summary.startswith("The table is computed right: ") and told in run.summary and "not known" not in run.summary

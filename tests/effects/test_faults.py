@@ -80,6 +80,30 @@ def test_forces_that_cannot_be_found_or_followed_are_refused():
             _ = coursework.solve(coursework.parse_variant(text, "bad.toml")).results.forces
 
 
+LINKS = """
+[links]
+1 = { points = ["O", "P"], rate = "w1" }
+2 = { points = ["P", "R"], rate = "w2" }
+3 = { points = ["Q", "END"], rate = "w3" }
+[frame]
+hinges = ["O", "Q"]
+[masses]
+2 = { mass = "1 kg", inertia = "rod" }
+[ask]"""
+
+
+@pytest.mark.parametrize(("end", "is_loose"), [("S", True), ("R", False)])
+def test_links_that_share_no_hinge_are_told_as_that_and_not_as_missing(end, is_loose):
+    """Four links and three hinges: W = 3*3 - 2*3 = 3 freedoms, of which the crank drives one; the fourth hinge takes two."""
+    text = mechanism("four-bar-by-its-points", ("[ask]", LINKS.replace("END", end)))
+    run = coursework.solve(coursework.parse_variant(text, "bad.toml"))
+    if is_loose:
+        with pytest.raises(coursework.InputError, match=r"V722 bad.toml:\d+ .*leave 3 freedoms where 1 are driven"):
+            _ = run.results.forces
+    else:
+        assert run.results.forces.rows.count
+
+
 def test_units():
     assert [read_mass(text).value for text in ("2 t", "250 g", "1.5 kN", "12 N·m", "10 g*cm^2", "2 N/mm", "3 кг", "5 Н*м")] == [
         2000.0, 0.25, 1500.0, 12.0, 1e-6, 2000.0, 3.0, 5.0,

@@ -1,12 +1,13 @@
 """The checks of a motion under forces: its energy, its distance from the exact motion, whether its step is stable.
 
-Enters: the forces of the rows and of the exact ones, the equations of motion.  Leaves: a `Finding` of each kind.
+Enters: `Evidence` of a run, and a way to that of a finer one.  Leaves: a `Finding` of each kind.
 Used by `scene/motor_scene.py`.  Words stand under [check.CODE].
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from contextlib import nullcontext
 from dataclasses import replace
 
@@ -23,9 +24,11 @@ from coursework.results.checks.result import Check, Finding, Verdict, percent, s
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS, Variant
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 LIMIT = 0.05
+_TRIALS, _MOST_TRIED = 4, 5000  # number of steps that are tried, each half the one before, and of rows of such a run
 _TELLING = 0.5  # with a larger share the error no longer follows the order of the scheme
 _TINY = 1e-6  # relative change of a rate or coordinate for difference quotients
 _ROUND_OFF = 1e-12  # share of the energy: a smaller exchange counts as none
@@ -45,25 +48,39 @@ class Evidence:
     step: float
 
 
-def check_dynamics(
-    own: ForceAnalysis, exact: ForceAnalysis, dynamics: EquationsOfMotion, scheme: Scheme | None, step: float
-) -> tuple[Finding, ...]:
-    """Return the findings of all checks."""
-    evidence = Evidence(own, exact, dynamics, scheme, step)
-    return _advised(evidence, [check.finding(evidence) for check in CHECKS])
+def check_dynamics(e: Evidence, finer: Callable[[int], Evidence]) -> tuple[Finding, ...]:
+    """Return the findings of all checks; `finer` gives the evidence of a run with a step so many times shorter."""
+    return _advised(e, _judged(e), lambda parts: not any(one.verdict == "COARSE" for one in _judged(finer(parts))))
 
 
-def _advised(e: Evidence, findings: list[Finding]) -> tuple[Finding, ...]:
+def _judged(e: Evidence) -> list[Finding]:
+    return [check.finding(e) for check in CHECKS]
+
+
+def _advised(e: Evidence, findings: list[Finding], suffices: Callable[[int], bool]) -> tuple[Finding, ...]:
     """Return the findings, with advice on the step in the worst of them; if STABLE is coarse, it gives its own advice."""
     coarse = {one.value or 0.0: place for place, one in enumerate(findings) if one.verdict == "COARSE"}
     if coarse and e.scheme is not None and findings[-1].verdict != "COARSE":
         share = max(coarse)
-        parts = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order))
-        is_told = share <= _TELLING and parts * (e.exact.rows.count - 1) <= MAX_ROWS
-        advice = say("check.dynamics.step", step=e.step / parts) if is_told else say("check.dynamics.no_step")
         found = findings[coarse[share]]
-        findings[coarse[share]] = replace(found, sentence=joined([found.sentence, advice]))
+        findings[coarse[share]] = replace(found, sentence=joined([found.sentence, _step_for(share, e, suffices)]))
     return tuple(findings)
+
+
+def _step_for(share: float, e: Evidence, suffices: Callable[[int], bool]) -> Sentence:
+    """Return the step that makes an error of this share small.
+
+    A higher order than one is lost where a force breaks between two rows, so there a step is run before it is advised.
+    """
+    assert e.scheme is not None
+    parts, steps = math.ceil((share / (LIMIT / 2)) ** (1 / e.scheme.order)), e.exact.rows.count - 1
+    if share <= _TELLING and e.scheme.order == 1 and parts * steps <= MAX_ROWS:
+        return say("check.dynamics.step", step=e.step / parts)
+    if share <= _TELLING and e.scheme.order > 1:
+        for more in range(_TRIALS):
+            if (tried := parts * 2**more) * steps <= _MOST_TRIED and suffices(tried):
+                return say("check.dynamics.tried", step=e.step / tried)
+    return say("check.dynamics.no_step")
 
 
 def remainder(found: ForceAnalysis) -> tuple[Array, float]:

@@ -12,6 +12,7 @@ import numpy as np
 
 from coursework.effects.effects import Action, add_wrench
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
+from coursework.effects.kinetostatics.unseen_loads import unseen_loads
 from coursework.equations.five_point import NODES, five_point_derivative
 from coursework.mechanism.joints import FRAME
 from coursework.motion.geometry.drive import breaks, drive_values
@@ -97,6 +98,20 @@ def _sum(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
 
 
 def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
+    """Return the finding about power and energy; what acts between the rows and shows in none of them is told first of all."""
+    of, found = exact or own, _balance(own, exact)
+    blows = [say("check.STEP.time", time=time) for time in _blows(of)]
+    told = [say("check.POWER.blow", times=joined(blows, "join.numbers"))] if blows else []
+    for one in unseen_loads(of):
+        key = "check.POWER.pole" if one.is_pole else "check.POWER.jump"
+        told.append(say(key, name=one.name, row=one.row + 1, next=one.row + 2, time=one.time))
+        if one.is_pole and found.verdict != "FAIL":
+            found = Finding("FAIL", told[-1], row=one.row + 1)
+    return replace(found, headline=joined(told)) if told else found
+
+
+def _balance(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
+    """Return whether the power given is the change of the energy."""
     of = exact or own
     t = of.rows.motion.t
     if len(t) < NODES or not np.isfinite(of.reactions.rows).all():
@@ -115,17 +130,15 @@ def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     if off.max() < 0:
         return skipped(say("check.POWER.skip"))
     row, value = int(np.argmax(off)) + 3, float(off.max())
-    found = _graded("POWER", value, POWER_SHARE, "COARSE", row, value=value)
-    blows = [say("check.STEP.time", time=time) for time in _blows(of)]
-    return replace(found, headline=say("check.POWER.blow", times=joined(blows, "join.numbers"))) if blows else found
+    return _graded("POWER", value, POWER_SHARE, "COARSE", row, value=value)
 
 
 def _blows(of: ForceAnalysis) -> list[float]:
-    """Return the times (s) at which the drive jumps, and with it the velocities: there no force of a row is what acts."""
-    variant = of.equations.variant
-    times = np.array([time for time in breaks(variant) if time < of.rows.motion.t[-1]])
+    """Return the times (s) at which the drive jumps, and with it the velocities of masses: no force of a row acts there."""
+    variant, t = of.equations.variant, of.rows.motion.t
+    times = np.array([time for time in breaks(variant) if len(t) and time < t[-1]])
     names = [law.name for law in variant.drive]
-    if not (len(times) and names):
+    if not (len(times) and names and of.rows.scheme.forces.masses):
         return []
     before, after = (drive_values(of.equations, names, times * (1 + side * _BESIDE)) for side in (-1, 1))
     jumps = np.abs(after - before) > _JUMP * np.maximum(np.abs(before), np.abs(after))

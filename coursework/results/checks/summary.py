@@ -31,7 +31,7 @@ def summary(
     computed = _computed(computation, named)
     told.append(computed)
     if computed != say("summary.no_rows"):
-        told += _close(by_code.get("ACCURACY"), motion, named, is_motion=is_motion)
+        told += _close(by_code.get("ACCURACY") or by_code.get("MOTION"), motion, named, is_motion=is_motion)
     if errors := tuple(named(finding) for finding in findings if finding.verdict == "ERROR"):
         told.append(say("summary.error", codes=errors))
     return joined(told)
@@ -79,7 +79,9 @@ def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[F
     option = next((finding.option for finding in coarse if finding.option), "")
     take = say("summary.take", option=option, what=_instead(coarse)) if option else ""
     told: list[str] = []
-    if accuracy is None or accuracy.verdict == "SKIP":
+    if accuracy is not None and accuracy.code == "MOTION":  # under forces: its sentence says as much, with the step to take
+        told.append(accuracy.sentence)
+    elif accuracy is None or accuracy.verdict == "SKIP":
         if accuracy is None or not accuracy.headline or accuracy.headline != accuracy.sentence:
             told.append(say("summary.unknown"))
     elif accuracy.verdict == "FAIL":

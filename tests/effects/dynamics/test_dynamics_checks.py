@@ -10,6 +10,7 @@ from coursework.effects.dynamics.dynamics_checks import _areas
 from tests.effects.dynamics.test_dynamics import pushed
 from tests.effects.test_rubbing import UNRUBBED
 from tests.hard.scenes import check
+from tests.mechanisms.library import mechanism
 
 
 @pytest.mark.parametrize(("turns", "verdict"), [(1, "PASS"), (2, "COARSE")])
@@ -55,3 +56,15 @@ def test_areas_between_rows_are_those_of_a_line_and_from_four_rows_on_of_a_cubic
     line, cubic = 2 * t + 1, t**3
     assert _areas(line, t) == pytest.approx(np.diff(t**2 + t))
     assert (_areas(cubic, t) == pytest.approx(np.diff(t**4 / 4))) is (rows > 3)
+
+
+@pytest.mark.parametrize(("scheme", "after", "parts"), [("rk4", "-0.8", 4), ("heun", "0.2", 3)])
+def test_a_step_is_run_before_it_is_advised_where_a_force_breaks_between_two_rows(scheme, after, parts):
+    """By its order Runge-Kutta 4 would need half the step, which is too coarse too: u3 is off by 5.9 %."""
+    law = f'[functions]\ng = {{ pieces = [["0 s", "1"], ["0.503 s", "{after}"]] }}\n\n[coordinates]'
+    text = mechanism("example-2-motor", ("[coordinates]", law), ('"M0 - k*w1"', '"M0*g - k*w1"'))
+    variant = coursework.parse_variant(text)
+    told = check(coursework.solve(variant, scheme, 0.05, end=1.5), "MOTION")
+    assert told.verdict == "COARSE" and str(told.sentence).endswith(f"A step of {0.05 / parts:.10g} s does: it was tried.")
+    found = coursework.solve(variant, scheme, float(f"{0.05 / parts:.10g}"), end=1.5)
+    assert [one.code for one in found.checks if one.verdict == "COARSE"] == []

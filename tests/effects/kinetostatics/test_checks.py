@@ -8,7 +8,7 @@ import pytest
 
 import coursework
 from coursework.effects.kinetostatics import checks
-from coursework.effects.kinetostatics.checks import _accuracy, _agreement, _condition, _contact, _friction, _power
+from coursework.effects.kinetostatics.checks import _accuracy, _agreement, _balance, _condition, _contact, _friction
 from tests.mechanisms.library import mechanism
 
 NAN = math.nan
@@ -50,18 +50,18 @@ def one(place, size):
 def test_power_given_is_the_change_of_energy_to_a_thousandth_of_the_largest():
     """The largest is what changes in all at the end: 0.8 + 2 = 2.8 W."""
     for size, verdict in ((0.99e-3, "PASS"), (1.01e-3, "COARSE"), (-0.99e-3, "PASS"), (-1.01e-3, "COARSE")):
-        told = _power(moved(one(4, 2.8 * size)), None)
+        told = _balance(moved(one(4, 2.8 * size)), None)
         assert (told.verdict, told.row, told.value) == (verdict, 5, pytest.approx(abs(size), rel=1e-6))
     assert (
-        _power(moved(one(1, 9.0)), None).verdict == "PASS" == _power(moved(one(7, 0.1)), None).verdict
+        _balance(moved(one(1, 9.0)), None).verdict == "PASS" == _balance(moved(one(7, 0.1)), None).verdict
     )  # at the ends nothing is read
-    assert [_power(moved(one(4, 0.0), count), None).verdict for count in (4, 5)] == ["SKIP", "PASS"]
-    assert _power(moved(one(4, 0.0), spoilt=3), None).verdict == "SKIP"
-    assert _power(moved(one(4, 9.0)), moved(one(4, 0.0))).verdict == "PASS"  # the exact rows are looked at
+    assert [_balance(moved(one(4, 0.0), count), None).verdict for count in (4, 5)] == ["SKIP", "PASS"]
+    assert _balance(moved(one(4, 0.0), spoilt=3), None).verdict == "SKIP"
+    assert _balance(moved(one(4, 9.0)), moved(one(4, 0.0))).verdict == "PASS"  # the exact rows are looked at
     still = moved(lambda t: -t - 2.0)
     still.energy.kinetic, still.energy.potential = np.zeros(9), np.zeros(9)
     still.energy.loads = still.energy.friction = still.energy.dampers = np.zeros(9)
-    assert _power(still, None).verdict == "SKIP"
+    assert _balance(still, None).verdict == "SKIP"
 
 
 @pytest.mark.parametrize(("at", "place", "verdict"), [
@@ -70,8 +70,8 @@ def test_power_given_is_the_change_of_energy_to_a_thousandth_of_the_largest():
 ])  # fmt: skip
 def test_across_a_change_of_formula_power_is_not_judged(at, place, verdict):
     """A row nearer to it than two steps has rows of both formulas among its five."""
-    assert _power(moved(one(place, 1.0), pieces=[0.0, at]), None).verdict == verdict
-    assert _power(moved(one(4, 1.0), count=6, pieces=[0.25]), None).verdict == "SKIP"
+    assert _balance(moved(one(place, 1.0), pieces=[0.0, at]), None).verdict == verdict
+    assert _balance(moved(one(4, 1.0), count=6, pieces=[0.25]), None).verdict == "SKIP"
 
 
 def rolling(**columns):
@@ -207,3 +207,11 @@ def test_a_drive_that_jumps_is_told_as_a_blow_first_of_all(after, is_blow):
     run = coursework.solve(coursework.parse_variant(mechanism("example-1-forces", w1=pieces)))
     assert run.summary.startswith("At t = 0.3 s the drive jumps, and the velocities with it: a blow acts") == is_blow
     assert ("jumps" in run.summary) == is_blow
+
+
+def test_a_blow_is_told_where_too_few_rows_show_power():
+    """Four rows, three thirds of the time: the crank changes its speed at the second one."""
+    pieces = '{ pieces = [["0 s", "w0"], ["0.05 s", "w0/2"]] }'
+    run = coursework.solve(coursework.parse_variant(mechanism("example-1-forces", w1=pieces)), step=0.05, end=0.15)
+    assert {one.code: one.verdict for one in run.checks}["POWER"] == "SKIP"
+    assert run.summary.startswith("At t = 0.05 s the drive jumps, and the velocities with it: a blow acts")
