@@ -102,7 +102,7 @@ class Source:
         }
         names: list[tuple[str, str]] = []
         notes: dict[str, list[Note]] = {}
-        for name, found in files_below(self.path):
+        for name, found in _walk(self.path, "", _DEPTH, of_students=True):
             if isinstance(found, Note):
                 notes.setdefault(name.partition("/")[0], []).append(found)
             else:
@@ -187,7 +187,8 @@ def files_below(folder: Path) -> Iterator[tuple[str, Path | Note]]:
     yield from _walk(folder, "", _DEPTH)
 
 
-def _walk(folder: Path, before: str, depth: int) -> Iterator[tuple[str, Path | Note]]:
+def _walk(folder: Path, before: str, depth: int, *, of_students: bool = False) -> Iterator[tuple[str, Path | Note]]:
+    """Yield the contents of a folder; a folder named as a table is none, unless the folders in it are `of_students`."""
     try:
         entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
     except OSError as error:
@@ -200,7 +201,7 @@ def _walk(folder: Path, before: str, depth: int) -> Iterator[tuple[str, Path | N
         if entry.is_symlink():
             yield name, note("ignored_file", name=legible(name), why=say("reading.why.link"))
         elif entry.is_dir(follow_symlinks=False):
-            if depth > 1 and not is_named_as_table(entry.name):
+            if depth > 1 and (of_students or not is_named_as_table(entry.name)):
                 yield from _walk(folder / entry.name, f"{name}/", depth - 1)
             else:
                 yield name, note("ignored_file", name=legible(name), why=say("reading.why.folder"))

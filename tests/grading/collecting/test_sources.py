@@ -54,6 +54,17 @@ def test_a_folder_of_folders(tmp_path: Path) -> None:
     }  # fmt: skip
 
 
+def test_a_student_s_folder_may_be_named_like_a_file(tmp_path: Path) -> None:
+    """Inside it, and in the folder of one submission, a folder of that name is none of the files."""
+    write(tmp_path, "x.numbers/table.csv", "y.xlsx/table.csv/a.txt", "z.docx/more/equations.txt")
+    _, found, _ = read(tmp_path)
+    assert {student: names(submission) for student, submission in found.items()} == {
+        "x.numbers": ["table.csv"], "y.xlsx": [], "z.docx": ["more/equations.txt"],
+    }  # fmt: skip
+    assert "table.csv" in found["y.xlsx"].notes[0].text
+    assert names(collect_one(tmp_path)) == ["z.docx/more/equations.txt"]
+
+
 def test_a_flat_folder(tmp_path: Path) -> None:
     write(tmp_path, "ivanov_table.csv", "ivanov_equations_2.txt", "petrov.csv", "petrov (1).csv", "Ідзик.xlsx")
     platform, found, _ = read(tmp_path)
