@@ -140,10 +140,8 @@ def _change(entry: Entry, before: Entry | None) -> Change | None:
         return None
     parts = zip(REASONS, before.key.split(), entry.key.split(), strict=False)
     reason = next((name for name, old, new in parts if old != new), "again")
-    if _mark(before) == _mark(entry):
-        if reason != "overrides":
-            return None
-        reason = "overrides_same_grade"  # a decision is listed even if it changed no grade
+    if _mark(before) == _mark(entry) and reason != "overrides":  # a decision is listed even if it changed nothing
+        return None
     return Change(entry.id, _mark(before), _mark(entry), reason)
 
 

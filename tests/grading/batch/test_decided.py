@@ -131,19 +131,6 @@ def test_the_page_of_a_withdrawn_submission_is_removed_and_told(tmp_path):
     assert changes(out) == []
 
 
-def test_a_change_tells_whether_a_decision_changed_the_grade(tmp_path):
-    hand_in(tmp_path / "in" / "ada")
-    decided, out = tmp_path / "overrides.csv", tmp_path / "out"
-    for line, expected in (
-        ("ada,total,80,x", []),
-        ("ada,total,80,y", [("80.00", "80.00", "overrides_same_grade")]),
-        ("ada,total,79.99,y", [("80.00", "79.99", "overrides")]),
-    ):
-        decided.write_text(f"{HEAD}\n{line}\n", encoding="utf-8")
-        assert grade(tmp_path / "in", out, "--overrides", decided).exit_code == 0
-        assert [(found["before"], found["after"], found["reason"]) for found in changes(out)] == expected
-
-
 def test_a_missing_part_that_the_instructor_read_elsewhere_gives_a_number(tmp_path):
     source, out = tmp_path / "in", tmp_path / "out"
     for student in ("ada", "bert"):
