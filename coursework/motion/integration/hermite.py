@@ -1,7 +1,7 @@
 """The cubic through both ends of an interval with given slopes there.
 
 Enters: end values, and end slopes times the length of the interval.  Leaves: values between.
-Used by `finer.py`, `continuity.py`, `peaks.py` and `graph_paper.py`.
+Used by `finer.py`, `continuity.py`, `peaks.py`, `unseen_loads.py` and `graph_paper.py`.
 """
 
 from __future__ import annotations
