@@ -219,10 +219,10 @@ def test_another_students_data_are_told_apart(tmp_path):
         (
             "id\na\n",
             ("--ranges", "nowhere"),
-            'There are no ranges of the name "nowhere". Name a file, or those of a template: 31',
+            'There are no ranges named "nowhere". Name a file, or those of a template: 31',
         ),
         ("id\na\n", ("--ranges", "nowhere.toml"), "nowhere.toml: the file could not be read (No such file or directory)."),
-        ("id\na\n", ("--template", "cardan"), 'There are no ranges of the name "cardan"'),
+        ("id\na\n", ("--template", "cardan"), 'There are no ranges named "cardan"'),
         ("id\na\n", ("--language", "xx"), 'no words for the language "xx"'),
     ],
 )

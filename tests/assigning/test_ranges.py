@@ -45,10 +45,10 @@ def test_a_range_has_the_digits_it_is_written_with(line, values):
 FAULTS = [
     ("[given]\nr1 = 0.9", "r.toml:2:6  given.r1: a range was expected. Write { from"),
     ('[given]\nr9 = { choice = ["1 m"] }',
-     'r.toml:2:1  given.r9: "r9" is no given datum of the template. Given: r1, r2, r3, V1,'),
-    ('[given]\nalpa = { choice = [1] }', 'given.alpa: "alpa" is no given datum of the template. Did you mean "alpha"?'),
+     'r.toml:2:1  given.r9: "r9" is not a given datum of the template. Given: r1, r2, r3, V1,'),
+    ('[given]\nalpa = { choice = [1] }', 'given.alpa: "alpa" is not a given datum of the template. Did you mean "alpha"?'),
     ('[start]\nphi9 = { choice = ["1"] }',
-     'r.toml:2:1  start.phi9: "phi9" is no coordinate of the template. Did you mean "phi3"?'),
+     'r.toml:2:1  start.phi9: "phi9" is not a coordinate of the template. Did you mean "phi3"?'),
     ('[given]\nr1 = { from = "1 m", to = "2 m" }', "r.toml:2:6  given.r1: the range lacks step."),
     ('[given]\nr1 = { from = "1 m", to = "2 m", step = "1 mm" }', "from, to and step have different units"),
     ('[given]\nr1 = { from = "1 m", to = "2 m", step = "0 m" }',

@@ -91,7 +91,7 @@ def test_guides_that_become_parallel_carry_their_hinge_away_and_nothing_is_drawn
     turn = mp.mpf(4) / 3 * mp.pi
     time = mp.findroot(lambda t: 2 * mp.pi / 3 + turn * t - mp.pi / 6 - mp.sin(turn * t) / 2 - mp.pi, 0.3)
     assert stop.time == pytest.approx(float(time), abs=1e-7) and set(stop.coordinates) == {"phi1", "phi2"}
-    assert "Towards it the way along the guides (s3 and s4) grows beyond all bounds" in str(stop.meaning)
+    assert "Towards it the distance along the guides (s3 and s4) grows beyond all bounds" in str(stop.meaning)
     assert "asks for" not in str(stop.meaning)
 
 

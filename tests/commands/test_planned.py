@@ -54,7 +54,7 @@ def test_what_is_known_when_the_budget_ends_is_written(files, monkeypatch):
     words = ["run", "steady.toml", "--budget", "1.5", "--format", "csv,html", "--out", "o"]
     ended = CliRunner().invoke(main, [*words, "--quantities", "table,checks"])
     assert ended.exit_code == 2
-    assert "Written of what was known by then to o: table.csv" in ended.output
+    assert "What was known by then is written to o: table.csv" in ended.output
     assert "E001" in ended.output
     assert len(Path("o/table.csv").read_text(encoding="utf-8").splitlines()) == 22
     assert not Path("o/report.html").exists()

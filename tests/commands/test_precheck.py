@@ -28,7 +28,7 @@ def test_a_right_submission_is_understood(tmp_path: Path) -> None:
     found = precheck(tmp_path, csv(students.table()))
     assert found.exit_code == 0, found.output
     assert "cells separated by “;”, decimal mark “,”.\n" in found.output
-    assert re.search(r"w4 +column 8, told by its head", found.output)
+    assert re.search(r"w4 +column 8, identified by its header", found.output)
     assert "Rows: 25 of 25. At least 3 decimals are asked for." in found.output
     assert "Equations: 4 lines, 0 that cannot be read." in found.output
 

@@ -226,7 +226,7 @@ def test_faults_of_a_motor(old, new, code):
 
 
 def test_dynamics_of_a_driven_mechanism_are_refused():
-    with pytest.raises(coursework.InputError, match="nothing moves by forces"):
+    with pytest.raises(coursework.InputError, match="forces do not move this mechanism"):
         coursework.solve("example-2-forces", quantities=["dynamics"])
 
 

@@ -32,7 +32,7 @@ def test_accuracy_shows_the_error_of_the_energy_against_slopes(tmp_path, monkeyp
     assert found["explicit Euler", 200] == pytest.approx(3.334, abs=0.001)
     assert found["Runge-Kutta 4", 6400] < 1e-6 * found["semi-implicit Euler", 6400] * 10
     page = (tmp_path / "out" / "accuracy.html").read_text(encoding="utf-8")
-    assert "What a step costs when forces move it: variant falling-arm" in page
+    assert "What a step costs in motion under forces: variant falling-arm" in page
     study = solved("falling-arm", scheme="euler").scene.energy_study()
     assert study.orders["Runge-Kutta 4"] == pytest.approx(4, abs=0.2)
     # Those of two links are not: a march by numpy alone loses 29 J of such an arm in 40 s with h = 0.005 s.

@@ -197,7 +197,7 @@ def test_h09_through_the_pivot_the_slide_changes_its_sign(scheme, step):
     assert {one.code for one in run.checks if one.verdict not in {"PASS", "SKIP"}} == set()
     (told,) = run.motion.notes
     assert told.startswith("At t = 0.5 s the equations do not give w and u: s = 0")
-    assert "One motion only goes on there, with w = 0, u = -1; the table follows it" in told
+    assert "Only one motion continues there, with w = 0, u = -1; the table follows it" in told
 
 
 def many_windows(count: int, theta: float, end: float, step: float) -> str:

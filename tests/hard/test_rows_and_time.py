@@ -50,7 +50,7 @@ def test_h19_a_drive_that_turns_half_a_period_a_step_is_refused():
     for frequency in (alias, 2 * math.pi / 0.02, math.pi / 0.02):
         with pytest.raises(InputError, match="another, slower motion that is not there") as caught:
             _ = solve(V31.replace('"13.08 1/s"', f'"{frequency!r} 1/s"'), end=0.1).motion
-        assert "20 rows a period" in str(caught.value)
+        assert "20 rows per period" in str(caught.value)
     run = coursework.solve("31", quantities=("table", "checks"))
     assert 13.08 * run.step == pytest.approx(float(wanted["variant31 p*dt"]))
     assert check(run, "STEP").verdict == "PASS"

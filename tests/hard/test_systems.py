@@ -101,7 +101,7 @@ def test_h12_too_many_equations_here_too_few_there_said_by_name():
     assert "4 unknown velocities (w1, w2, w3, w4) and 3 independent equations of 4" in found
     assert case["expected"]["structural_rank"] == 3
     assert f"{', '.join(map(str, over['eqs'][:2]))} and {over['eqs'][2]} contain only {' and '.join(over['vars'])}" in found
-    assert f"{' and '.join(under['vars'])} stand only in equation {under['eqs'][0]}" in found
+    assert f"{' and '.join(under['vars'])} appear only in equation {under['eqs'][0]}" in found
 
 
 def test_h13_a_repeated_equation_is_left_out_and_checked():
@@ -160,7 +160,7 @@ def test_h16_a_link_without_length_is_refused_when_the_file_is_read():
         assert re.search(rf"\b{name}\b", str(caught.value))
         assert "its angular velocity means nothing" in str(caught.value)
         assert caught.value.faults[0].line > 0
-    with pytest.raises(InputError, match="w2 stands only beside r2"):
+    with pytest.raises(InputError, match="w2 appears only beside r2"):
         parse_variant(without_points)
 
 

@@ -45,7 +45,7 @@ def test_a_place_that_leaves_a_group_open_is_told_with_the_points_of_the_file() 
     along = YOKE.replace('meets = "T"', 'meets = "T"\nangle = "0"')
     assert "the slides are parallel; R and the line of T are 0.2342 m apart." in told(along)
     upon = along.replace('"(0, -0.2)"', '"(0, 0)"').replace("20 deg", "0 deg")
-    assert "the slides are parallel, R and the line of T coincide and a block may stand anywhere" in told(upon)
+    assert "the slides are parallel, R and the line of T coincide and a block may be anywhere" in told(upon)
 
 
 def test_of_a_written_equation_and_the_geometry_the_written_one_is_told() -> None:

@@ -73,7 +73,7 @@ def line_of(begin):
         ),
         (
             "r3*w3*cos(phi3) + 0.5*r3*w4 =", "r3*w3*cos(phi3) + 0.5*w4 =", 'equation = "2*r3*w3*sin',
-            [("NUMBER", "the number in 0.5*w4 had to measure m for constraint 12 to hold; is a factor missing?")],
+            [("NUMBER", "the number in 0.5*w4 would have to be in m for constraint 12 to hold; is a factor missing?")],
         ),
     ],
 )  # fmt: skip
@@ -182,7 +182,7 @@ def test_a_drive_that_stands_nowhere_is_told_unless_it_is_zero():
         (
             "IDLE",
             line_of("[drive]") + 1,
-            "VNx of [drive] moves nothing: no coordinate has it as its rate, and no equation holds it.",
+            "VNx of [drive] moves nothing: no coordinate has it as its rate, and no equation contains it.",
         )
     ]
 
@@ -197,7 +197,7 @@ def test_a_guide_through_a_point_that_no_link_has_is_told():
 def test_a_wheel_of_which_it_is_not_shown_what_it_rolls_on_is_told():
     told = remarks(('rails  = [ { through = "P", angle = "0" } ]', ""))
     assert [(code, line) for code, line, _ in told] == [("CONTACT", line_of("4 = { wheel"))]
-    assert "nothing is listed that wheel 4 touches at P" in told[0][2]
+    assert "the file does not list what wheel 4 touches at P" in told[0][2]
 
 
 def test_a_guide_through_a_hinge_of_the_frame_is_one_that_begins_there():
@@ -208,5 +208,5 @@ def test_a_datum_that_no_formula_has_is_told_unless_it_is_zero():
     """As where r2 is written twice and r3 nowhere."""
     told = remarks(("[given]", '[given]\nspare = "0.4 m"\nlevel = "0 m"'))
     assert told == [
-        ("UNUSED", line_of("[given]") + 1, "spare stands in no formula of the file. Is another name written where it belongs?")
+        ("UNUSED", line_of("[given]") + 1, "spare appears in no formula of the file. Is another name written in its place?")
     ]

@@ -68,7 +68,7 @@ def test_a_run_tells_what_is_set(tmp_path, monkeypatch):
     assert "Set other than in the file: p = 12 1/s and check_row = 6 (N = 4)" in result.output
     assert json.loads((tmp_path / "o" / "run.json").read_text(encoding="utf-8"))["set"] == {"p": "12 1/s", "check_row": "6"}
     page = (tmp_path / "o" / "report.html").read_text(encoding="utf-8")
-    assert "other than in the file" in page and re.search("check_row = 6.{1,40}N.{1,20}4", page)
+    assert "Changed from the file" in page and re.search("check_row = 6.{1,40}N.{1,20}4", page)
     usual = CliRunner().invoke(main, ["run", "31", "--format", "csv", "--out", "u", "--step", "0.01"])
     assert usual.exit_code == 0
     assert json.loads((tmp_path / "u" / "run.json").read_text(encoding="utf-8"))["set"] == {}

@@ -166,7 +166,7 @@ def test_every_unit_the_tool_knows_is_one_of_these_or_made_of_two():
         ("2 /s", "1/s", 'Did you mean "1/s"?'),
         ("2 o/min", "1/s", 'rad/s, 1/s, deg/s, rpm (found "2 o/min").'),
         ("0.4 kg", "", "Known units: m, cm, mm; rad, deg; s, ms, min; rad/s, 1/s, deg/s, rpm;"),
-        ("50 Hz", "1/s", 'Hz says neither turns nor radians a second, found "50 Hz". Write rev/s, or 1/s.'),
+        ("50 Hz", "1/s", 'Hz does not say whether turns or radians per second are meant, found "50 Hz". Write rev/s, or 1/s.'),
         ("50 Гц", "", "Write rev/s, or 1/s."),
     ],
 )

@@ -61,5 +61,5 @@ def test_an_acceleration_for_a_drive_is_told_as_that() -> None:
 
 def test_one_drive_too_many_for_a_chain_is_told_as_that() -> None:
     both = SHAPER.replace('w1 = "n"', 'w1 = "n"\nw3 = "n"')
-    with pytest.raises(coursework.InputError, match="w1 and w3 are prescribed, and the mechanism moves in 1 way only"):
+    with pytest.raises(coursework.InputError, match="w1 and w3 are prescribed, but the mechanism has only 1 degree of freedom"):
         assert coursework.solve(coursework.parse_variant(both)).motion

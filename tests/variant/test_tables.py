@@ -73,7 +73,7 @@ def test_the_same_table_in_every_dialect(law, content):
         (b"0,1,2\n", "r.csv:1: two numbers with a comma between were expected, decimals with a point."),
         (
             "\n".join([*ROWS[:4], ROWS[3], *ROWS[4:]]).encode(),
-            "r.csv:5: the arguments must grow from line to line, found 0.3 after 0.3.",
+            "r.csv:5: the arguments must increase from line to line, found 0.3 after 0.3.",
         ),
     ],
     ids=["bytes", "empty", "large", "infinite", "underscore", "nan", "digits", "mm", "град", "deg", "rpm", "columns", "twice"],

@@ -141,7 +141,7 @@ def test_the_page_tells_both_constructions() -> None:
     told = [str(step) for step in steps(made[0], ACCELERATION, 3, scale_of(made[0], ACCELERATION, 3))]
     (step,) = [one for one in told if "special point S of link 4" in one]
     assert re.search(
-        r"from the pole first the Coriolis part of \d+\.\d mm that N′, the point of link 4 under N, has about N", step
+        r"from the pole first the Coriolis component of \d+\.\d mm that N′, the point of link 4 under N, has about N", step
     )
     assert re.search(r"then that of S about X, \d+\.\d mm in the direction from S to X, then at right angles to BX", step)
 

@@ -12,10 +12,10 @@ def test_a_gear_moves_at_its_contact_as_its_rack_and_is_drawn_after_it() -> None
     drawn = drawings_of("v112")
     velocity, acceleration = (drawn[f"{plan}-plan"].steps for plan in ("velocity", "acceleration"))
     (place,) = (
-        k for k, step in enumerate(velocity) if step.startswith("At Q the wheel has the velocity that what it touches has")
+        k for k, step in enumerate(velocity) if step.startswith("At Q the wheel has the velocity of the body it touches")
     )
     assert velocity[place - 1].startswith("c lies where two lines meet") and not any("at rest" in step for step in velocity)
-    assert acceleration[place].startswith("Along the common tangent the point Q of the wheel has the acceleration of what it")
+    assert acceleration[place].startswith("Along the common tangent the point Q of the wheel has the acceleration of the body it")
     row = run_of("v112").of(run_plans()).row
     found = {key[1:]: z for key, z in vectors("v112", row).items() if key[0] == "table" and key[2] == "absolute"}
     rack, contact = (found["velocity", "absolute", "pole", name] for name in "CQ")

@@ -29,8 +29,8 @@ def test_a_factor_of_data_alone_vanishes_up_to_the_round_off_of_an_angle(beside,
 
 
 @pytest.mark.parametrize(("offset", "words"), [
-    ("0", "the slider stands on the pivot of its guide"), ("0.0", "the slider stands on the pivot of its guide"),
-    ("0.1", "the slider stands level with the pivot of its guide"), ("e", "the slider stands level with the pivot of its guide"),
+    ("0", "the slider is at the pivot of its guide"), ("0.0", "the slider is at the pivot of its guide"),
+    ("0.1", "the slider is level with the pivot of its guide"), ("e", "the slider is level with the pivot of its guide"),
 ])  # fmt: skip
 def test_a_slide_of_no_length_stands_on_the_pivot_where_its_guide_goes_through_it(offset, words):
     group = SimpleNamespace(kind="RPR", coordinates=("phi", "s"), offset=parse(offset))

@@ -102,7 +102,7 @@ def test_a_locked_grade_is_left_as_it_stands(tmp_path, title):
     (tmp_path / "sheet.csv").write_bytes(head.encode())
     done = grade(tmp_path / "in", out, "--worksheet", tmp_path / "sheet.csv")
     assert done.exit_code == 0, done.output
-    assert "does not let be changed" in done.output
+    assert "has locked" in done.output
     filled = (out / "worksheet.csv").read_bytes().decode().splitlines()[1:]
     notes = {entry["name"]: [note["code"] for note in entry["notes"]] for entry in submissions(out).values()}
     for number, (line, before) in enumerate(zip(filled, head.splitlines()[1:], strict=True)):

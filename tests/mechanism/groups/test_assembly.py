@@ -92,7 +92,7 @@ def test_rrp_and_rpr_out_of_reach() -> None:
 def test_parallel_slides() -> None:
     with pytest.raises(CannotAssemble, match=r"RPP .*row 0: the slides are parallel; .* are 0\.3000 m apart"):
         rpp(Pair((1.0, 0.3)), X_AXIS, slide_angle=np.pi)
-    with pytest.raises(AtDeadPoint, match=r"coincide and a block may stand anywhere.*nor is the position"):
+    with pytest.raises(AtDeadPoint, match=r"coincide and a block may be anywhere.*nor is the position"):
         rpp(Pair((1.0, 0.0)), X_AXIS, slide_angle=0.0, positions_only=True)
     other = Guide(Pair((0.0, 1.0)), np.array([0.5, np.pi]))
     with pytest.raises(CannotAssemble, match=r"PRP .*row 1: the slides are parallel; .* are 1\.0000 m apart"):

@@ -94,7 +94,7 @@ def test_the_page_says_what_it_goes_through():
     run = solve(past_its_pivot(BY_CLOSURE), "euler", ("table", "plots", "checks", "accuracy"))
     page = html_text(render_html(build_model(run)))
     assert "At t = 0.5 s the equations do not give" in page
-    assert "One motion only goes on there" in page
+    assert "Only one motion continues there" in page
 
 
 def test_where_two_motions_meet_the_run_still_ends():

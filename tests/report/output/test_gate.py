@@ -139,7 +139,7 @@ def test_every_number_of_a_check_is_seen(place, number):
         {place: (("a line", 1.0, "m"), ("another", size, "m")) if place == "rows" else size} for size in (1e300, number)
     )
     pass_gate(with_checks(run, **inside), pages=False)
-    with pytest.raises(InputError, match=rf"checks\.{run.checks[-1].code}: its value is no finite number"):
+    with pytest.raises(InputError, match=rf"checks\.{run.checks[-1].code}: its value is not a finite number"):
         pass_gate(with_checks(run, **outside), pages=False)
 
 

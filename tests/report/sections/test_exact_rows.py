@@ -26,9 +26,9 @@ def said(run: SceneRun, section: str, language: str = "en") -> str:
 
 def test_exact_rows_are_told_before_the_step_of_euler_and_stand_on_the_curve() -> None:
     shown = said(solved(FIVE_BAR, scheme="exact"), "results")
-    assert shown.index("These rows are the motion itself") < shown.index("Explicit Euler goes along the tangent")
-    assert "need not stand on the curve" not in shown and "would be off by up to" not in shown
-    assert "need not stand on the curve" in said(solved(FIVE_BAR, scheme="euler"), "results")
+    assert shown.index("These rows are the motion itself") < shown.index("Explicit Euler follows the tangent")
+    assert "need not lie on the curve" not in shown and "would be off by up to" not in shown
+    assert "need not lie on the curve" in said(solved(FIVE_BAR, scheme="euler"), "results")
 
 
 @pytest.mark.parametrize("title", ["mine", ""])
@@ -43,8 +43,8 @@ def test_a_heading_says_a_name_once(title: str) -> None:
 @pytest.mark.parametrize(
     ("way", "told"),
     [
-        ({"gain": 5.0}, "the gain 5\u00a01/s; gain times step is 0.1."),
-        ({"project": 2}, "After each step 2 Newton corrections bring the positions back"),
+        ({"gain": 5.0}, "the gain 5\u00a01/s; the gain times the step is 0.1."),
+        ({"project": 2}, "After each step 2 Newton corrections close the positions again"),
         ({}, "Evaluations of the velocities: 24. Computed with"),
     ],
 )
@@ -58,7 +58,7 @@ def test_that_the_run_does_not_end_with_its_period_is_why_only_where_the_motion_
     text = FIVE_BAR.replace('period = "2 s"', f'period = "{period}"').replace('step = "0.05 s"', 'step = "0.0499 s"')
     assert ("that alone is why" in said(solved(text, scheme="exact"), "results")) is is_one
     rows = solved(text, scheme="euler")
-    assert ("part of the period" in said(rows, "results")) is is_one
+    assert ("due to the period" in said(rows, "results")) is is_one
     told = str([part for one in model_of(rows).sections if one.name == "conclusion" for part in one.parts])
     assert ("not being the period" in told, "has not come back" in told) == (is_one, not is_one)
 
@@ -67,7 +67,7 @@ def test_that_the_run_does_not_end_with_its_period_is_why_only_where_the_motion_
 def test_a_step_inside_which_the_drive_changes_is_not_taken_for_the_bend_of_the_curve(time: str, inside: bool) -> None:
     text = FIVE_BAR.replace('w4 = "n4"', f'w4 = {{ pieces = [["0 s", "n4"], ["{time}", "-3*n4"]] }}')
     shown = said(solved(text, scheme="euler"), "results")
-    assert ("A step inside which the drive changes its formula is left out" in shown) is inside
+    assert ("A step within which the drive changes its formula is left out" in shown) is inside
     assert "the time of row 9)" not in shown
 
 

@@ -129,12 +129,12 @@ def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
     table = next(part for part in tables if part["id"] == "first-last")
     rows = {real.text_of(row[0]): [real.text_of(cell) for cell in row[1:]] for row in table["rows"]}
     assert list(rows) == [
-        "row 1, t = 0\u00a0s", "row 25, t = 0.48\u00a0s", "difference", "part of the scheme", "part of the period",
+        "row 1, t = 0\u00a0s", "row 25, t = 0.48\u00a0s", "difference", "due to the scheme", "due to the period",
     ]  # fmt: skip
     assert rows["difference"][:3] == ["−0.08275", "−0.03687", "0.04675"]
-    assert rows["part of the period"][:3] == ["0.00058", "0.00026", "−0.00203"]
+    assert rows["due to the period"][:3] == ["0.00058", "0.00026", "−0.00203"]
     told = " ".join(real.text_of(part["text"]) for part in real.parts(real.full(), "results") if part["kind"] == "paragraph")
-    assert "Explicit Euler goes along the tangent of φ3(t)" in told
+    assert "Explicit Euler follows the tangent of φ3(t)" in told
     assert "0.48\u00a0s is not the period, 0.480366\u00a0s: that alone is −0.0020 of the 0.0468\u00a0rad in φ3." in told
     assert [part["id"] for part in real.parts(real.full(), "results") if part["kind"] == "figure"] == ["tangent"]
 
@@ -156,7 +156,7 @@ def test_a_run_that_ends_anywhere_blames_no_period(real: ModuleType) -> None:
         return [real.text_of(row[0]) for table in tables for row in table["rows"]][2:]
 
     assert heads(solved("variable-crank")) == ["difference"]
-    assert heads(solved("variable-crank", scheme="euler")) == ["difference", "part of the scheme", "the motion itself"]
+    assert heads(solved("variable-crank", scheme="euler")) == ["difference", "due to the scheme", "the motion itself"]
 
 
 def test_a_datum_called_t_is_not_the_period(real: ModuleType) -> None:
@@ -170,7 +170,7 @@ def test_a_datum_called_t_is_not_the_period(real: ModuleType) -> None:
 @pytest.mark.parametrize(
     ("name", "sentence"),
     [
-        ("v101", "is zero where link 3 stands at a right angle to the direction β: "),
+        ("v101", "is zero where link 3 is at a right angle to the direction β: "),
         ("v104", "is zero where the lever arms of link 3 and link 4 cancel: "),
         ("variable-crank", "is zero where link 2 is vertical: "),
         ("walschaerts", "is zero where link 5 is vertical: "),  # ω5 is its angular velocity
@@ -191,7 +191,7 @@ def test_long_tables_are_thinned_and_say_so(real: ModuleType) -> None:
     run = solved("31", step=0.48 / 999, quantities=["table"])
     note, table = real.parts(run, "results")
     assert real.text_of(note["text"]) == (
-        "One row in 50 is printed, with the first, the last and any marked one (22 of 1000); table.csv holds them all."
+        "One row in 50 is printed, besides the first, the last and any marked one (22 of 1000); table.csv has them all."
     )
     first = [real.text_of(row[0]) for row in table["rows"]]
     assert first[:4] == ["1", "▸ 4", "51", "101"]
@@ -289,6 +289,6 @@ def test_a_file_without_equations_shows_the_way_of_the_guide_too(real: ModuleTyp
     """A driven chain of bars in a guide, given by its points alone; without a path between velocities only positions are left."""
     told = real.text_of(real.parts(coursework.solve(parse_variant(random_case(2).text), quantities=["table"]), "equations"))
     assert "by the links between them, along M–B–A–D" in told
-    assert told.index("Projected on the axes") < told.index("Besides, differentiated from the positions")
+    assert told.index("Projected on the axes") < told.index("Also, from differentiating the position equations")
     alone = real.text_of(real.parts(coursework.solve(parse_variant(real.HELD), quantities=["table"]), "equations"))
-    assert alone.startswith("Differentiated from the positions:")
+    assert alone.startswith("From differentiating the position equations:")

@@ -169,7 +169,7 @@ def test_a_language_may_be_half_done_and_its_slips_are_told() -> None:
     half = Phrases("yy", {"decimal": ".", "event": {"smaller_step": "Менший крок.", "rows_kept": "{steep:g}"}})
     assert half.written(say("event.smaller_step")) == "Менший крок."
     assert half.written(say("event.singular")) == "its block is singular"
-    with pytest.raises(coursework.InputError, match=r"words\.yy\.toml, event\.rows_kept: .* Known gaps: \{step\}\."):
+    with pytest.raises(coursework.InputError, match=r"words\.yy\.toml, event\.rows_kept: .* Known placeholders: \{step\}\."):
         half.written(say("event.rows_kept", step=0.02))
 
 

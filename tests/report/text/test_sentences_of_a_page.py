@@ -161,7 +161,7 @@ def test_what_counts_is_said_in_the_form_of_its_number(real: ModuleType) -> None
     sections = ("equations", "results", "control", "checks")
     told = " ".join(real.text_of(real.parts(cardan, section)) for section in sections).replace("\u00a0", " ")
     assert "1 of 2 equations agree; 2 is not judged: nothing in the geometry gives u." in told
-    assert "ψ2 made −1 whole turn, taken off" in told
+    assert "ψ2 made −1 whole turn, subtracted" in told
     assert "1 of φ1; −1 of ψ2" in told
     assert "its geometry confirms the signs of (1). Nothing here checks the signs of (2)." in told
     assert "differs most" not in told, "nothing differs"

@@ -59,13 +59,13 @@ def test_a_crank_at_constant_speed_does_not_oscillate(real: ModuleType, shaper: 
 
 def test_a_page_of_some_columns_does_not_say_that_the_file_shows_no_points(real: ModuleType) -> None:
     some = told(real, coursework.solve("31", quantities=["phi3"]), "equations")
-    assert "The bodies are rigid" in some and "shows no points" not in some
+    assert "The bodies are rigid" in some and "gives no points" not in some
 
 
 def test_each_table_names_the_file_that_holds_it_whole(real: ModuleType, shaper: Any) -> None:
-    assert "(21 of 101); analogs.csv holds them all." in told(real, shaper, "analogs")
+    assert "(21 of 101); analogs.csv has them all." in told(real, shaper, "analogs")
     points = solved(SHAPER, "table", "points")
-    assert "table.csv holds them all." in told(real, points, "points")
+    assert "table.csv has them all." in told(real, points, "points")
 
 
 @pytest.mark.parametrize(("turns", "row", "last"), [("2", 101, 101), ("3", 101, 151), ("5", 201, 251)])
@@ -84,7 +84,7 @@ def test_a_constant_drive_is_not_said_to_repeat(real: ModuleType, shaper: Any) -
 
 def test_only_the_driven_point_is_said_to_be_driven_as_one(real: ModuleType, five_bar: Any) -> None:
     page = told(real, five_bar, "statement")
-    point, _, besides = page.partition("Known at every moment besides:")
+    point, _, besides = page.partition("Also known at every moment:")
     assert "Point M is driven." in point
     assert "ω1 = n" not in point
     assert besides
@@ -92,8 +92,8 @@ def test_only_the_driven_point_is_said_to_be_driven_as_one(real: ModuleType, fiv
 
 def test_of_one_step_half_the_step_leaves_a_quarter(real: ModuleType, five_bar: Any) -> None:
     page = told(real, five_bar, "results")
-    assert "Half the step leaves a quarter of that a step" in page
-    assert "the error of a table made so is about halved, once the step is small" in page
+    assert "With half the step, each step is off by a quarter of that" in page
+    assert "once the step is small, the error of the table is about halved" in page
     assert "a step begun on the exact curve ends off it by about" in page
     assert "(begun at the time of row" in page
     steps = [solved(FIVE_BAR, "table", "checks", step=0.02 / parts) for parts in (1, 2, 4)]
@@ -104,7 +104,7 @@ def test_of_one_step_half_the_step_leaves_a_quarter(real: ModuleType, five_bar: 
 
 
 def test_one_drive_of_two_may_be_a_sine(five_bar: Any) -> None:
-    assert finding(five_bar, "SINUSOID").sentence == "Not every drive consists of sines of time, so the velocities need not."
+    assert finding(five_bar, "SINUSOID").sentence == "Not every drive consists of sines of time, so the velocities need not either."
 
 
 def test_harmonics_are_told_where_the_motion_is_no_single_sine(real: ModuleType) -> None:
@@ -132,8 +132,8 @@ def test_where_one_sine_carries_all_the_motion_is_as_the_drive(real: ModuleType)
 @pytest.mark.parametrize(
     ("offset", "words"),
     [
-        ("", "(the slider stands on the pivot of its guide)"),
-        ('offset = "0.02 m"\n', "(the slider stands level with the pivot of its guide)"),
+        ("", "(the slider is at the pivot of its guide)"),
+        ('offset = "0.02 m"\n', "(the slider is level with the pivot of its guide)"),
     ],
 )
 def test_a_slider_stands_on_its_pivot_only_without_an_offset(offset: str, words: str) -> None:
@@ -176,9 +176,9 @@ def test_the_caption_names_every_drive(real: ModuleType, five_bar: Any) -> None:
 def test_a_drive_that_jumps_makes_the_graphs_jump(real: ModuleType) -> None:
     law = '{ pieces = [["0 s", "n"], ["0.25 s", "2*n"]] }'
     run = solved(SHAPER.replace('w1 = "n"', f"w1 = {law}").replace('period = "2*pi/n"\n', ""), "table", "checks")
-    assert "no jump but where the drive changes its formula" in told(real, run, "control")
+    assert "no jump except where the drive changes its formula" in told(real, run, "control")
     assert finding(run, "CONTINUITY").sentence.startswith(
-        "Jumps of the exact motion stand only where the drive changes its formula"
+        "The exact motion jumps only where the drive changes its formula"
     )
 
 
@@ -206,7 +206,7 @@ ARM = mechanism("arm-with-relative-angle")
     [
         ("+", "sin(phi2)", "link 1 and link 2 lie on one line (stretched or folded)"),
         ("-", "sin(phi2)", "link 1 and link 2 lie on one line (stretched or folded)"),
-        ("+", "cos(phi2)", "link 1 and link 2 stand at a right angle to each other"),
+        ("+", "cos(phi2)", "link 1 and link 2 are at a right angle to each other"),
         ("+ a/b +", "sin(phi2)", "sin(phi2) is zero"),
     ],
 )

@@ -41,7 +41,7 @@ def test_what_is_not_asked_for_is_not_computed_to_tell_it(real: ModuleType, aske
 
 def test_nothing_is_looked_for_where_the_drive_gives_all(real: ModuleType) -> None:
     told = statement(real, coursework.parse_variant(CRANK))
-    assert "Nothing is sought: the drive gives every velocity, from t = 0 to 1 s" in told
+    assert "There is nothing to solve for: the drive gives every velocity, from t = 0 to 1 s" in told
 
 
 def test_a_velocity_has_no_name_that_a_datum_has(real: ModuleType) -> None:
@@ -55,7 +55,7 @@ def test_a_velocity_has_no_name_that_a_datum_has(real: ModuleType) -> None:
 )
 def test_the_point_that_a_guide_leads_through_is_told(real: ModuleType, name: str, rider: str, point: str) -> None:
     """K is drawn and dimensioned; the guide of prp is moved aside, the others are given by their rider alone."""
-    told = f"The guide of {rider} leads through"
+    told = f"The guide of {rider} passes through"
     assert (f"{told} {point}." in statement(real, name)) if point else (told not in statement(real, name))
 
 
@@ -85,7 +85,7 @@ def test_what_drifts_is_told_as_the_student_writes_it(real: ModuleType) -> None:
 
 @pytest.mark.parametrize(("name", "told"), [("example-5", True), ("example-4", False)])
 def test_a_datum_called_as_the_step_is_told_apart_from_it(real: ModuleType, name: str, told: bool) -> None:
-    assert ("h is a time it is this step" in statement(real, coursework.load(name))) == told
+    assert ("h is a time, it is this step" in statement(real, coursework.load(name))) == told
 
 
 @pytest.mark.parametrize(("end", "is_told"), [(0.06, True), (0.04, False)])

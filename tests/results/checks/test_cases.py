@@ -86,7 +86,7 @@ def test_as_shipped(name, column, value):
 def test_an_arm_that_drifts_leaves_the_way_of_its_hand_and_no_link_another():
     judged = found(solve("robot-arm", step=0.1), "DRIFT")
     assert judged.verdict == "COARSE" and judged.column in {"M.x", "M.y"}
-    assert "with this step M leaves the way it is driven along" in judged.sentence
+    assert "with this step M leaves the path along which it is driven" in judged.sentence
 
 
 def test_passing_near_a_dead_point():

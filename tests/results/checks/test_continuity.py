@@ -55,7 +55,7 @@ def test_a_break_of_the_drive_is_no_jump():
     )  # fmt: skip
     for step in (0.05, 0.02):
         judged = found(solve(text, step=step), "CONTINUITY")
-        assert judged.verdict == "PASS" and judged.sentence.startswith("Jumps of the exact motion stand only where the drive")
+        assert judged.verdict == "PASS" and judged.sentence.startswith("The exact motion jumps only where the drive")
     smooth = scene('phi = { start = "0 rad", rate = "w" }', given='r = "0.5 m"', step=0.05, end=0.5, equations=["r*w = v"],
         drive='v = "2*t"')  # fmt: skip
     assert found(solve(smooth), "CONTINUITY").sentence.startswith("The exact motion has no jump")

@@ -49,7 +49,7 @@ def test_a_whole_ratio_is_back_after_one_turn():
 def test_a_ratio_that_is_no_simple_fraction_never_returns(turns):
     for one in judged(wheel(repr(0.3 * (1 + math.sqrt(2))), turns=turns)):
         assert one.verdict == "SKIP"
-        assert "no simple fraction" in one.sentence
+        assert "not a simple fraction" in one.sentence
 
 
 @pytest.mark.parametrize(("most", "told"), [(21, "after 21 periods"), (20, "first 20 periods")])

@@ -106,7 +106,7 @@ def test_a_rocker_swings_between_the_crank_stretched_and_folded() -> None:
 def test_a_run_without_two_dead_positions_says_that_its_stroke_is_that_of_the_rows() -> None:
     run = solved(slider_crank(0.0, 0.3, "n", end="0.1 s"))
     title = run.extra_tables["invariants"].title
-    assert "which hold no whole stroke from dead position to dead position" in title
+    assert "which contain no whole stroke from dead position to dead position" in title
     _, angle, rows = stroke(run)
     assert angle == pytest.approx(6 * 2 * math.pi / 40, abs=EXACT)  # whole steps in 0.1 s
     assert rows[0, 2] > 0

@@ -38,7 +38,7 @@ def test_every_mass_and_force_of_a_file_is_on_its_page_in_si() -> None:
         ("block C", "mass", "20", "kg"), ("", "moment of inertia", "0.6", "kg·m²"),
         ("gravity", "acceleration along y", "−9.81", "m/s²"),
         ("F1, on link 3", "force at C", "(−c u3, 0)", "N"),
-        ("S1, from A to C", "stiffness", "200", "N/m"), ("", "length without load", "0.9", "m"), ("", "damping", "3", "N·s/m"),
+        ("S1, from A to C", "stiffness", "200", "N/m"), ("", "free length", "0.9", "m"), ("", "damping", "3", "N·s/m"),
         ("friction at B", "coefficient of friction", "0.1", ""), ("", "radius of the pin", "0.02", "m"),
         ("flywheel on link 1", "moment of inertia", "5", "kg·m²"),
     ]  # fmt: skip

@@ -102,7 +102,7 @@ def test_whole_turns_taken_off_are_told_beside_the_difference() -> None:
     """19.1 rad from the first row to the last stood in the box as 0.257 rad."""
     run = coursework.solve("example-2-motor", quantities=["table", "checks"])
     box = next(part for part in model_of(run).sections[0].parts if part.kind == "result")
-    assert any("θ1 0.257 rad" in plain(line) and "Whole turns are taken off: 3 of θ1." in plain(line) for line in box.items)
+    assert any("θ1 0.257 rad" in plain(line) and "Whole turns are subtracted: 3 of θ1." in plain(line) for line in box.items)
 
 
 def test_the_rows_end_at_the_last_row_and_not_at_the_stop() -> None:
