@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from itertools import pairwise
+from itertools import accumulate, compress, pairwise
 from statistics import median
 
 from coursework.grading.reading.expected import Grid, GridColumn
@@ -20,6 +20,7 @@ _LARGE = 0.05  # share of the column's largest value; smaller cells give no reli
 _WIDTH = 0.12
 _TURN = 2 * math.pi
 _BEGINS, _AS_BEGUN = 0.05, 0.01  # most deviation at the start: in rad, and as a share of the start value
+_HELD = 0.75  # part of an angle's steps that its own velocities must explain in order to tell its turns
 _MOVED, _TURNED = 1 / 6, 1 / 2  # of a turn: an angle's most motion per row; a greater change than the second is a jump
 
 
@@ -109,11 +110,12 @@ def factor_of(column: GridColumn, unit: str) -> float:
     return PRINTED.get(column.unit, {}).get(unit, 1.0)
 
 
-def whole_turns(column: GridColumn, values: Sequence[float]) -> tuple[int, ...]:
+def whole_turns(column: GridColumn, values: Sequence[float], moves: Sequence[float] = ()) -> tuple[int, ...]:
     """Return by how many whole turns an angle (rad) differs from the key in each row, () if by none.
 
     The number is the same in all rows, except in rows that agree with the key as printed.  If the angle is kept within one turn,
-    the number changes at each jump, provided that this brings the angle to the key: a wild motion jumps, too.
+    the number changes at each jump, provided that this brings the angle to the key: a wild motion jumps, too.  There `moves`
+    tell the turns: the steps (rad) to the next row that the printed velocities make, if there are any.
     """
     if column.unit != "rad" or not _apart(column, values):
         return ()
@@ -123,6 +125,8 @@ def whole_turns(column: GridColumn, values: Sequence[float]) -> tuple[int, ...]:
         beside = _turns_beside(column, whole)
         if stands_beside(column, [value - _TURN * beside for value in whole], median):
             return tuple(beside + turns for turns in jumps)
+    if told := _turns_of_moves(column, values, moves):
+        return told
     beside = _turns_beside(column, values)
     found = tuple(0 if abs(own - key) <= _BEGINS else beside for own, key in zip(values, column.values, strict=True))
     return found if any(found) else ()
@@ -151,6 +155,22 @@ def turns_of_jumps(values: Sequence[float]) -> list[int]:
         turns.append(total)
         before = value if math.isfinite(value) else before
     return turns
+
+
+def _turns_of_moves(column: GridColumn, values: Sequence[float], moves: Sequence[float]) -> tuple[int, ...]:
+    """Return the whole turns that an angle lacks in each row if it moved as its velocities say, () if it did not.
+
+    A row that its step does not lead to and that agrees with the key was put right: it keeps its number.
+    """
+    lacks = [(later - before - move) / _TURN for (before, later), move in zip(pairwise(values), moves, strict=False)]
+    known = [math.isfinite(lack) for lack in lacks]
+    whole = [round(lack) if is_known else 0 for lack, is_known in zip(lacks, known, strict=True)]
+    held = [abs(lack - turns) * _TURN <= _BEGINS for lack, turns in zip(lacks, whole, strict=True)]
+    turns = [*accumulate([round(_apart(column, values)[0] / _TURN), *whole])]
+    if sum(held) < _HELD * sum(known) or len({*compress(turns, [True, *held])}) == 1:
+        return ()
+    rows = zip(turns, [True, *held], values, column.values, strict=True)
+    return tuple(0 if not holds and abs(own - key) <= _BEGINS else number for number, holds, own, key in rows)
 
 
 def stands_beside(column: GridColumn, values: Sequence[float], judged: Callable[[Sequence[float]], float] | None = None) -> bool:
