@@ -45,15 +45,17 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
     for unit in {column.unit: None for column in there if column not in turning}:
         settle(unit)
     if "1/s" not in map(found.get, heads):
+        # Ten times a datum of the drive is about a velocity in rpm, but no velocity is then exactly one.
+        is_sure = any(_is_exact(column, found[column.name], values[column.name]) for column in turning)
         # Radians added to degrees also give steps as of velocities in degrees, but these are no larger than the task's.
         sizes = [abs(ratio) for column in turning for ratio in _ratios(column.values, values[column.name]) if ratio]
         known = {unit: factor for unit, factor in PRINTED["1/s"].items() if _is_about(sizes, factor)}
         for column in there:
-            if column.rate in named and not found[column.rate]:
+            if column.rate in named and (not found[column.rate] or (not heads[column.rate] and not is_sure)):
                 factor = factor_of(column, found[column.name] or "")
                 moves = [factor * (later - before) for before, later in pairwise(values[column.name])]
                 made_with = [grid.step * rate for rate in values[column.rate][:-1]]
-                found[column.rate] = _alike(_ratios(moves, made_with), known, _WIDTH)
+                found[column.rate] = _alike(_ratios(moves, made_with), known, _WIDTH) or found[column.rate]
     if turning:
         settle("1/s")
     return {name: unit or "" for name, unit in found.items()}
@@ -68,6 +70,11 @@ def _together(columns: Sequence[GridColumn], values: Mapping[str, Sequence[float
     cells = [(own, key) for column in columns for own, key in zip(values[column.name], column.values, strict=True)]
     own, key = zip(*(map(abs, pair) for pair in cells if all(map(math.isfinite, pair))), strict=True) if cells else ((), ())
     return _alike(_ratios(sorted(key), sorted(own)), PRINTED.get(columns[0].unit, {}), _WIDTH)
+
+
+def _is_exact(column: GridColumn, unit: str | None, values: Sequence[float]) -> bool:
+    """Return whether most of a column's ratios to the key are the factor of its unit, up to the rounding of printed numbers."""
+    return unit is not None and bool(_alike(_ratios(column.values, values), {unit: factor_of(column, unit)}, _AS_BEGUN))
 
 
 def _is_about(sizes: Sequence[float], factor: float) -> bool:

@@ -75,3 +75,15 @@ def test_degrees_for_radians_cost_the_same_if_the_angles_are_printed_within_a_tu
     found, told = desk.marked(table)
     assert found == pytest.approx(24, abs=0.3)
     assert codes(told)[0] == "degree_mode"
+
+
+def test_ten_times_the_speed_of_a_drive_is_not_read_as_turns_per_minute():
+    """With a small part that is not ten times as large the drive is nearer to 9.55 times the task's; its steps tell its unit."""
+    desk = variants()[4]
+    table = Machine(desk.variant, data={"w0": 10 * desk.variant.values["w0"]}).table()
+    found, told = desk.marked(table)
+    assert found == pytest.approx(24, abs=0.3)
+    assert codes(told)[0] == "datum_w0"
+    right = desk.machine.table()
+    right[:, _columns(desk, "rad/s")] *= 30 / np.pi
+    assert desk.marked(right)[0] == 60
