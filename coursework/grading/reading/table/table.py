@@ -135,18 +135,21 @@ def _columns(grid: Grid, places: Places, layout: Layout, rows: Rows) -> list[Tab
     }
     heads = {name: layout.heads[place.at].unit for name, place in there.items()}
     units = units_of_columns(grid, heads, {name: [cell.value for cell in found] for name, found in cells.items()})
-    return [
-        _column(column, there[column.name], cells[column.name], units[column.name])
-        for column in grid.columns
-        if column.name in there
-    ]
+    factors = {column.name: factor_of(column, units[column.name]) for column in grid.columns if column.name in there}
+
+    def column_of(column: GridColumn) -> TableColumn:
+        rates = cells.get(column.rate, [])[:-1]
+        moves = [grid.step * factors[column.rate] * rate.value for rate in rates]
+        return _column(column, there[column.name], cells[column.name], units[column.name], moves)
+
+    return [column_of(column) for column in grid.columns if column.name in there]
 
 
-def _column(column: GridColumn, place: Place, cells: list[PrintedNumber], unit: str) -> TableColumn:
+def _column(column: GridColumn, place: Place, cells: list[PrintedNumber], unit: str, moves: Sequence[float]) -> TableColumn:
     decimals, steps = last_places(cells)
     factor = factor_of(column, unit)
     values = [cell.value * factor for cell in cells]
-    turns = whole_turns(column, values)
+    turns = whole_turns(column, values, moves)
     return TableColumn(
         column.name, place.at + 1, place.by, unit,
         tuple(value - 2 * math.pi * off for value, off in zip(values, turns or [0] * len(values), strict=True)),

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from itertools import pairwise
+from itertools import accumulate, compress, pairwise
 from statistics import median
 
 from coursework.grading.reading.expected import Grid, GridColumn
@@ -20,6 +20,7 @@ _LARGE = 0.05  # share of the column's largest value; smaller cells give no reli
 _WIDTH = 0.12
 _TURN = 2 * math.pi
 _BEGINS, _AS_BEGUN = 0.05, 0.01  # most deviation at the start: in rad, and as a share of the start value
+_HELD = 0.75  # part of an angle's steps that its own velocities must explain in order to tell its turns
 _MOVED, _TURNED = 1 / 6, 1 / 2  # of a turn: an angle's most motion per row; a greater change than the second is a jump
 
 
@@ -44,15 +45,17 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
     for unit in {column.unit: None for column in there if column not in turning}:
         settle(unit)
     if "1/s" not in map(found.get, heads):
+        # Ten times a datum of the drive is about a velocity in rpm, but no velocity is then exactly one.
+        is_sure = any(_is_exact(column, found[column.name], values[column.name]) for column in turning)
         # Radians added to degrees also give steps as of velocities in degrees, but these are no larger than the task's.
         sizes = [abs(ratio) for column in turning for ratio in _ratios(column.values, values[column.name]) if ratio]
         known = {unit: factor for unit, factor in PRINTED["1/s"].items() if _is_about(sizes, factor)}
         for column in there:
-            if column.rate in named and not found[column.rate]:
+            if column.rate in named and (not found[column.rate] or (not heads[column.rate] and not is_sure)):
                 factor = factor_of(column, found[column.name] or "")
                 moves = [factor * (later - before) for before, later in pairwise(values[column.name])]
                 made_with = [grid.step * rate for rate in values[column.rate][:-1]]
-                found[column.rate] = _alike(_ratios(moves, made_with), known, _WIDTH)
+                found[column.rate] = _alike(_ratios(moves, made_with), known, _WIDTH) or found[column.rate]
     if turning:
         settle("1/s")
     return {name: unit or "" for name, unit in found.items()}
@@ -67,6 +70,11 @@ def _together(columns: Sequence[GridColumn], values: Mapping[str, Sequence[float
     cells = [(own, key) for column in columns for own, key in zip(values[column.name], column.values, strict=True)]
     own, key = zip(*(map(abs, pair) for pair in cells if all(map(math.isfinite, pair))), strict=True) if cells else ((), ())
     return _alike(_ratios(sorted(key), sorted(own)), PRINTED.get(columns[0].unit, {}), _WIDTH)
+
+
+def _is_exact(column: GridColumn, unit: str | None, values: Sequence[float]) -> bool:
+    """Return whether most of a column's ratios to the key are the factor of its unit, up to the rounding of printed numbers."""
+    return unit is not None and bool(_alike(_ratios(column.values, values), {unit: factor_of(column, unit)}, _AS_BEGUN))
 
 
 def _is_about(sizes: Sequence[float], factor: float) -> bool:
@@ -109,11 +117,12 @@ def factor_of(column: GridColumn, unit: str) -> float:
     return PRINTED.get(column.unit, {}).get(unit, 1.0)
 
 
-def whole_turns(column: GridColumn, values: Sequence[float]) -> tuple[int, ...]:
+def whole_turns(column: GridColumn, values: Sequence[float], moves: Sequence[float] = ()) -> tuple[int, ...]:
     """Return by how many whole turns an angle (rad) differs from the key in each row, () if by none.
 
     The number is the same in all rows, except in rows that agree with the key as printed.  If the angle is kept within one turn,
-    the number changes at each jump, provided that this brings the angle to the key: a wild motion jumps, too.
+    the number changes at each jump, provided that this brings the angle to the key: a wild motion jumps, too.  There `moves`
+    tell the turns: the steps (rad) to the next row that the printed velocities make, if there are any.
     """
     if column.unit != "rad" or not _apart(column, values):
         return ()
@@ -123,6 +132,8 @@ def whole_turns(column: GridColumn, values: Sequence[float]) -> tuple[int, ...]:
         beside = _turns_beside(column, whole)
         if stands_beside(column, [value - _TURN * beside for value in whole], median):
             return tuple(beside + turns for turns in jumps)
+    if told := _turns_of_moves(column, values, moves):
+        return told
     beside = _turns_beside(column, values)
     found = tuple(0 if abs(own - key) <= _BEGINS else beside for own, key in zip(values, column.values, strict=True))
     return found if any(found) else ()
@@ -151,6 +162,22 @@ def turns_of_jumps(values: Sequence[float]) -> list[int]:
         turns.append(total)
         before = value if math.isfinite(value) else before
     return turns
+
+
+def _turns_of_moves(column: GridColumn, values: Sequence[float], moves: Sequence[float]) -> tuple[int, ...]:
+    """Return the whole turns that an angle lacks in each row if it moved as its velocities say, () if it did not.
+
+    A row that its step does not lead to and that agrees with the key was put right: it keeps its number.
+    """
+    lacks = [(later - before - move) / _TURN for (before, later), move in zip(pairwise(values), moves, strict=False)]
+    known = [math.isfinite(lack) for lack in lacks]
+    whole = [round(lack) if is_known else 0 for lack, is_known in zip(lacks, known, strict=True)]
+    held = [abs(lack - turns) * _TURN <= _BEGINS for lack, turns in zip(lacks, whole, strict=True)]
+    turns = [*accumulate([round(_apart(column, values)[0] / _TURN), *whole])]
+    if sum(held) < _HELD * sum(known) or len({*compress(turns, [True, *held])}) == 1:
+        return ()
+    rows = zip(turns, [True, *held], values, column.values, strict=True)
+    return tuple(0 if not holds and abs(own - key) <= _BEGINS else number for number, holds, own, key in rows)
 
 
 def stands_beside(column: GridColumn, values: Sequence[float], judged: Callable[[Sequence[float]], float] | None = None) -> bool:

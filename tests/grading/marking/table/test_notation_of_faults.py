@@ -61,3 +61,29 @@ def test_an_angle_from_another_axis_costs_the_same_in_degrees():
     radians, _ = desk.marked(table)
     table[:, _columns(desk, "rad")] *= 180 / np.pi
     assert desk.marked(table, digits=3)[0] == pytest.approx(radians, abs=0.01)
+
+
+@pytest.mark.parametrize("is_put_right", [False, True])
+def test_degrees_for_radians_cost_the_same_if_the_angles_are_printed_within_a_turn(is_put_right):
+    """Sines of degrees have no period of a turn: the velocities are explained only by the angles that they were computed with."""
+    desk = variants()[5]
+    table = Machine(desk.variant, degrees=("drive", "geometry")).table()
+    turning = _columns(desk, "rad")
+    table[:, turning] = (table[:, turning] + np.pi) % (2 * np.pi) - np.pi
+    if is_put_right:
+        table[4, 0] = desk.key.table[4, 0]  # in the row before the angle leaves its turn
+    found, told = desk.marked(table)
+    assert found == pytest.approx(24, abs=0.3)
+    assert codes(told)[0] == "degree_mode"
+
+
+def test_ten_times_the_speed_of_a_drive_is_not_read_as_turns_per_minute():
+    """With a small part that is not ten times as large the drive is nearer to 9.55 times the task's; its steps tell its unit."""
+    desk = variants()[4]
+    table = Machine(desk.variant, data={"w0": 10 * desk.variant.values["w0"]}).table()
+    found, told = desk.marked(table)
+    assert found == pytest.approx(24, abs=0.3)
+    assert codes(told)[0] == "datum_w0"
+    right = desk.machine.table()
+    right[:, _columns(desk, "rad/s")] *= 30 / np.pi
+    assert desk.marked(right)[0] == 60
