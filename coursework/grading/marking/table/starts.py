@@ -18,7 +18,8 @@ from coursework.system.frozen import frozen
 
 # A start that is not printed must explain this part of all cells more than the task's start does.
 _MORE = 0.1
-# A start that velocities tell is taken with as few decimals as give them.
+# A start that only velocities tell must explain this part of all cells; it is taken with as few decimals as give them.
+_NEARLY_ALL = 0.9
 _DECIMALS = range(1, 9)
 
 
@@ -45,9 +46,13 @@ def own_start(key: Key, cells: Cells) -> OwnStart | None:
     least = int((cells.marks == KEY).sum() + _MORE * cells.marks.size)
     found = [
         (start, made)
-        for start in [*_starts(key, cells), *_told_by_velocities(key, cells)]
+        for start in _starts(key, cells)
         if (made := _marked_from(key, cells, start)) and (np.isin(start, printed).all() or (made.marks == KEY).sum() >= least)
     ]
+    for start in _told_by_velocities(key, cells):
+        made = _marked_from(key, cells, start)
+        if made and ((made.marks == KEY) | (cells.marks == KEY))[cells.counted].mean() >= _NEARLY_ALL:
+            found.append((start, made))
     if not found:
         return None
     start, made = max(found, key=lambda one: int((one[1].marks == KEY).sum()))
