@@ -49,7 +49,7 @@ ROOT, POLE = "c*sqrt(1 - t/0.3)*u3", "c*u3/(t - 0.1)*t"
 @pytest.mark.parametrize(("scheme", "law"), [("exact", ROOT), ("euler", ROOT), ("rk4", ROOT), ("euler", POLE)])
 def test_a_force_without_a_value_is_charged_and_not_the_links(scheme, law):
     text = mechanism("example-2-motor", ("(-c*u3, 0)", f"(-{law}, 0)"))
-    why = "not a real number" if law == ROOT else "division by zero"
+    why = "no real number" if law == ROOT else "division by zero"
     with pytest.raises(coursework.InputError, match=rf"V019 bad.toml:\d+  forces.F1, column \d+: .*{why}"):
         _ = coursework.solve(coursework.parse_variant(text, "bad.toml"), scheme=scheme).motion
 

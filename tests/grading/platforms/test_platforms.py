@@ -90,7 +90,7 @@ def test_a_language_nobody_knows_is_told_by_the_greatest_grades() -> None:
 
 def test_a_worksheet_that_moodle_would_drop_grades_of_is_refused() -> None:
     sheet = read_worksheet(ENGLISH.encode(), "grades.csv")
-    with pytest.raises(InputError, match=r"greatest grade is 100, and rubric\.toml gives 60 points"):
+    with pytest.raises(InputError, match=r"maximum grade is 100, and rubric\.toml gives 60 points"):
         sheet.check_total(60, "rubric.toml")
     for points in (100.01, -0.01):
         with pytest.raises(InputError, match="outside 0 to 100"):
