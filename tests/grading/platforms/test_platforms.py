@@ -179,7 +179,7 @@ def test_a_roster_keeps_its_columns_and_tells_its_faults() -> None:
     with pytest.raises(InputError) as told:
         read_roster((ROSTER + "Ann,x,,31,\n,nobody,,31,\n").encode(), "roster.csv")
     assert [(fault.line, fault.message.partition(".")[0]) for fault in told.value.faults] == [
-        (5, 'the id "Ann" stands in line 2 already'), (6, "the id of this student is missing"),
+        (5, 'the id "Ann" is already in line 2'), (6, "the id of this student is missing"),
     ]  # fmt: skip
     with pytest.raises(InputError, match='no column "id"'):
         read_roster(b"name;variant\nAnn;31\n", "roster.csv")
