@@ -135,7 +135,9 @@ def test_energy_and_error_are_told_with_the_step_that_would_do():
     assert (told["ENERGY"].verdict, told["MOTION"].verdict, told["STABLE"].verdict) == ("COARSE", "COARSE", "PASS")
     assert "J that nothing gave it" in str(told["ENERGY"].sentence)
     assert "order of the scheme" not in str(told["ENERGY"].sentence)  # one step is advised, where the error is larger
-    assert "With an error as large as this, the order of the scheme does not tell which step is needed" in str(told["MOTION"].sentence)
+    assert "With an error as large as this, the order of the scheme does not tell which step is needed" in str(
+        told["MOTION"].sentence
+    )
     assert told["MOTION"].value == pytest.approx(
         13.03 / np.abs(solved("falling-arm", scheme="exact").motion.column("w1")).max(), rel=1e-2
     )

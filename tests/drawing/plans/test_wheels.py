@@ -11,9 +11,7 @@ def test_a_gear_moves_at_its_contact_as_its_rack_and_is_drawn_after_it() -> None
     """By hand: Q of the gear has the speed of the rack c, and the acceleration of it beside the square of w4 times R."""
     drawn = drawings_of("v112")
     velocity, acceleration = (drawn[f"{plan}-plan"].steps for plan in ("velocity", "acceleration"))
-    (place,) = (
-        k for k, step in enumerate(velocity) if step.startswith("At Q the wheel has the velocity of the body it touches")
-    )
+    (place,) = (k for k, step in enumerate(velocity) if step.startswith("At Q the wheel has the velocity of the body it touches"))
     assert velocity[place - 1].startswith("c lies where two lines meet") and not any("at rest" in step for step in velocity)
     assert acceleration[place].startswith("Along the common tangent the point Q of the wheel has the acceleration of the body it")
     row = run_of("v112").of(run_plans()).row

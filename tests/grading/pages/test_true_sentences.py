@@ -197,9 +197,9 @@ def test_lines_and_signs_are_those_that_were_changed(seen, handed_in):
             assert tuple(map(int, found)) == lines, (student, key)
         if truth.sign:
             line, column = truth.sign
-            assert f"Line {line} of the equations is not right. A different sign at column {column} would make it right" in told, (
-                student
-            )
+            assert (
+                f"Line {line} of the equations is not right. A different sign at column {column} would make it right" in told
+            ), student
             assert files["equations.txt"].decode().split("\n")[line - 1][column - 1] in "+-"
 
 

@@ -104,7 +104,9 @@ def test_of_one_step_half_the_step_leaves_a_quarter(real: ModuleType, five_bar: 
 
 
 def test_one_drive_of_two_may_be_a_sine(five_bar: Any) -> None:
-    assert finding(five_bar, "SINUSOID").sentence == "Not every drive consists of sines of time, so the velocities need not either."
+    assert (
+        finding(five_bar, "SINUSOID").sentence == "Not every drive consists of sines of time, so the velocities need not either."
+    )
 
 
 def test_harmonics_are_told_where_the_motion_is_no_single_sine(real: ModuleType) -> None:
@@ -177,9 +179,7 @@ def test_a_drive_that_jumps_makes_the_graphs_jump(real: ModuleType) -> None:
     law = '{ pieces = [["0 s", "n"], ["0.25 s", "2*n"]] }'
     run = solved(SHAPER.replace('w1 = "n"', f"w1 = {law}").replace('period = "2*pi/n"\n', ""), "table", "checks")
     assert "no jump except where the drive changes its formula" in told(real, run, "control")
-    assert finding(run, "CONTINUITY").sentence.startswith(
-        "The exact motion jumps only where the drive changes its formula"
-    )
+    assert finding(run, "CONTINUITY").sentence.startswith("The exact motion jumps only where the drive changes its formula")
 
 
 def test_rows_that_a_scheme_ends_are_not_the_end_of_the_motion(real: ModuleType) -> None:
