@@ -215,7 +215,7 @@ def test_another_students_data_are_told_apart(tmp_path):
     [
         ("id,name,email\n", (), "nobody is on the roster"),
         ("name,email\nA,a@x\n", (), 'there is no column "id"'),
-        ("id\na\na\n", (), 'the id "a" stands in line 2 already'),
+        ("id\na\na\n", (), 'the id "a" is already in line 2'),
         (
             "id\na\n",
             ("--ranges", "nowhere"),

@@ -62,7 +62,7 @@ FAULTS = [
     ('[given]\nr1 = { form = "1 m", to = "2 m", step = "1 m" }', 'the key "form" is not known here. Did you mean "from"?'),
     ('[given]\nr1 = { choice = [true] }', "a value with a unit was expected, found true"),
     ('[given]\nr1 = { choice = [[1]] }', "a value with a unit was expected, such as"),
-    ('[given]\nalpha = { choice = [1] }\n"α" = { choice = [1] }', 'r.toml:3:1  given.α: "α" stands twice'),
+    ('[given]\nalpha = { choice = [1] }\n"α" = { choice = [1] }', 'r.toml:3:1  given.α: "α" occurs twice'),
     ('[limit]\ntries = 1\n[given]\nr1 = { choice = ["1 m"] }',
      'r.toml:1:2  limit: the key "limit" is not known here. Did you mean "limits"?'),
     ("[limits]\ntries = 1", "nothing is drawn"),
@@ -71,8 +71,8 @@ FAULTS = [
     ("[time]\ncheck_row = { choice = [4.5] }", "rows of the table from 1 to 25 were expected, found 4.5"),
     ("[difficulty]\nnumbers = 3", "a list was expected"),
     ('[difficulty]\nnumbers = ["euler_eror"]',
-     'r.toml:2:12  difficulty.numbers.1: "euler_eror" measures nothing. Did you mean "euler_error"?'),
-    ('[difficulty]\nnumbers = [["x"]]', "measures nothing"),
+     'r.toml:2:12  difficulty.numbers.1: "euler_eror" is not a measure. Did you mean "euler_error"?'),
+    ('[difficulty]\nnumbers = [["x"]]', "is not a measure"),
     ('[given]\nr1 = { choice = ["1 m"]', "the file is not TOML here"),
 ]  # fmt: skip
 

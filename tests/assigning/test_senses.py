@@ -60,7 +60,7 @@ def test_a_chain_with_slides(tmp_path):
     ]
     assert set(re.findall(r'data-angle="(\w+)"', page)) >= {"phi1", "phi3", "phi4"}
     assert "x points to the right, y upwards; the thin arcs in the drawing show the angles." in text_of(page)
-    assert "the 4 velocity equations, one a line" in text_of(page)  # of w3, v, w4, vE: the rubric marks them for chains too
+    assert "the 4 velocity equations, one per line" in text_of(page)  # of w3, v, w4, vE: the rubric marks them for chains too
 
 
 def test_a_gear_train_with_a_slider(tmp_path):
@@ -88,7 +88,7 @@ def test_a_relative_angle_and_one_counted_clockwise(tmp_path):
 
 
 def test_turning_counted_clockwise_is_promised_only_where_the_rubric_accepts_it(tmp_path):
-    promise = "Whoever counts all turning the other way round is marked as if the signs were those above"
+    promise = "If you count all rotation the other way round, you are marked as if the signs were those above"
     (tmp_path / "rubric.toml").write_text('[conventions]\nclockwise = "misconception"\n', encoding="utf-8")
     assert promise in text_of(assigned(tmp_path, "fivebar"))
     strict = tmp_path / "strict"
@@ -151,15 +151,15 @@ def test_names_are_shown_by_those_with_greek_letters():
 
 def test_what_the_rubric_does_not_mark_a_person_does(tmp_path):
     page = text_of(assigned(tmp_path, "fivebar"))
-    assert "the 2 velocity equations, one a lin" in page
+    assert "the 2 velocity equations, one per lin" in page
     assert "a person marks it" not in page  # nothing is drawn, and both parts are marked
     rubric = tmp_path / "rubric.toml"
     rubric.write_text(
         '[parts]\ntable = 60\nequations = 0\nanswers = 5\n[answers]\nwAB = { of = "w3", row = 4 }\n', encoding="utf-8"
     )
     page = text_of(assigned(tmp_path, "fivebar", "--rubric", rubric))
-    assert "the 2 velocity equations, one a line; a person marks it" in page
-    assert "your answers, one a line as name = number unit: wAB (ω3 in row 4)" in page
+    assert "the 2 velocity equations, one per line; a person marks it" in page
+    assert "your answers, one per line, as name = number unit: wAB (ω3 in row 4)" in page
     assert "as in Excel" not in page  # nobody is told how to write equations for a program that does not read them
     rubric.write_text('[answers]\nwAB = { of = "w33" }\n', encoding="utf-8")
     told = call("assign", tmp_path / "roster.csv", "--template", OWN / "fivebar.toml", "--ranges", tmp_path / "ranges.toml",

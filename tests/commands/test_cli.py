@@ -181,7 +181,7 @@ def test_a_hinge_with_two_names_is_told_where_the_freedoms_do_not_agree(ends, tw
 def test_what_forces_move_is_not_called_driven_nor_its_motion_refined():
     crank, arm = call("check", "example-2-motor").stdout, call("check", "falling-arm").stdout
     assert "2 equations, drives: 0\nForces move the mechanism; w1 is free.\n" in crank
-    assert "Forces move the mechanism; free are w1, w2." in arm and "refined scheme" not in arm
+    assert "Forces move the mechanism; w1, w2 are free." in arm and "refined scheme" not in arm
 
 
 def test_three_where_the_tool_is_at_fault(monkeypatch):

@@ -120,7 +120,7 @@ def test_every_key_has_a_comment_in_the_language_asked(language):
 
 def test_comments_name_the_points_of_the_file():
     text = written(("crank", "RRR"))
-    assert "# B: the known point that the first link hangs on; C: the one of the second link" in text
+    assert "# B: the known point that the first link hangs on; C: the one that the second link hangs on" in text
     assert "# +1: D to the left of the ray from B to C; -1: D to its right" in text
 
 

@@ -36,7 +36,7 @@ def test_a_right_submission_is_understood(tmp_path: Path) -> None:
 def test_a_table_that_lies_on_its_side_is_said_to_have_been_turned(tmp_path: Path) -> None:
     cells = [line.split(";") for line in csv(students.table()).decode().splitlines()]
     found = precheck(tmp_path, "\n".join(";".join(column) for column in zip(*cells, strict=True)).encode())
-    assert "cells separated by “;”, decimal mark “,”, turned.\n" in found.output
+    assert "cells separated by “;”, decimal mark “,”, transposed.\n" in found.output
     assert "Rows: 25 of 25." in found.output
 
 
@@ -67,7 +67,7 @@ def test_turning_counted_clockwise_is_said_and_contradicts_nothing(tmp_path: Pat
     table[:, 3:] *= -1
     found = precheck(tmp_path, csv(table))
     assert found.exit_code == 0
-    assert "Turning is counted clockwise throughout" in found.output
+    assert "Rotation is counted clockwise throughout" in found.output
     assert "does not follow" not in found.output
     table[7:, 1] += 0.2
     assert "Row 8: phi2 does not follow" in precheck(tmp_path, csv(table)).output
@@ -80,7 +80,7 @@ def test_turning_counted_clockwise_is_said_and_contradicts_nothing(tmp_path: Pat
         (b"%PDF-1.7", "", "Table: not read. The file is really PDF"), (None, EQUATIONS[0], "Table: not read."),
         (csv(students.table()), "r1*wq = 0", 'symbol "wq" is not declared'),
         (csv(students.table()).replace(b";w4", b";V_M"), "", "Missing columns: w4"),
-        (csv(students.table()).replace(b";w4", b";total"), "", "Under the heads total may stand w4"),
+        (csv(students.table()).replace(b";w4", b";total"), "", "The columns headed total may be w4"),
         (csv(students.table()).replace(b";3,3700", b";"), "", "can be read: 1; the first is phi2 in row 1."),
         (csv(students.table()).replace(b";3,37", b";<3,37"), "", "the first is phi2 in row 1: “<3,37"),
     ],

@@ -44,7 +44,7 @@ def asked(client, text: str, language: str = "en") -> dict:
         ("31", " - r3*w3*cos(phi3)", "", "a term with w3 is missing", '"2*r3'),
         ("31", "r1*w1*sin(phi1) =", "r1*w1*sin(phi1) + r1*w2 =", "r1*w2 is one term too many", "r1*w2"),
         ("31", "r1*w1*sin(phi1) =", "r1*w1*sin(phi1) + VMy =", "VMy is one term too many", "VMy = 0"),
-        ("31", "r1*w1*sin(phi1)", "2*r1*w1*cos(phi1)", "among the terms with w1 one is missing or is another one", "w1*cos"),
+        ("31", "r1*w1*sin(phi1)", "2*r1*w1*cos(phi1)", "one of the terms with w1 is missing or wrong", "w1*cos"),
         ("v101", "(a + c)*w3*sin(phi3))*cos", "(a - c)*w3*sin(phi3))*cos", "the sign of c differs", "- c)"),
         # beta is 45 deg, so that another sign would make the first equation of it once more
         ("v101", " + R*w4", "", "a term with w4 is missing", '"(VMx'),

@@ -51,7 +51,7 @@ def test_a_step_with_which_a_scheme_leaves_the_paper_is_told_in_the_study():
 
 def test_the_page_of_a_motor_sets_its_law_as_a_formula_and_says_what_the_lines_of_its_energy_are():
     sections = {section.name: section.parts for section in model_of(solved("example-2-motor", scheme="exact")).sections}
-    (told,) = (str(part) for part in sections["statement"] if part.kind == "paragraph" and "acts the moment" in str(part))
+    (told,) = (str(part) for part in sections["statement"] if part.kind == "paragraph" and "exerts the moment" in str(part))
     assert "·" in told and "−" in told and "*" not in told
     (panels,) = (part for part in sections["dynamics"] if part.kind == "panels")
     assert len(panels.legend) == 2 and panels.width == 82
@@ -60,7 +60,7 @@ def test_the_page_of_a_motor_sets_its_law_as_a_formula_and_says_what_the_lines_o
 def test_what_falls_freely_is_driven_by_nothing_on_its_page_and_has_no_power_of_a_drive():
     run = solved("falling-arm", scheme="exact")
     sections = {section.name: str(section.parts) for section in model_of(run).sections}
-    assert run.summary == "The rows are the motion itself; no step decides about them."
+    assert run.summary == "The rows are the motion itself; they depend on no step."
     assert "as many freedoms as rates that forces or laws move" in sections["structure"]
     assert "driven" not in sections["structure"]
     assert "0 in every row: drive, loads, friction and dampers." in sections["energy"]

@@ -116,7 +116,7 @@ def test_a_run_with_self_locking_rows_is_written_and_its_page_claims_nothing_of_
     text = mechanism("example-2-forces", ("[ask]", '[friction]\nC = { coefficient = "4" }\n\n[ask]'))
     run = coursework.solve(coursework.parse_variant(text), scheme="exact", quantities=["table", "checks", "forces", "energy"])
     page = shown(render_html(build_model(run, "en")))
-    assert "where friction locks the mechanism" in page and "where a reaction is not unique" not in page
+    assert "in which friction locks the mechanism" in page and "a reaction that is not unique" not in page
     assert "gives power in every row" not in page
     record = json.dumps(force_record(run.results.forces, run.scene.variant.time.period), allow_nan=False)
     assert json.loads(record)["mean_moment"] is None

@@ -71,4 +71,4 @@ def test_answers_with_units_of_forces_are_read(text, value):
 
 @pytest.mark.parametrize("code", SLIPS)
 def test_each_slip_is_said_on_the_page(code):
-    assert str(say(f"forces.slip.{code}")).startswith("too far off: it is what comes out")
+    assert str(say(f"forces.slip.{code}")).startswith("too far off: it is the result")

@@ -51,4 +51,4 @@ def test_a_root_that_ends_with_the_run_is_told_that_the_row_s_time_is_rounded(la
     )  # fmt: skip
     with pytest.raises(InputError, match="no real number" if is_rounding else "value") as told:
         _ = solve(text, "rk4").motion
-    assert ("the time of a row is a product of doubles" in str(told.value)) == is_rounding
+    assert ("the time of a row is a product of floating-point numbers" in str(told.value)) == is_rounding

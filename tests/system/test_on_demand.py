@@ -226,8 +226,8 @@ def test_the_exact_table_of_some_columns_has_the_same_columns(columns):
         ({"end": "late"}, "the end must be a number of seconds, found 'late'"),
         ({"end": [1]}, "the end must be a number of seconds"),
         ({"end": float("inf")}, "the end must be a number of seconds, found inf"),
-        ({"project": 1.5}, "0 to 20 Newton corrections a step, found 1.5"),
-        ({"project": -1}, "0 to 20 Newton corrections a step, found -1"),
+        ({"project": 1.5}, "0 to 20 Newton corrections per step, found 1.5"),
+        ({"project": -1}, "0 to 20 Newton corrections per step, found -1"),
     ],
 )
 def test_arguments_that_are_no_numbers_are_refused_in_a_sentence(options, told):

@@ -134,7 +134,7 @@ def test_constants_hidden_in_points():
     points = '[points]\nP = "(exp(20)*exp(20), 0)"\nE = "(1, 0)"\nQ = "(exp(P.x/E.x)*E.x, 0)"\n'
     with pytest.raises(coursework.InputError) as caught:
         coursework.solve(parse_variant(PLAIN + points, "f.toml"), quantities=["table"]).columns()
-    sentence = 'points.Q, column 2: the value of "exp(P.x/E.x)" is beyond any number that can be meant.'
+    sentence = 'points.Q, column 2: the value of "exp(P.x/E.x)" is too large to be what was meant.'
     assert str(caught.value) == f"V133 f.toml:17  {sentence}"
 
 

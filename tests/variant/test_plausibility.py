@@ -124,8 +124,8 @@ def test_where_no_datum_carries_a_unit_a_slip_is_only_remarked():
         (
             "NO-UNIT",
             line_of('equation = "r3*w3*sin'),
-            "no datum carries a unit, and in constraint 18 the parts r3*w3*sin(phi3) and r2*w2*cos(phi2) cannot measure the "
-            "same; is a factor missing?",
+            "no datum carries a unit, and in constraint 18 the parts r3*w3*sin(phi3) and r2*w2*cos(phi2) cannot be of "
+            "the same dimension; is a factor missing?",
         )
     ]
 

@@ -65,7 +65,7 @@ def test_a_run_tells_what_is_set(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     result = CliRunner().invoke(main, ["run", "31", "--set", "p=12", "--check-row", "6", "--format", "csv,html", "--out", "o"])
     assert result.exit_code == 0, result.output
-    assert "Set other than in the file: p = 12 1/s and check_row = 6 (N = 4)" in result.output
+    assert "Changed from the file: p = 12 1/s and check_row = 6 (N = 4)" in result.output
     assert json.loads((tmp_path / "o" / "run.json").read_text(encoding="utf-8"))["set"] == {"p": "12 1/s", "check_row": "6"}
     page = (tmp_path / "o" / "report.html").read_text(encoding="utf-8")
     assert "Changed from the file" in page and re.search("check_row = 6.{1,40}N.{1,20}4", page)

@@ -55,7 +55,7 @@ def test_a_slip_is_told_by_one_sentence_with_what_to_write(right: str, wrong: st
 
 
 def test_an_acceleration_for_a_drive_is_told_as_that() -> None:
-    with pytest.raises(coursework.InputError, match=r"V404 .*Nothing is moved by eps1 .* a velocity, such as w1; of an acceler"):
+    with pytest.raises(coursework.InputError, match=r"V404 .*Nothing is moved by eps1 .* a velocity, such as w1; for an acceler"):
         assert coursework.solve(coursework.parse_variant(mechanism("slider-crank-loop", ("w1 =", "eps1 =")))).motion
 
 

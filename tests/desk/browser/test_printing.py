@@ -17,7 +17,7 @@ def test_the_report_is_printed_alone(desk: Callable[..., Any]) -> None:
         text = " ".join(" ".join(page.get_text() for page in printed).split())
         assert 8 <= len(printed) <= 13
     # All of it, also what nobody has looked at on the screen.
-    for word in ("Graph-analytical check", "Conclusion", "Newton projection a step", "Numerical method"):
+    for word in ("Graph-analytical check", "Conclusion", "Newton projection per step", "Numerical method"):
         assert word in text
     assert "Write equations" not in text
     assert "format = 1" not in text

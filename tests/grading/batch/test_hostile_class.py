@@ -127,11 +127,11 @@ HOSTILE: dict[str, tuple[dict[str, bytes], str, str, float | None]] = {
     "17-script": ({f"{SCRIPT.replace('/', '')}.csv": with_script()}, "graded-with-notes", "columns_by_position", 60.0),
     "24-imports": (
         {"more.txt": b"__import__('os').system('x') = 0\n().__class__ = w1\nlambda: 0 = w1\n[w for w in w1] = 0", "t.csv": GOOD},
-        "graded", "counts neither way", 60.0,
+        "graded", "does not count either way", 60.0,
     ),
     "25-powers": (
         {"more.txt": b"9**9**9 = w1\nw1**(1000) = 0\nexp(exp(exp(99))) = w1\n" + b"(" * 10_000 + b"\n" + b"w1+" * 3000 + b"=0",
-         "t.csv": GOOD}, "graded", "counts neither way", 60.0,
+         "t.csv": GOOD}, "graded", "does not count either way", 60.0,
     ),
     "26-dependent": ({"t.csv": GOOD, "equations.txt": "\n".join([*EQUATIONS[:3], EQUATIONS[2]]).encode()},
                      "graded", "adds nothing", 60.0),

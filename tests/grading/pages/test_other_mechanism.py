@@ -81,5 +81,5 @@ def test_the_sign_in_a_document_is_where_it_stands():
     lines = [*EQUATIONS[:3], line]
     document = "\n\n".join(["# Work", *(f"${text}$" for text in lines)]).encode()
     _, said, page = marked(VariantSource("31", VARIANT.read_bytes()), work_md=document, table_csv=files()["table.csv"])
-    assert f"An equation of the document is not right (line 9). Another sign at column {line.index('+ r1') + 1} would" in said
+    assert f"An equation in the document is not right (line 9). A different sign at column {line.index('+ r1') + 1} would" in said
     assert f"<code>{line}</code>" in page

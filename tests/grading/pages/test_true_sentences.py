@@ -197,9 +197,9 @@ def test_lines_and_signs_are_those_that_were_changed(seen, handed_in):
             assert tuple(map(int, found)) == lines, (student, key)
         if truth.sign:
             line, column = truth.sign
-            assert f"Line {line} of the equations is not right. Another sign at column {column} would make it right" in told, (
-                student
-            )
+            assert (
+                f"Line {line} of the equations is not right. A different sign at column {column} would make it right" in told
+            ), student
             assert files["equations.txt"].decode().split("\n")[line - 1][column - 1] in "+-"
 
 
@@ -243,5 +243,5 @@ def test_what_was_never_said_truly_is_gone(seen):
         assert ("None of the usual causes" in told.page) == (student in {"forty", "zeros", "repeated"}), student
     assert "are not marked yet" in seen["unread"].page
     assert "of the 4 needed" not in seen["unread"].page
-    assert "4: Could not be read; your instructor looks at it." in seen["unread"].platform, "a question, on a platform too"
+    assert "4: Could not be read; your instructor will look at it." in seen["unread"].platform, "a question, on a platform too"
     assert EQUATIONS[0] in seen["unread"].page

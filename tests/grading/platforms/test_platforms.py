@@ -90,7 +90,7 @@ def test_a_language_nobody_knows_is_told_by_the_greatest_grades() -> None:
 
 def test_a_worksheet_that_moodle_would_drop_grades_of_is_refused() -> None:
     sheet = read_worksheet(ENGLISH.encode(), "grades.csv")
-    with pytest.raises(InputError, match=r"greatest grade is 100, and rubric\.toml gives 60 points"):
+    with pytest.raises(InputError, match=r"maximum grade is 100, and rubric\.toml gives 60 points"):
         sheet.check_total(60, "rubric.toml")
     for points in (100.01, -0.01):
         with pytest.raises(InputError, match="outside 0 to 100"):
@@ -179,7 +179,7 @@ def test_a_roster_keeps_its_columns_and_tells_its_faults() -> None:
     with pytest.raises(InputError) as told:
         read_roster((ROSTER + "Ann,x,,31,\n,nobody,,31,\n").encode(), "roster.csv")
     assert [(fault.line, fault.message.partition(".")[0]) for fault in told.value.faults] == [
-        (5, 'the id "Ann" stands in line 2 already'), (6, "the id of this student is missing"),
+        (5, 'the id "Ann" is already in line 2'), (6, "the id of this student is missing"),
     ]  # fmt: skip
     with pytest.raises(InputError, match='no column "id"'):
         read_roster(b"name;variant\nAnn;31\n", "roster.csv")

@@ -108,7 +108,7 @@ def test_of_many_lines_beside_a_table_only_the_first_are_tried_and_the_others_ar
     assert "ignored_file" not in codes(last)
     assert late.equations is None
     assert [entry.text for entry in late.notes if entry.code == "ignored_file"] == [
-        "Lines that may be equations were not read, since enough of them stand before: 1."
+        "Lines that may be equations were not read, since there are enough before them: 1."
     ]
 
 

@@ -56,9 +56,9 @@ def test_a_picture_taken_by_the_browser_alone_has_the_graphs(shaper: Path, tmp_p
 def test_the_blue_row_and_the_orange_line_are_told(shaper: Path, opened: Any) -> None:
     page = opened(shaper).page
     told = page.inner_text("#live")
-    assert "the orange line stands at the time of the drawing. Its row is blue in every table." in told
-    assert page.inner_text("#results .live-note").strip() == "Blue row: where the moving drawing stands."
-    assert "orange line: where the moving drawing stands" in page.inner_text("#graphs .key >> nth=0")
+    assert "the orange line marks the time of the drawing. Its row is blue in every table." in told
+    assert page.inner_text("#results .live-note").strip() == "Blue row: the time of the moving drawing."
+    assert "orange line: the time of the moving drawing" in page.inner_text("#graphs .key >> nth=0")
     line, mark = (
         page.evaluate(f"getComputedStyle(document.querySelector('{one}')).backgroundColor")
         for one in (".live-line", ".live-cursor")

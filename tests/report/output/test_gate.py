@@ -42,10 +42,10 @@ CASES = {
     ),
     "arc": (
         "r1 @ asin(3 + phi1)",
-        "in rows 1 to 25: asin(4.63). An arc sine or arc cosine exists from -1 to 1 only",
+        "in rows 1 to 25: asin(4.63). An arc sine or arc cosine is defined only from -1 to 1",
     ),
     "root": ("r1*sqrt(-phi1) @ phi1", "no real value in rows 1 to 25: sqrt(-1.63). There is no square root of a negative number"),
-    "log": ("r1*log(-phi1) @ phi1", "There is a logarithm of numbers above zero only; see phi1."),
+    "log": ("r1*log(-phi1) @ phi1", "A logarithm is defined only for numbers above zero; see phi1."),
     "division": ("(r1/(p*t*phi1), r1)", "no real value in row 1: 0.953/0. Nothing can be divided by zero; see p, t, phi1."),
     "too large": (
         "r1*exp(1000*phi1) @ phi1",

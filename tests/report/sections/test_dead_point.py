@@ -29,7 +29,7 @@ def test_a_block_held_by_friction_is_not_said_to_have_no_motion_beyond(real: Mod
     """And rows are counted so that one row is no "1 rows"."""
     run = coursework.solve(coursework.parse_variant(BLOCK), scheme="exact", quantities=["table"])
     held = real.text_of(real.parts(run, "dead_point"))
-    assert "keeps the rows up to row 164." in held and "The rows up to row 164 stand;" in held
+    assert "keeps the rows up to row 164." in held and "The rows up to row 164 are valid;" in held
     assert "nothing beyond" not in held
     monkeypatch.setitem(vars(run.motion), "stop", replace(run.stop, kind="sensitive"))  # nor one that forgets its start
     assert "nothing beyond" not in real.text_of(real.parts(run, "dead_point"))

@@ -289,6 +289,6 @@ def test_a_file_without_equations_shows_the_way_of_the_guide_too(real: ModuleTyp
     """A driven chain of bars in a guide, given by its points alone; without a path between velocities only positions are left."""
     told = real.text_of(real.parts(coursework.solve(parse_variant(random_case(2).text), quantities=["table"]), "equations"))
     assert "by the links between them, along M–B–A–D" in told
-    assert told.index("Projected on the axes") < told.index("Also, from differentiating the position equations")
+    assert told.index("Projected onto the axes") < told.index("Also, from differentiating the position equations")
     alone = real.text_of(real.parts(coursework.solve(parse_variant(real.HELD), quantities=["table"]), "equations"))
     assert alone.startswith("From differentiating the position equations:")

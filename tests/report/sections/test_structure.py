@@ -76,7 +76,7 @@ def test_a_driven_point_stands_where_a_driven_link_would() -> None:
 def test_a_slider_that_is_no_link_of_the_list_is_counted_both_ways() -> None:
     text = told(coursework.solve(coursework.load("example-2"), quantities=("table",)))["Mobility"]
     assert "3·3 − 2·4 − 0 = 1" in text and "3·2 − 2·2 − 1 = 1" in text
-    assert "With the pin of slider 3 set straight into its guide" in text
+    assert "With the pin of slider 3 set directly in its guide" in text
 
 
 def test_fewer_freedoms_than_drives_are_not_laid_to_special_dimensions_alone() -> None:

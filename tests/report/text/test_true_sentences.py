@@ -94,8 +94,8 @@ def test_of_one_step_half_the_step_leaves_a_quarter(real: ModuleType, five_bar: 
     page = told(real, five_bar, "results")
     assert "With half the step, each step is off by a quarter of that" in page
     assert "once the step is small, the error of the table is about halved" in page
-    assert "a step begun on the exact curve ends off it by about" in page
-    assert "(begun at the time of row" in page
+    assert "a step that starts on the exact curve ends off it by about" in page
+    assert "(starting at the time of row" in page
     steps = [solved(FIVE_BAR, "table", "checks", step=0.02 / parts) for parts in (1, 2, 4)]
     off = [
         max(abs(run.motion.column("phi2")[:: 2**k][:20] - run.exact.column("phi2")[:: 2**k][:20])) for k, run in enumerate(steps)

@@ -20,8 +20,8 @@ def test_what_explains_as_much_is_told_in_sentences_of_its_own():
     told = [reason.text for reason in table_reasons(desk.key, table, 1.0, 30.0, 60.0) if "as well be" in reason.text]
     assert told == [
         "It could as well be: w3 has the other sign.",
-        "It could as well be: the datum V1 has another value than the task's.",
-        "It could as well be: one slip in the equation 11.",
+        "It could as well be: the datum V1 has a value other than the task's.",
+        "It could as well be: one slip in equation 11.",
     ]
 
 
@@ -60,7 +60,7 @@ def test_a_datum_left_out_and_a_time_that_stands_still_are_named_with_any_digits
     for number, name, code, told in (
         (0, "alpha", "datum_alpha", at_nought),
         (2, "alpha", "datum_alpha", at_nought),
-        (0, "p", "time_still", "in the drive time was left out, or put in as the same number in every row."),
+        (0, "p", "time_still", "in the drive, time was left out, or the same time was used in every row."),
     ):
         desk = variants()[number]
         points, table = desk.marked(Machine(desk.variant, data={name: 0.0}).table(), digits=digits)

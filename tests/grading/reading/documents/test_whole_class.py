@@ -77,7 +77,7 @@ def test_a_class_of_documents(tmp_path: Path) -> None:
         assert len(page.encode()) < 40_000
     assert {entry["status"] for student, entry in found.items() if student.startswith("x")} == {"unreadable"}
     grades = (tmp_path / "out" / "grades.csv").read_text(encoding="utf-8-sig")
-    assert "An equation of the document is not right (page 1, line " in grades
+    assert "An equation in the document is not right (page 1, line " in grades
     german = grade(tmp_path / "class", tmp_path / "ru", "31", "--language", "ru")
     assert german["pdf-slip"]["equations"]["items"][0]["place"].startswith("страница 1, строка ")
 

@@ -96,7 +96,7 @@ def test_the_arms_of_the_lever_their_moments_and_what_couples_add() -> None:
         assert abs(h - arm / unit) <= 0.26 and moment == pytest.approx(force * h * unit, rel=6e-4, abs=1e-9)
     couples = float(np.sum(-INERTIAS * e * w) - 60 * w[2]) / SPEED
     needed = -sum(moment for *_, moment in lines.values()) - couples
-    assert f"Couples add {couples:.4g} N·m; the sum of all must vanish with the drive, so M = {needed:.4g}"[:-1] in told()
+    assert f"Couples add {couples:.4g} N·m; with the drive, the total must vanish, so M = {needed:.4g}"[:-1] in told()
 
 
 def test_what_is_read_stands_beside_what_was_computed() -> None:
