@@ -94,7 +94,7 @@ def test_what_hangs_at_rest_is_told_so_and_no_energy_of_round_off():
 
 
 @pytest.mark.parametrize(("scheme", "told"), [
-    ("exact", "The rows are the motion itself; no step decides about them."), ("rk4", "The table is close to the motion: w2 is "),
+    ("exact", "The rows are the motion itself; they depend on no step."), ("rk4", "The table is close to the motion: w2 is "),
     ("euler", "Not close to the motion: "),
 ])  # fmt: skip
 def test_where_forces_are_asked_too_the_summary_says_how_close_the_motion_under_forces_is(scheme, told):

@@ -49,7 +49,7 @@ def test_equations_of_a_chain_are_numbered_from_one() -> None:
     names = [item.name for part in section.parts if part.kind == "equations" for item in part.items if item.name]
     assert names == ["1", "2", "3", "4"]
     text = html_text(page_of(model))
-    assert "(1) and (2) hold ω3 and u together" in text and "From (4), with ω3 from above" in text
+    assert "(1) and (2) are solved together for ω3 and u" in text and "From (4), with ω3 from above" in text
     assert "that of equation (" in text
 
 
