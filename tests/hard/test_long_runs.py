@@ -70,7 +70,7 @@ def test_h20_drift_per_period_is_told():
     euler, projected = long_run(5), long_run(5, project=1)
     found = check(euler, "DRIFT-PER-PERIOD")
     assert found.verdict == "COARSE"
-    assert "a period" in found.sentence
+    assert "per period" in found.sentence
     assert check(projected, "DRIFT-PER-PERIOD").verdict == "PASS"
     assert check(projected, "PERIOD-POSITION").verdict == "PASS"
     one = coursework.solve("31", quantities=("table", "checks"))

@@ -202,7 +202,7 @@ def test_an_added_scheme_is_in_files_help_and_plan(added, tmp_path, monkeypatch)
     assert "Kutta of order three, h = 0.02 s, 25 rows" in done.stdout
     assert json.loads(Path("coursework-31/run.json").read_text(encoding="utf-8"))["scheme"] == "kutta3"
     plan = CliRunner().invoke(main, ["run", "31", "--scheme", "kutta3", "--plan"])
-    assert "Kutta of order three, 3 evaluations a step" in plan.stdout
+    assert "Kutta of order three, 3 evaluations per step" in plan.stdout
     shown = subprocess.run([sys.executable, "-c", ADDED, "run", "--help"], capture_output=True, text=True, encoding="utf-8")
     assert "kutta3" in shown.stdout
     unknown = CliRunner().invoke(main, ["run", "31", "--scheme", "kuta3"])

@@ -93,7 +93,7 @@ def test_a_length_over_time_and_its_derivatives(tmp_path, method):
 
 def test_beyond_the_last_node_the_table_is_named(driven, tmp_path):
     driven(49, "spline")
-    told = r"v\.toml:\d+  drive\.VMy: the table covers 0 to 0\.5 s, and the run 0 to 0\.6 s\. Add nodes, or end the run before\."
+    told = r"v\.toml:\d+  drive\.VMy: the table covers 0 to 0\.5 s, and the run 0 to 0\.6 s\. Add nodes, or end the run earlier\."
     with pytest.raises(coursework.InputError, match=told):
         coursework.solve(tmp_path / "v.toml", end=0.6).columns()
     assert len(coursework.solve(tmp_path / "v.toml", end=0.5).motion.t) == 26

@@ -103,7 +103,7 @@ def test_a_stated_period_the_motion_does_not_have(code, columns, side):
         judged = finding(code, evidence_of(solve(V31.replace('"2*pi/p"', f'"{stated!r} s"'))))
         assert (judged.verdict == "FAIL") == expected, (stated, judged)
         assert ("does not repeat after" in judged.sentence) == expected
-        assert (re.search(r"begins with -?[\d.]+ (rad|rad/s) and has -?[\d.]+ \1 then", str(judged.sentence)) is None) != expected
+        assert (re.search(r"begins at -?[\d.]+ (rad|rad/s) and is -?[\d.]+ \1 then", str(judged.sentence)) is None) != expected
 
 
 @pytest.mark.parametrize("stated", ["0.40 s", "0.45 s", "0.2*2"])

@@ -88,7 +88,7 @@ def test_a_quote_of_euler_is_compared_with_the_rows_beside_an_exact_table():
 @pytest.mark.parametrize(
     ("old", "new", "fault"),
     [
-        ('column = "w5"', 'column = "w55"', '"w55" is no column of the table. Did you mean "w5"?'),
+        ('column = "w5"', 'column = "w55"', '"w55" is not a column of the table. Did you mean "w5"?'),
         ("row = 7", "row = 77", "row 77 is beyond the last row, 37."),
         ('value = "-3.18045457492925"', 'value = "about 3"', "about 3"),
         ('value = "-3.18045457492925"', 'value = "-3.18"\nscheme = "eulr"', 'there is no scheme "eulr". Did you mean "euler"?'),

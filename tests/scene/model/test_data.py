@@ -43,8 +43,8 @@ def test_numbers_are_si_and_texts_bring_their_unit():
         ({"phi1": ["1.6 m"]}, 'phi1, set 1: an angle was expected: rad, deg (found "1.6 m").'),
         ({"r1": [1.0, None]}, "r1, set 2: a number was expected, found None."),
         ({"r1": [True]}, "r1, set 1: a number was expected, found True."),
-        ({"r1": [[1.0, 2.0]]}, "r1: one number a set was expected, found an array of shape (1, 2)."),
-        ({"r1": [1.0, [2.0]]}, "r1: one number a set was expected"),
+        ({"r1": [[1.0, 2.0]]}, "r1: one number per set was expected, found an array of shape (1, 2)."),
+        ({"r1": [1.0, [2.0]]}, "r1: one number per set was expected"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_said_in_one_sentence(columns, sentence):

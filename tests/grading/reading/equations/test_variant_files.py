@@ -27,7 +27,7 @@ def test_of_a_variant_file_only_the_equations_are_used() -> None:
     assert "r1" in notes["data_differ"]
     assert "score, rubric" in notes["ignored_file"] or "score and rubric" in notes["ignored_file"]
     other = read(("x.toml", (expected("v101").variant.path or __file__).read_bytes()))  # type: ignore[union-attr]
-    assert other.review == "Variant v101 was submitted, 31 is assigned."
+    assert other.review == "Variant v101 was submitted, but 31 is assigned."
 
 
 @pytest.mark.parametrize(
