@@ -28,7 +28,7 @@ PAPER = 642  # px: 170 mm between the margins of A4
 THUMB, POINTER = 44, 24  # px
 # kB that a page may weigh: what is added to it is saved elsewhere.
 MOST = {
-    "report": 217, "stopped": 198, "accuracy": 101, "sheet": 24, "key": 41, "assigned": 16, "feedback": 17.8, "class": 6.4,
+    "report": 217, "stopped": 198, "accuracy": 101, "sheet": 24, "key": 41, "assigned": 16, "feedback": 17.2, "class": 6,
 }  # fmt: skip
 WIDE_TABLES = "[...document.querySelectorAll('table')].filter((one) => one.getBoundingClientRect().right > innerWidth + 1).length"
 TOP = "(which) => document.querySelector(which).getBoundingClientRect().top + scrollY"

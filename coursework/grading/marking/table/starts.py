@@ -76,11 +76,11 @@ def _starts(key: Key, cells: Cells) -> list[Array]:
 def _told_by_velocities(key: Key, cells: Cells) -> Iterator[Array]:
     """Yield a start (m,) with one value more that is not the task's, where the velocities of row 1 follow from it alone."""
     m, student = len(key.coordinates), cells.student
+    if not cells.wrong[0, m:].any():
+        return
     start = np.where(cells.wrong[0, :m], student.values[0, :m], key.table[0, :m])
     put = np.zeros_like(cells.wrong)
     put[0, :m] = ~cells.wrong[0, :m] & ~cells.missing[0, :m]
-    if not cells.wrong[0, m:].any():
-        return
     tolerance = as_printed(key, student.units)[0, m:]
     for table in agreed(key, student, own_ways(key, student), cells.wrong, put):
         told = np.isfinite(table[0, :m])

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from itertools import accumulate, compress, pairwise
+from itertools import compress, pairwise
 from statistics import median
 
 from coursework.grading.reading.expected import Grid, GridColumn
@@ -167,17 +167,33 @@ def turns_of_jumps(values: Sequence[float]) -> list[int]:
 def _turns_of_moves(column: GridColumn, values: Sequence[float], moves: Sequence[float]) -> tuple[int, ...]:
     """Return the whole turns that an angle lacks in each row if it moved as its velocities say, () if it did not.
 
-    A row that its step does not lead to and that agrees with the key was put right: it keeps its number.
+    A row that its step does not lead to is passed over: the steps from the last sure row on tell the turns of the rows behind
+    it, or the values alone if a velocity between is misprinted too.  If it agrees with the key it was put right: it keeps its
+    number.
     """
-    lacks = [(later - before - move) / _TURN for (before, later), move in zip(pairwise(values), moves, strict=False)]
-    known = [math.isfinite(lack) for lack in lacks]
-    whole = [round(lack) if is_known else 0 for lack, is_known in zip(lacks, known, strict=True)]
-    held = [abs(lack - turns) * _TURN <= _BEGINS for lack, turns in zip(lacks, whole, strict=True)]
-    turns = [*accumulate([round(_apart(column, values)[0] / _TURN), *whole])]
-    if sum(held) < _HELD * sum(known) or len({*compress(turns, [True, *held])}) == 1:
+    numbers, held, known = [round(_apart(column, values)[0] / _TURN)], [True], 0
+    sure, moved = 0, 0.0
+    for row, move in enumerate(moves, start=1):
+        lack, moved = values[row] - values[row - 1] - move, moved + move
+        since, jump = values[row] - values[sure] - moved, values[row] - values[sure]
+        known += math.isfinite(lack)
+        held.append(_is_whole(lack))
+        if held[-1]:
+            numbers.append(numbers[-1] + round(lack / _TURN))
+        else:
+            told = since if _is_whole(since) else jump if math.isfinite(jump) else 0.0
+            numbers.append(numbers[sure] + round(told / _TURN))
+        if held[-1] or _is_whole(since):
+            sure, moved = row, 0.0
+    if sum(held) - 1 < _HELD * known or len({*compress(numbers, held)}) == 1:
         return ()
-    rows = zip(turns, [True, *held], values, column.values, strict=True)
+    rows = zip(numbers, held, values, column.values, strict=True)
     return tuple(0 if not holds and abs(own - key) <= _BEGINS else number for number, holds, own, key in rows)
+
+
+def _is_whole(angle: float) -> bool:
+    """Return whether an angle (rad) is known and near a whole number of turns."""
+    return math.isfinite(angle) and abs(math.remainder(angle, _TURN)) <= _BEGINS
 
 
 def stands_beside(column: GridColumn, values: Sequence[float], judged: Callable[[Sequence[float]], float] | None = None) -> bool:

@@ -128,3 +128,27 @@ def test_a_head_with_the_very_name_counts_before_a_word_that_may_mean_it():
     found = find_columns(layout, Grid(1.0, 3, (GridColumn("s", "m", (1.0, 2.0, 4.0)),)))
     assert found.places["s"].at == 2
     assert printed("149°59'60.0\"", ".").value == pytest.approx(150.0)
+
+
+@pytest.mark.parametrize("row", [0, 3, 6])
+@pytest.mark.parametrize("off", [0.0, 2.0, 90.0])
+def test_a_row_with_a_misprinted_angle_and_velocity_shifts_no_other_row(row: int, off: float) -> None:
+    """A 9 before both made one turn of it, and fifteen right cells below were taken for another axis."""
+    angles = [1.4 + 0.01 * k for k in range(12)]
+    moves = [0.01] * 11
+    values = [*angles[:row], angles[row] + off, *angles[row + 1 :]]
+    moves[row] = 1.81
+    turns = whole_turns(GridColumn("phi1", "rad", tuple(angles)), values, moves)
+    assert not any(turns[:row] + turns[row + 1 :])
+
+
+@pytest.mark.parametrize("row", [2, 7])
+def test_an_angle_within_a_turn_follows_its_velocities_over_a_misprinted_one(row: int) -> None:
+    """The key does not tell the jumps of a table that has left it; a velocity ten turns too large tells none either."""
+    whole = [0.9 * k for k in range(12)]
+    values = [math.remainder(angle, 2 * math.pi) for angle in whole]
+    moves = [0.9] * 11
+    moves[row] = 63.0
+    turns = whole_turns(GridColumn("phi1", "rad", tuple(0.01 * k for k in range(12))), values, moves)
+    followed = [value - 2 * math.pi * number for value, number in zip(values, turns, strict=True)]
+    assert followed == pytest.approx(whole)
