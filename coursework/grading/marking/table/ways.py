@@ -30,6 +30,8 @@ _USUAL_PRINT, _COARSE_NOTED = 1 / 3, 0.45  # median step errors, as parts of wha
 _COARSE_ROWS = 0.75  # part of the steps that the floor must explain: among broken steps the median is chance
 _COARSE_MOST, _COARSE_GAP = 3e-4, 21.0  # the median may be at most _COARSE_MOST (SI) and gap / _COARSE_GAP
 _RUNG, _ROUND_OFF = 1.25, 1e-6  # the floor grows in rungs by this factor
+# What rounding leaves does not depend on the row before; the deviations of another scheme's steps resemble it by more than this.
+_RESEMBLES = 0.5
 
 
 KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocities", "step", "step true", "start"
@@ -126,18 +128,25 @@ def _coarse(key: Key, student: StudentTable, step: Way) -> tuple[float, int | No
     """
     m, units, most = len(key.coordinates), student.units, min(_COARSE_MOST, key.gap / _COARSE_GAP)
     digits = HALF * (units[1:, :m] + units[:-1, :m] + key.stride * units[:-1, m : 2 * m])
-    off = np.abs(student.values - step.expected)
-    off, digits = off[np.isfinite(off)], digits[np.isfinite(digits)]
-    whole = off[off <= _COARSE * most]
+    signed = (student.values - step.expected)[1:, :m]
+    off = np.abs(signed)
+    signed[off > _COARSE * most] = np.nan
+    off, whole, digits = off[np.isfinite(off)], np.abs(signed[np.isfinite(signed)]), digits[np.isfinite(digits)]
     if not len(whole) or not len(digits):
         return 0.0, None
     allowed = float(np.median(digits))
     usual = _USUAL_PRINT * allowed
-    middle = max(float(np.median(whole)), usual)
+    middle = usual if _resemble(signed) else max(float(np.median(whole)), usual)
     coarse = _COARSE * usual * _RUNG ** math.ceil(math.log(middle / usual, _RUNG) - _ROUND_OFF)
     if middle > most or np.mean(off <= coarse) < _COARSE_ROWS:
         return 0.0, None
     return coarse, math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
+
+
+def _resemble(deviations: Array) -> bool:
+    """Return whether deviations (n - 1, m) resemble those of the row before: then another scheme made the steps."""
+    varied = deviations - np.nansum(deviations, axis=0) / np.maximum(np.isfinite(deviations).sum(axis=0), 1)
+    return bool(np.nansum(varied[1:] * varied[:-1]) > _RESEMBLES * np.nansum(varied**2))
 
 
 def rows_above(values: Array) -> Places:

@@ -45,6 +45,12 @@ def test_three_of_four_steps_must_be_explained(good, is_coarse):
     assert (coarse_of(np.array([USUAL] * good + [1.0] * (100 - good)))[0] > 0) is is_coarse
 
 
+@pytest.mark.parametrize(("runs", "is_coarse"), [([3, 4], True), ([4, 5], False)])
+def test_deviations_that_resemble_those_of_the_row_before_are_no_rounding(runs, is_coarse):
+    off = np.tile(np.repeat([1.0, -1.0], runs), 50)  # of 7 (9) neighbours 2 differ in sign: 3/7 (5/9) resemble each other
+    assert (coarse_of(USUAL * 1.25**6 * off)[0] > USUAL * 4.3) is is_coarse
+
+
 def test_no_steps_and_no_digits_say_nothing():
     assert coarse_of(np.array([])) == coarse_of(np.full(9, USUAL), unit=NAN) == coarse_of(np.full(9, NAN)) == (0.0, None)
 
