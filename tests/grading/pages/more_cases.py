@@ -5,6 +5,7 @@ Each is (files, the variant's bytes, decisions, why a person must look).
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ import coursework
 from coursework.grading.batch.decisions import Override
 from coursework.grading.batch.work import VariantSource
 from coursework.grading.marking.key.key import key_of
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 from tests.grading.batch.classroom import EQUATIONS, NAMES
@@ -21,7 +23,13 @@ from tests.grading.marking import students
 from tests.grading.marking.equations.test_solved import SECOND, SLIP, solved
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.students import DATA, START, H, velocities
-from tests.grading.marking.table.causes.test_mixed_up import MIXED, moved_by_radians, of_rows_above, with_sines_exchanged
+from tests.grading.marking.table.causes.test_mixed_up import (
+    MIXED,
+    moved_by_radians,
+    of_rows_above,
+    with_rounded_pi,
+    with_sines_exchanged,
+)  # fmt: skip
 from tests.grading.pages.truths import RIGHT, cases, files
 from tests.grading.reading.notations import PLAIN
 
@@ -231,6 +239,9 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
     lines[1] = f"{slip} = u"
     handed = {"table.csv": text(slider.table(), slider.variant.columns, slider.h), "equations.txt": "\n".join(lines).encode()}
     found["own-line"] = (handed, VariantSource("v102", (CATALOGUE / "v102.toml").read_bytes()), (), None)
+    by_pi = VariantSource("by-pi", re.sub(rb'(?m)^p( *)= "13.*?"', rb'p\1= "125 rpm"', source.content))
+    handed = files(with_rounded_pi(parse_variant(by_pi.content, "by-pi.toml", {}), p=125 * 3.14 / 30))
+    found["rounded-pi"] = (handed, by_pi, (), None)
     fourbar = key_of(coursework.load("example-1"))
     handed = {"table.csv": text(fourbar.branches[0], fourbar.names, fourbar.step, 5)}
     found["branch"] = (handed, VariantSource("example-1", (CATALOGUE / "example-1.toml").read_bytes()), (), None)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -82,12 +82,13 @@ class Key:
             changed = misread(self.variant, self.model.equations, code)
             self._misread[code] = None
             with suppress(CourseworkError):
-                self._misread[code] = model_of(changed) if changed else None
-        model = self._misread[code]
-        return (lambda t, q: model.rates(t, q, self._assigned)) if model else None
+                if changed:
+                    model = model_of(changed)
+                    self._misread[code] = partial(model.rates, data=model.data(changed.values))
+        return self._misread[code]
 
     @cached_property
-    def _misread(self) -> dict[str, Model | None]:
+    def _misread(self) -> dict[str, Callable[[Array, Array], Array] | None]:
         return {}
 
     @cached_property

@@ -5,8 +5,10 @@ Enters: a `Variant`.  Leaves: a `Variant`, or None where the misconception canno
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from fractions import Fraction
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.variant.formula.tree import Formula, mapped, named, number
@@ -16,6 +18,8 @@ _TURNING = ("sin", "cos", "tan")
 _OTHER = {"sin": "cos", "cos": "sin"}
 _DEGREE = Formula("/", (named("pi"), number(180)))
 _PER_RADIAN = Formula("/", (number(180), named("pi")))
+_ROUNDED_PI = Fraction("3.14")
+_BY_PI = ("deg", "rpm")  # units whose size in SI has π in it
 
 
 def misread(variant: Variant, equations: VelocityEquations, code: str) -> Variant | None:
@@ -23,13 +27,17 @@ def misread(variant: Variant, equations: VelocityEquations, code: str) -> Varian
 
     "sign_drive" turns the sign of the drive, "cosine_drive" exchanges sine and cosine in it.  Degrees are taken for radians in
     all formulas ("degree_mode"), in functions of time ("degree_drive") or of position ("degree_geometry").  "radian_mode" puts
-    positions in degrees where radians are expected, as in a spreadsheet.  `equations` are the variant's velocity equations:
+    positions in degrees where radians are expected, as in a spreadsheet.  "pi_rounded" takes π as 3.14 in formulas and units.
+    `equations` are the variant's velocity equations:
     a student who derives them from the geometry puts positions into these, not into the geometry.
     """
     if code == "sign_drive":
         return _with_drive_turned(variant)
     if code == "cosine_drive":
         changed = replace(variant, drive=tuple(law.rewritten(_exchanged) for law in variant.drive))
+        return None if changed == variant else changed
+    if code == "pi_rounded":
+        changed = _with_pi_rounded(variant)
         return None if changed == variant else changed
     if code == "degree_geometry" and _in_degrees(variant, drive=True, geometry=False) == variant:
         return None  # without a sine in the drive this is the same as "degree_mode"
@@ -55,6 +63,20 @@ def _exchanged(tree: Formula) -> Formula:
     return replace(mapped(tree, _exchanged), name=_OTHER.get(tree.name, tree.name) if tree.op == "call" else tree.name)
 
 
+def _with_pi_rounded(variant: Variant) -> Variant:
+    return replace(
+        _rewritten(variant, _pi_rounded, _pi_rounded),
+        given=tuple(
+            replace(datum, value=datum.value * float(_ROUNDED_PI) / math.pi) if datum.unit.startswith(_BY_PI) else datum
+            for datum in variant.given
+        ),
+    )
+
+
+def _pi_rounded(tree: Formula) -> Formula:
+    return number(_ROUNDED_PI) if tree.op == "name" and tree.name == "pi" else mapped(tree, _pi_rounded)
+
+
 def _with_drive_turned(variant: Variant) -> Variant:
     laws = [law.rewritten(lambda formula: Formula("neg", (formula,))) for law in variant.drive]
     return replace(variant, drive=tuple(replace(law, table=tuple((at, -value) for at, value in law.table)) for law in laws))
@@ -76,16 +98,25 @@ def _in_degrees(variant: Variant, *, drive: bool, geometry: bool, factor: Formul
             return replace(turned, args=(*length, Formula("*", (angle, factor))))
         return turned
 
+    return _rewritten(variant, degrees if drive else _as_it_is, degrees if geometry else _as_it_is)
+
+
+def _as_it_is(tree: Formula) -> Formula:
+    return tree
+
+
+def _rewritten(variant: Variant, in_time: Callable[[Formula], Formula], in_place: Callable[[Formula], Formula]) -> Variant:
+    """Return the variant with the formulas of time rewritten in one way, those of positions in another."""
+
     def laws(found: Sequence[Law]) -> tuple[Law, ...]:
-        return tuple(law.rewritten(degrees) if (geometry if law.of in positions else drive) else law for law in found)
+        return tuple(law.rewritten(in_place if law.of in positions else in_time) for law in found)
 
     positions = {coordinate.name for coordinate in variant.coordinates}
-    changed = replace(variant, drive=laws(variant.drive), functions=laws(variant.functions))
-    if not geometry:
-        return changed
     return replace(
-        changed,
-        constraints=tuple(replace(c, left=degrees(c.left), right=degrees(c.right)) for c in variant.constraints),
-        points=tuple((name, degrees(point)) for name, point in variant.points),
-        holds=tuple(degrees(hold) for hold in variant.holds),
+        variant,
+        drive=laws(variant.drive),
+        functions=laws(variant.functions),
+        constraints=tuple(replace(c, left=in_place(c.left), right=in_place(c.right)) for c in variant.constraints),
+        points=tuple((name, in_place(point)) for name, point in variant.points),
+        holds=tuple(in_place(hold) for hold in variant.holds),
     )

@@ -13,6 +13,7 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
+from coursework.grading.marking.table.causes.hypotheses import PI_ROUNDED
 from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
@@ -21,7 +22,7 @@ from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
 
 _SLIPS = ("equation_", "sign_drive", "cosine_drive")
-# Worth of a cell in a table whose steps were made with rounded velocities.
+# Worth of a cell in a table that was worked out with fewer digits: with velocities rounded before each step, or π as 3.14.
 ROUNDED = 0.98
 
 
@@ -59,15 +60,15 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
 def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
     """Yield what each explanation earns; another variant's table is not the student's work and earns nothing.
 
-    Rounded velocities explain some of any steps, and another origin some of any angles; each counts only if it explains nearly
-    all and no other cause explains more.
+    Rounded velocities or a rounded π explain some of any steps, and another origin some of any angles; each counts only if it
+    explains nearly all and no other cause explains more.
     """
     most = max((fit.share for fit in found.fits), default=0.0)
     for fit in found.fits:
         if fit.code == OWN:
             yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
         elif not fit.code.startswith("variant_") and (
-            fit.share >= max(NAMED, most - TIE) or not fit.code.startswith((ROUNDED_OMEGA, causes.ORIGIN))
+            fit.share >= max(NAMED, most - TIE) or not fit.code.startswith((ROUNDED_OMEGA, PI_ROUNDED, causes.ORIGIN))
         ):
             yield _earned("misconception", points, fit.share, _worth(rubric, fit.code), fit.code)
 
@@ -76,11 +77,12 @@ def _worth(rubric: Rubric, code: str) -> float:
     """Return the worth of a cell that a misconception explains: for a single slip it is more than for a wrong method.
 
     An angle counted from another axis is a start that is not the task's.
-    Steps with rounded velocities are Euler's, worked out coarser: what a few digits less in print would hide costs little.
+    Work with rounded velocities or a rounded π is Euler's, worked out coarser: what a few digits less in print would hide costs
+    little.
     """
     if code in {*causes.OTHER_STEPS, causes.ROWS_SHIFTED}:
         return 1.0
-    if code.startswith(ROUNDED_OMEGA):
+    if code.startswith((ROUNDED_OMEGA, PI_ROUNDED)):
         return ROUNDED
     if code.startswith(causes.ORIGIN):
         return rubric.start_floor

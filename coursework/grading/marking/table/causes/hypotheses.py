@@ -34,7 +34,8 @@ _FAST = 0.2
 # An implicit step is iterated at most so often, until it changes by less than _STANDS (rad or m).
 _REPEATED, _STANDS = 100, 1e-10
 Velocities = Callable[[Array, Array], Array]
-MISREAD = ("sign_drive", "cosine_drive", "degree_mode", "degree_drive", "degree_geometry", "radian_mode")
+PI_ROUNDED = "pi_rounded"
+MISREAD = ("sign_drive", "cosine_drive", "degree_mode", "degree_drive", "degree_geometry", "radian_mode", PI_ROUNDED)
 _DEGREE = np.pi / 180
 
 

@@ -7,9 +7,10 @@ import pytest
 
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.table.cells import _cut_off
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.sentences import load_phrases
 from tests.grading.marking.machines import DEGREE, Machine
-from tests.grading.marking.table.test_equal_faults import close, codes, variants
+from tests.grading.marking.table.test_equal_faults import SLIDER_CRANK, Desk, close, codes, variants
 
 
 def of_rows_above(machine):
@@ -26,6 +27,14 @@ def of_rows_above(machine):
 def with_sines_exchanged(machine):
     laws = {name: re.sub("sin|cos", lambda f: {"sin": "cos", "cos": "sin"}[f[0]], law) for name, law in machine.laws.items()}
     return Machine(machine.variant, drive=laws).table()
+
+
+# π is in a speed given in turns a minute and in a law of time.
+BY_PI = re.sub(rb'w0 *= *"[^"]*"', b'w0 = "40 rpm"', SLIDER_CRANK).replace(b"sin(3*t)", b"sin(pi*t)")
+
+
+def with_rounded_pi(variant, **speeds):
+    return Machine(variant, data={"pi": 3.14} | speeds).table()
 
 
 def of_degrees(machine, table):
@@ -60,6 +69,16 @@ def test_what_is_mixed_up_is_named_and_worth_the_same_everywhere(made, code, wor
         points.append(found)
     close(points)
     assert np.mean(points) == pytest.approx(worth, abs=1.2)
+
+
+@pytest.mark.parametrize("digits", [3, 4, 6])
+def test_pi_taken_as_three_places_is_named_and_costs_as_little_as_rounding_does(digits):
+    desk = Desk(parse_variant(BY_PI, "own.toml", {}))
+    found, table = desk.marked(with_rounded_pi(desk.variant, w0=40 * 3.14 / 30), digits=digits)
+    assert codes(table) == ("pi_rounded",)
+    assert found == 58.8
+    right, table = desk.marked(desk.machine.table(), digits=digits)
+    assert (right, codes(table)) == (60.0, ())
 
 
 def test_steps_that_add_radians_to_degrees_leave_the_velocities_right():
