@@ -99,7 +99,7 @@ def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
     """Return the tokens of the lines; tables separated by blank lines or headers are aligned one by one."""
     blocks: list[list[str]] = [[]]
     count = 0  # rows of numbers in the current block
-    for is_row, group in itertools.groupby(lines, _begins_with_number):
+    for is_row, group in itertools.groupby(lines, lambda line: line.lstrip("[({-+ |\t")[:1].isdigit()):
         block = list(group)
         if is_row and len(block) < _FEWEST:  # rows of numbers with other lines between them
             return _aligned(lines, most)
@@ -108,10 +108,6 @@ def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
         count = len(block) if is_row else 0
         blocks[-1] += block
     return tuple(row for block in blocks for row in _aligned(block, most))
-
-
-def _begins_with_number(line: str) -> bool:
-    return line.lstrip("[({-+ |\t")[:1].isdigit()
 
 
 def _aligned(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
