@@ -161,13 +161,12 @@ class Program:
     """The program that computes `Rows`, compiled once for a mechanism."""
 
     scheme: ForceScheme
-    equations: VelocityEquations
     wanted: tuple[Wanted, ...]
     expressions: tuple[Expression, ...]
 
-    def rows(self, motion: Motion, second: Array) -> Rows:
+    def rows(self, equations: VelocityEquations, motion: Motion, second: Array) -> Rows:
         """Return the values for a motion's rows with their accelerations (n, k)."""
-        compiled = compile_rows(self.equations, self.expressions, 2)
+        compiled = compile_rows(equations, self.expressions, 2)
         columns = iter(compiled(motion.t, motion.coordinates, motion.velocities, second).T)
         values = {
             one: next(columns) + 1j * next(columns) if one[1] else next(columns) for one in self.wanted
@@ -176,7 +175,7 @@ class Program:
         slopes = {
             (body.name, c.name): next(columns) + 1j * next(columns)
             for body in self.scheme.bodies
-            for c in self.equations.variant.coordinates
+            for c in equations.variant.coordinates
         }
         return Rows(motion, self.scheme, values, turning, slopes)
 
@@ -200,7 +199,7 @@ def compile_program(equations: VelocityEquations, scheme: ForceScheme) -> Progra
     for body in scheme.bodies:
         centre = symbols.vector(body.centre)
         found += [symbols.partial(part, symbol(c.name)) for c in equations.variant.coordinates for part in centre]
-    return Program(scheme, equations, wanted, tuple(found))
+    return Program(scheme, wanted, tuple(found))
 
 
 def _rates(scheme: ForceScheme) -> tuple[str, ...]:

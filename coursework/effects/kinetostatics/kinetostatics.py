@@ -38,14 +38,15 @@ def places_of(scheme: ForceScheme) -> dict[str, int]:
 class Reactions:
     """Reactions and drives: `names` of the unknowns and their values `rows` (n, names), N and N m, nan if they are not unique.
 
-    `wrench` (n, bodies, 3) are the other forces, `matrix` (n, equations, names) holds the columns of the unknowns, with moments
-    divided by `length` (m); `condition` (n,) is its condition number.
+    `wrench` (n, bodies, 3) are the other forces, `matrix` (n, equations, names) holds the columns of the unknowns, `right`
+    (n, equations) the right sides, both with moments divided by `length` (m); `condition` (n,) is the condition number.
     """
 
     names: tuple[str, ...]
     rows: Array
     wrench: Array
     matrix: Array
+    right: Array
     condition: Array
     length: float
     partly: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
@@ -132,7 +133,7 @@ def react_to(rows: Rows, actions: tuple[Action, ...]) -> Reactions:
                 matrix, right, np.asarray(np.isnan(values[:, place : place + 2]).all(axis=1)), place
             )
     values[:, couples] *= length
-    return Reactions(names, values, wrench, matrix, condition, length, partly)
+    return Reactions(names, values, wrench, matrix, right, condition, length, partly)
 
 
 def solve(matrix: Array, right: Array) -> tuple[Array, Array]:
