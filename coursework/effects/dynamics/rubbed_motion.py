@@ -85,15 +85,12 @@ class _Writer:
                     *(self.by_free(change, k) for k in range(free)),
                 ]
         drives = [place for place, one in enumerate(scheme.unknowns) if one.is_drive]
-        results = [*self.motion.solved, *self.others(), *entries.values(), *beside]
+        others = [symbol(self.motion.equations.variant.coordinates[place].rate) for place in self.motion.others]
+        results = [*self.motion.solved, *others, *entries.values(), *beside]
         still = [Assign(derivative(rate), ZERO) for rate in self.motion.rates]
         compiled = self.motion.compiled("rubbing", [*self.motion.statements(), *still], results)
         sizes = count, free, len(self.motion.others)
         return Rubbing(tuple(pairs), partial(_state, compiled, sizes, tuple(entries), tuple(drives)))
-
-    def others(self) -> list[Expression]:
-        coordinates = self.motion.equations.variant.coordinates
-        return [symbol(coordinates[place].rate) for place in self.motion.others]
 
     def by_free(self, value: Expression, k: int) -> Expression:
         """Return the derivative by the free acceleration k of a value that is linear in the accelerations."""
