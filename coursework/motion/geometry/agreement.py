@@ -1,7 +1,8 @@
 """Whether the written velocity equations agree with the geometry of the file.
 
 Enters: the written equations, the equations derived from the geometry, closed positions.  Leaves: `Agreement`: which equations
-agree and which cannot be judged.  Raises `InputError` naming each equation that contradicts.  Used by `unseen_signs.py`.
+agree and which cannot be judged.  Raises `InputError` naming each equation that contradicts.  Used by `unseen_signs.py`,
+`turning.py` and `virtual_power.py`.
 """
 
 from __future__ import annotations
