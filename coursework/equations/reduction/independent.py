@@ -196,17 +196,17 @@ def _undetermined(matrix: Array, kept: list[int], unknowns: tuple[str, ...]) -> 
 
 def _structure(equations: VelocityEquations, rows: list[frozenset[int]], owner: list[int]) -> list[Sentence]:
     """Return sentences about equations that share too few unknowns and unknowns that share too few equations."""
-    over, under = over_and_under(rows, owner)
     names = [equation.name for equation in equations.equations]
+    (crowd, shared), (few, involved) = (
+        (tuple(names[row] for row in part[0]), tuple(equations.unknowns[column] for column in part[1]))
+        for part in over_and_under(rows, owner)
+    )
     told = []
-    if over[0] and len(over[0]) > len(over[1]):
-        crowd, involved = tuple(names[r] for r in over[0]), tuple(equations.unknowns[c] for c in over[1])
-        told.append(say_count("equation.crowd" if involved else "equation.empty", len(crowd), names=crowd, involved=involved))
-    if under[1]:
-        few, involved = tuple(names[r] for r in under[0]), tuple(equations.unknowns[c] for c in under[1])
-        if few:
-            key = "equation.alone_in" if len(involved) == 1 else "equation.only_in"
-            told.append(say_count(key, len(few), names=few, involved=involved))
-        else:
-            told.append(say_count("equation.in_none", len(involved), involved=involved))
+    if len(crowd) > len(shared):
+        told.append(say_count("equation.crowd" if shared else "equation.empty", len(crowd), names=crowd, involved=shared))
+    if few:
+        key = "equation.alone_in" if len(involved) == 1 else "equation.only_in"
+        told.append(say_count(key, len(few), names=few, involved=involved))
+    elif involved:
+        told.append(say_count("equation.in_none", len(involved), involved=involved))
     return told
