@@ -35,10 +35,7 @@ def meaning_of(name: str, expected: Expected, own: Meanings) -> Formula | None:
         return own[plain]
     starts = tuple((column.name, column.values[0]) for column in expected.grid.columns if column.values)
     lengths = _lengths(expected.variant, starts)
-    for spelling in (plain, _LENGTH.sub(r"\1", plain)):
-        if spelling in lengths:
-            return lengths[spelling]
-    return _of_index(plain, expected.variant)
+    return lengths.get(plain) or lengths.get(_LENGTH.sub(r"\1", plain)) or _of_index(plain, expected.variant)
 
 
 def _of_index(name: str, variant: Variant) -> Formula | None:
