@@ -67,13 +67,10 @@ class _Writer:
         beside: list[Expression] = []
         for rubs in scheme.forces.friction:
             for place, kind in rubbing(scheme.unknowns, rubs):
-                column, speed = count + 1 + free + len(pairs), ZERO
+                column = count + 1 + free + len(pairs)
                 one, factor = scheme.unknowns[place], self.acting.scalar(rubs.arm if kind == "wheel" else rubs.coefficient)
-                if kind == "guide":
-                    speed = self.slides(entries, places, column, one)
-                else:
-                    factor = factor * self.acting.scalar(rubs.radius) if kind == "pin" else factor
-                    speed = self.turns(entries, places, column, one)
+                factor = factor * self.acting.scalar(rubs.radius) if kind == "pin" else factor
+                speed = (self.slides if kind == "guide" else self.turns)(entries, places, column, one)
                 following = scheme.unknowns[place + 1].name if place + 1 < count else ""
                 pairs.append(Pair(rubs.at, kind, place, kind == "guide" and following == f"K{one.name[1:]}"))
                 change = self.acting.changed(speed)

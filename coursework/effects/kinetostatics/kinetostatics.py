@@ -150,16 +150,10 @@ def solve(matrix: Array, right: Array) -> tuple[Array, Array]:
     else:
         values, condition = np.full((count, k), np.nan), np.full(count, np.inf)
     for row in np.flatnonzero(~(condition < _SINGULAR)).tolist():
-        values[row] = unique(matrix[row], right[row])
+        found, null = least(matrix[row], right[row])
+        values[row] = np.where(np.abs(null).max(axis=0, initial=0.0) > _NULL, np.nan, found)
         condition[row] = np.inf
     return values, condition
-
-
-def unique(matrix: Array, right: Array) -> Array:
-    """Return the unknowns (k,) of an underdetermined system: nan where a null vector has a component."""
-    found, null = least(matrix, right)
-    found = np.where(np.abs(null).max(axis=0, initial=0.0) > _NULL, np.nan, found)
-    return np.asarray(found)
 
 
 def least(matrix: Array, right: Array) -> tuple[Array, Array]:
