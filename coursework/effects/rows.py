@@ -120,8 +120,7 @@ def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:
     for unknown in scheme.unknowns:
         if unknown.at is not None:
             yield unknown.at, True, PLACE
-        if unknown.direction.angle is not None:
-            yield unknown.direction.angle, False, PLACE
+        yield from _numbers(unknown.direction.angle)
         for point in unknown.direction.through or ():
             yield point, True, PLACE
         if unknown.is_drive and unknown.at is not None:
@@ -134,26 +133,28 @@ def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:
         if body.span is not None and (not body.rate or isinstance(body.inertia, str)):
             levels = (PLACE,) if body.rate else (PLACE, RATE, SECOND)
             yield from ((point, True, level) for point in body.span for level in levels)
-        for formula in (body.mass, body.inertia):
-            if isinstance(formula, Formula):
-                yield formula, False, PLACE
+        yield from _numbers(body.mass, body.inertia)
     forces = scheme.forces
-    yield from ((part, False, PLACE) for part in forces.gravity or ())
+    yield from _numbers(*(forces.gravity or ()))
     for load in (*forces.loads, *(forces.motor.torques if forces.motor else ())):
         if load.at is not None and load.force is not None:
             yield from ((load.at, True, PLACE), (load.at, True, RATE), (load.force, True, PLACE))
-        if load.torque is not None:
-            yield load.torque, False, PLACE
+        yield from _numbers(load.torque)
     for spring in forces.springs:
         yield from ((Formula("name", name=end), True, level) for end in spring.ends for level in (PLACE, RATE))
-        yield from ((one, False, PLACE) for one in (spring.stiffness, spring.free, spring.damping) if one is not None)
+        yield from _numbers(spring.stiffness, spring.free, spring.damping)
     for rubs in forces.friction:
-        yield from ((one, False, PLACE) for one in (rubs.coefficient, rubs.radius, rubs.length, rubs.arm) if one is not None)
+        yield from _numbers(rubs.coefficient, rubs.radius, rubs.length, rubs.arm)
     for name in (*(mass.body for mass in forces.masses), *(load.on for load in forces.loads)):
         if (own := scheme.own_point(name)) is not None:
             yield from ((own, True, PLACE), (own, True, RATE))
     if forces.flywheel is not None:
-        yield from ((one, False, PLACE) for one in (forces.flywheel.inertia, forces.flywheel.unevenness) if one is not None)
+        yield from _numbers(forces.flywheel.inertia, forces.flywheel.unevenness)
+
+
+def _numbers(*given: object) -> Iterator[Wanted]:
+    """Yield the values of numbers, as far as the file gives formulas for them."""
+    return ((one, False, PLACE) for one in given if isinstance(one, Formula))
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,13 +162,12 @@ class Program:
     """The program that computes `Rows`, compiled once for a mechanism."""
 
     scheme: ForceScheme
-    equations: VelocityEquations
     wanted: tuple[Wanted, ...]
     expressions: tuple[Expression, ...]
 
-    def rows(self, motion: Motion, second: Array) -> Rows:
+    def rows(self, equations: VelocityEquations, motion: Motion, second: Array) -> Rows:
         """Return the values for a motion's rows with their accelerations (n, k)."""
-        compiled = compile_rows(self.equations, self.expressions, 2)
+        compiled = compile_rows(equations, self.expressions, 2)
         columns = iter(compiled(motion.t, motion.coordinates, motion.velocities, second).T)
         values = {
             one: next(columns) + 1j * next(columns) if one[1] else next(columns) for one in self.wanted
@@ -176,7 +176,7 @@ class Program:
         slopes = {
             (body.name, c.name): next(columns) + 1j * next(columns)
             for body in self.scheme.bodies
-            for c in self.equations.variant.coordinates
+            for c in equations.variant.coordinates
         }
         return Rows(motion, self.scheme, values, turning, slopes)
 
@@ -200,7 +200,7 @@ def compile_program(equations: VelocityEquations, scheme: ForceScheme) -> Progra
     for body in scheme.bodies:
         centre = symbols.vector(body.centre)
         found += [symbols.partial(part, symbol(c.name)) for c in equations.variant.coordinates for part in centre]
-    return Program(scheme, equations, wanted, tuple(found))
+    return Program(scheme, wanted, tuple(found))
 
 
 def _rates(scheme: ForceScheme) -> tuple[str, ...]:

@@ -61,7 +61,8 @@ class _Reader:
         masses = {body: mass for mass in self.forces.masses if (body := self.body_of(mass.body, ("masses", mass.body)))}
         for load in (*self.forces.loads, *(self.forces.motor.torques if self.forces.motor else ())):
             self.body_of(load.on, ("forces" if load in self.forces.loads else "motor", load.name))
-        bodies = tuple(self.body(called[body], body, masses.get(called[body])) for body in self.in_order())
+        own = {called[body]: body for body in self.bodies.linkage.bodies}
+        bodies = tuple(self.body(name, own[name], masses.get(name)) for name in in_order(own))
         pins, unknowns = self.joints()
         self.check_friction(unknowns)
         groups = tuple(tuple(in_order(called[body] for body in some)) for some, _ in self.bodies.sets())
@@ -69,10 +70,6 @@ class _Reader:
         if self.faults:
             raise InputError(self.faults)
         return ForceScheme(bodies, pins, (*unknowns, *self.drives()), groups, self.forces, holds)
-
-    def in_order(self) -> list[str]:
-        names = {self.bodies.called[body]: body for body in self.bodies.linkage.bodies}
-        return [names[name] for name in in_order(names)]
 
     def fault(self, path: tuple[str, ...], message: Sentence) -> None:
         line = next((self.forces.lines[path[:k]] for k in range(len(path), 0, -1) if path[:k] in self.forces.lines), 1)

@@ -7,7 +7,6 @@ Used by `motion_writer.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.codegen.programs import Statement
 from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.independent import independent_rows
 from coursework.equations.reduction.matching import blocks as block_order
 from coursework.equations.reduction.matching import match
 from coursework.equations.reduction.statements import block_statements
@@ -22,8 +22,6 @@ from coursework.equations.reduction.symbolic import local, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
-
-_RANK = 1e-9
 
 
 def newton_statements(
@@ -42,7 +40,7 @@ def newton_statements(
     slopes = [[symbols.partial(value, symbol(name)) for name in names] for value in values]
     found = compile_values(equations, [*values, *(slope for row in slopes for slope in row)])[0](0.0, *start)
     matrix = np.array(found[len(values) :], dtype=float).reshape(len(values), len(names))
-    used = _independent(matrix)
+    used = independent_rows(matrix)
     if len(used) < len(names):
         told = say("fault.V742", names=tuple(names), number=len(used))
         raise InputError([Fault(told, variant.file, variant.nearest_line("closure"))])
@@ -64,12 +62,3 @@ def newton_statements(
         done += columns
     kept = tuple(0.0 if listed[row].target == "zero" else float(found[row]) for row in used)
     return statements, kept, [ZERO if listed[row].target == "zero" else values[row] for row in used]
-
-
-def _independent(matrix: Any) -> list[int]:
-    """Return the first rows that are linearly independent of the rows before them."""
-    kept: list[int] = []
-    for row in range(len(matrix)):
-        if np.linalg.matrix_rank(matrix[[*kept, row]], tol=_RANK * max(1.0, float(np.abs(matrix).max()))) > len(kept):
-            kept.append(row)
-    return kept

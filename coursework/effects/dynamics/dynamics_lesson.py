@@ -59,16 +59,15 @@ def lesson(equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion
         for parts in PARTS:
             if steps * parts * scheme.slopes > most:
                 continue
-            tried = attempt(Dynamics(equations, list(begin[0])), begin, time, exact, scheme, parts)
+            tried = attempt(equations, begin, time, exact, scheme, parts)
             gained = float("inf") if tried.ended else float(tried.energy[-1]) - last
             found.append(Row(title_of(scheme), tried.slopes, tried.error, gained))
     return found
 
 
-def attempt(dynamics: Dynamics, begin: Begin, time: Time, exact: Motion, scheme: Scheme, parts: int) -> Trial:
+def attempt(equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion, scheme: Scheme, parts: int) -> Trial:
     """Return the trial of a scheme with each step divided into `parts`."""
-    steps, equations = len(exact.t) - 1, dynamics.motion
-    made = dynamics.rows(scheme, begin[1], time.step / parts, steps * parts)
+    made = Dynamics(equations, list(begin[0])).rows(scheme, begin[1], time.step / parts, (len(exact.t) - 1) * parts)
     if made.ended:
         return Trial(made.slopes, float("inf"), np.zeros(0), made.ended, len(made.t))
     rows = slice(None, None, parts)

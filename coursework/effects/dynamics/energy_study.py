@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from coursework.effects.dynamics.dynamics import Dynamics
 from coursework.effects.dynamics.dynamics_lesson import Begin, Trial, attempt, energy_of_rows, rates_of
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.motion.integration.motion import Motion
@@ -45,7 +44,7 @@ def energy_study(
         for parts in _parts(scheme, len(exact.t) - 1, MOST_SLOPES // equations.dear):
             if progress:
                 progress(f"{scheme.name}, {parts}")
-            tried = attempt(Dynamics(equations, list(begin[0])), begin, time, exact, scheme, parts)
+            tried = attempt(equations, begin, time, exact, scheme, parts)
             rows.append(_row(scheme, tried, energy, (len(exact.t) - 1) * parts))
             if parts == 1:
                 rates[title_of(scheme)] = tried.error

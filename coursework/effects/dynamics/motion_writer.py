@@ -189,19 +189,16 @@ class MotionWriter:
                 right[k] += force[0] * ways[k][0] + force[1] * ways[k][1] - inertia * turned[k] * bias
             potential.append(-mass * (gravity[0] * centre[0] + gravity[1] * centre[1]))
         for k in range(count):
-            right[k] += add(ZERO, *self._powers(k))
-        potential += self.acting.stretched()
-        for k in range(count):
             for other in range(k, count):
                 yield Assign(local(f"_mass{k}{other}"), matrix[k][other])
-            yield Assign(local(f"_force{k}"), right[k])
+            yield Assign(local(f"_force{k}"), add(right[k], *self._powers(k)))
         rates = [symbol(rate) for rate in self.rates]
         kinetic = add(*[
             (HALF if k == other else ONE) * local(f"_mass{k}{other}") * rates[k] * rates[other]
             for k in range(count) for other in range(k, count)
         ])  # fmt: skip
         yield Assign(local("_kinetic"), kinetic)
-        yield Assign(local("_potential"), add(*potential))
+        yield Assign(local("_potential"), add(*potential, *self.acting.stretched()))
 
     def _powers(self, k: int) -> Iterator[Expression]:
         """Yield the power of each load, spring and motor in the motion of the free rate k alone, for a rate of 1."""

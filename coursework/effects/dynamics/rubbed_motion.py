@@ -67,13 +67,10 @@ class _Writer:
         beside: list[Expression] = []
         for rubs in scheme.forces.friction:
             for place, kind in rubbing(scheme.unknowns, rubs):
-                column, speed = count + 1 + free + len(pairs), ZERO
+                column = count + 1 + free + len(pairs)
                 one, factor = scheme.unknowns[place], self.acting.scalar(rubs.arm if kind == "wheel" else rubs.coefficient)
-                if kind == "guide":
-                    speed = self.slides(entries, places, column, one)
-                else:
-                    factor = factor * self.acting.scalar(rubs.radius) if kind == "pin" else factor
-                    speed = self.turns(entries, places, column, one)
+                factor = factor * self.acting.scalar(rubs.radius) if kind == "pin" else factor
+                speed = (self.slides if kind == "guide" else self.turns)(entries, places, column, one)
                 following = scheme.unknowns[place + 1].name if place + 1 < count else ""
                 pairs.append(Pair(rubs.at, kind, place, kind == "guide" and following == f"K{one.name[1:]}"))
                 change = self.acting.changed(speed)
@@ -85,15 +82,12 @@ class _Writer:
                     *(self.by_free(change, k) for k in range(free)),
                 ]
         drives = [place for place, one in enumerate(scheme.unknowns) if one.is_drive]
-        results = [*self.motion.solved, *self.others(), *entries.values(), *beside]
+        others = [symbol(self.motion.equations.variant.coordinates[place].rate) for place in self.motion.others]
+        results = [*self.motion.solved, *others, *entries.values(), *beside]
         still = [Assign(derivative(rate), ZERO) for rate in self.motion.rates]
         compiled = self.motion.compiled("rubbing", [*self.motion.statements(), *still], results)
         sizes = count, free, len(self.motion.others)
         return Rubbing(tuple(pairs), partial(_state, compiled, sizes, tuple(entries), tuple(drives)))
-
-    def others(self) -> list[Expression]:
-        coordinates = self.motion.equations.variant.coordinates
-        return [symbol(coordinates[place].rate) for place in self.motion.others]
 
     def by_free(self, value: Expression, k: int) -> Expression:
         """Return the derivative by the free acceleration k of a value that is linear in the accelerations."""

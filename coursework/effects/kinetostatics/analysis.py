@@ -82,19 +82,14 @@ class ForceAnalysis:
                 found |= {f"S{body.name}.ax": second.real, f"S{body.name}.ay": second.imag}
             if body.rate or np.any(self.rows.epsilon(body)):
                 found[f"e{body.name}"] = self.rows.epsilon(body)
-        point = [one for one in drives_of(self.rows.scheme) if one.direction.kind in {"x", "y"}]
+        drives = drives_of(self.rows.scheme)
+        point = [one for one in drives if one.direction.kind in {"x", "y"}]
         if len(point) == 2 and point[0].at is not None:
             moved = self.rows.vector(point[0].at, RATE)
             force = self.column(self.drive_names[0]) + 1j * self.column(self.drive_names[1])
             speed = np.abs(moved)
             found["F_path"] = np.where(speed > 0, (np.conj(moved) * force).real / np.where(speed > 0, speed, 1.0), 0.0)
-        drives = drives_of(self.rows.scheme)
-        if (
-            len(drives) == 1
-            and drives[0].direction.kind == "couple"
-            and drives[0].off == FRAME
-            and drives[0].on in self.rows.turns
-        ):
+        if len(drives) == 1 and drives[0].direction.kind == "couple" and drives[0].off == FRAME:
             rate, change = self.rows.turns[drives[0].on]
             found["J"], found["dJ"] = reduced_inertia(self.rows, rate, change)
         for name, (value, angle) in self.reactions.partly.items():
@@ -138,7 +133,7 @@ def analyse(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, 
     program: Program = equations.once(
         ("forces", equations.variant.forces), lambda: compile_program(equations, read_scheme(mechanism))
     )
-    rows = Program(program.scheme, equations, program.wanted, program.expressions).rows(motion, second)
+    rows = program.rows(equations, motion, second)
     _require_rigid(rows, equations)
     return ForceAnalysis(rows, react(rows), equations)
 

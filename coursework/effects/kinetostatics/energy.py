@@ -61,15 +61,13 @@ def velocity_of_drive(rows: Rows, drive: Unknown) -> Array:
 def energy_of(rows: Rows, drives: dict[Unknown, Array], friction: tuple[Action, ...] = ()) -> Energy:
     """Return energies and powers; `drives` are the driving couples and forces (n,), `friction` its actions."""
     scheme, still = rows.scheme, np.zeros(rows.count)
-    kinetic, potential, loads, dampers = still.copy(), still.copy(), still.copy(), still.copy()
+    kinetic, potential, dampers = still.copy(), still.copy(), still.copy()
     x, y = (rows.scalar(part) for part in scheme.forces.gravity or (None, None))
     for body in scheme.bodies:
         if body.mass is not None:
             kinetic += rows.mass(body) * np.abs(rows.vector(body.centre, RATE)) ** 2 / 2
             potential -= rows.mass(body) * (np.conj(x + 1j * y) * rows.vector(body.centre)).real
         kinetic += rows.inertia(body) * rows.omega(body) ** 2 / 2
-    loads += _power(rows, LOADS.acts(rows))
-    rubbed = _power(rows, friction)
     for spring in scheme.forces.springs:
         first, second = map(named, spring.ends)
         way = rows.vector(second, PLACE) - rows.vector(first, PLACE)
@@ -78,7 +76,7 @@ def energy_of(rows: Rows, drives: dict[Unknown, Array], friction: tuple[Action, 
         dampers -= rows.scalar(spring.damping) * rate**2
     driven = sum((value * velocity_of_drive(rows, one) for one, value in drives.items()), still)
     driven += _power(rows, MOTOR.acts(rows))
-    return Energy(kinetic, potential, driven, loads, rubbed, dampers)
+    return Energy(kinetic, potential, driven, _power(rows, LOADS.acts(rows)), _power(rows, friction), dampers)
 
 
 def reduced_inertia(rows: Rows, rate: Array, change: Array) -> tuple[Array, Array]:

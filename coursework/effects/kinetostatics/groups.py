@@ -49,12 +49,9 @@ def by_groups(scheme: ForceScheme, reactions: Reactions) -> Array | None:
     count, _, k = reactions.matrix.shape
     if sum(len(unknowns) for *_, unknowns in sets) != k:
         return None
-    right = np.zeros(reactions.matrix.shape[:2])
-    right[:, : 3 * len(scheme.bodies)] = -reactions.wrench.reshape(count, 3 * len(scheme.bodies))
-    right[:, 2 : 3 * len(scheme.bodies) : 3] /= reactions.length
     values = np.zeros((count, k))
     for _, equations, unknowns in sets:
-        left = right[:, equations] - np.einsum("nij,nj->ni", reactions.matrix[:, equations], values)
+        left = reactions.right[:, equations] - np.einsum("nij,nj->ni", reactions.matrix[:, equations], values)
         block = reactions.matrix[:, equations][:, :, unknowns]
         try:
             values[:, unknowns] = np.linalg.solve(block, left[..., None])[..., 0]

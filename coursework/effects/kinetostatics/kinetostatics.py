@@ -38,14 +38,15 @@ def places_of(scheme: ForceScheme) -> dict[str, int]:
 class Reactions:
     """Reactions and drives: `names` of the unknowns and their values `rows` (n, names), N and N m, nan if they are not unique.
 
-    `wrench` (n, bodies, 3) are the other forces, `matrix` (n, equations, names) holds the columns of the unknowns, with moments
-    divided by `length` (m); `condition` (n,) is its condition number.
+    `wrench` (n, bodies, 3) are the other forces, `matrix` (n, equations, names) holds the columns of the unknowns, `right`
+    (n, equations) the right sides, both with moments divided by `length` (m); `condition` (n,) is the condition number.
     """
 
     names: tuple[str, ...]
     rows: Array
     wrench: Array
     matrix: Array
+    right: Array
     condition: Array
     length: float
     partly: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
@@ -132,7 +133,7 @@ def react_to(rows: Rows, actions: tuple[Action, ...]) -> Reactions:
                 matrix, right, np.asarray(np.isnan(values[:, place : place + 2]).all(axis=1)), place
             )
     values[:, couples] *= length
-    return Reactions(names, values, wrench, matrix, condition, length, partly)
+    return Reactions(names, values, wrench, matrix, right, condition, length, partly)
 
 
 def solve(matrix: Array, right: Array) -> tuple[Array, Array]:
@@ -149,16 +150,10 @@ def solve(matrix: Array, right: Array) -> tuple[Array, Array]:
     else:
         values, condition = np.full((count, k), np.nan), np.full(count, np.inf)
     for row in np.flatnonzero(~(condition < _SINGULAR)).tolist():
-        values[row] = unique(matrix[row], right[row])
+        found, null = least(matrix[row], right[row])
+        values[row] = np.where(np.abs(null).max(axis=0, initial=0.0) > _NULL, np.nan, found)
         condition[row] = np.inf
     return values, condition
-
-
-def unique(matrix: Array, right: Array) -> Array:
-    """Return the unknowns (k,) of an underdetermined system: nan where a null vector has a component."""
-    found, null = least(matrix, right)
-    found = np.where(np.abs(null).max(axis=0, initial=0.0) > _NULL, np.nan, found)
-    return np.asarray(found)
 
 
 def least(matrix: Array, right: Array) -> tuple[Array, Array]:

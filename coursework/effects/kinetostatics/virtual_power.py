@@ -17,16 +17,11 @@ from coursework.effects.force_scheme import drives_of
 from coursework.effects.rows import Rows
 from coursework.equations.algebra.calculus import derivative
 from coursework.equations.algebra.expression import Expression
-from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
+from coursework.motion.geometry.agreement import given_by_geometry
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.system.arrays import Array
-
-
-def geometric(equations: VelocityEquations) -> list[VelocityEquation]:
-    """Return the velocity equations derived from points, links and closures, without the written ones."""
-    derived = [one for one in equations.equations if one.written is None]
-    return [*derived, *equations.from_closure, *equations.bound]
 
 
 def unit_motions(rows: Rows, equations: VelocityEquations) -> Array | None:
@@ -35,7 +30,7 @@ def unit_motions(rows: Rows, equations: VelocityEquations) -> Array | None:
     The names are `equations.unknowns`, then the driven rates; None if the geometry does not give all velocities.
     """
     drives, names = [one.is_drive for one in drives_of(rows.scheme)], equations.unknowns
-    own, motion = geometric(equations), rows.motion
+    own, motion = given_by_geometry(equations), rows.motion
     if len(own) < len(names) or not drives:
         return None
     wanted: list[Expression] = []
@@ -77,19 +72,18 @@ def drive_by_power(rows: Rows, equations: VelocityEquations, wrench: Array) -> A
     velocities = unit_motions(rows, equations)
     if velocities is None or any(not body.rate and body.span and np.any(rows.omega(body)) for body in rows.scheme.bodies):
         return None
-    needed = -np.einsum("nbi,nbik->nk", wrench, twists(rows, equations, velocities))
-    return np.asarray(np.linalg.solve(_shares(rows, equations, velocities), needed[..., None])[..., 0])
+    moves = twists(rows, equations, velocities)
+    needed = -np.einsum("nbi,nbik->nk", wrench, moves)
+    return np.asarray(np.linalg.solve(_shares(rows, moves), needed[..., None])[..., 0])
 
 
-def _shares(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array:
+def _shares(rows: Rows, moves: Array) -> Array:
     """Return the power (n, k, drives) of a unit of each driving force in each unit motion.
 
     A couple between two moving links has the power of their relative rotation.
     """
     drives = drives_of(rows.scheme)
-    found = np.zeros((rows.count, len(drives), len(drives)))
-    found[:] = np.eye(len(drives))
-    moves = twists(rows, equations, velocities)
+    found = np.tile(np.eye(len(drives)), (rows.count, 1, 1))
     places = {body.name: index for index, body in enumerate(rows.scheme.bodies)}
     for column, drive in enumerate(drives):
         if drive.direction.kind == "couple" and drive.off in places:

@@ -105,9 +105,7 @@ class StraightLine:
                 return self._sum([self._value(arg) for arg in expr.args])
             case "*":
                 below = [arg for arg in expr.args if arg.op == "^" and arg.args[1].is_negative]
-                above = (
-                    [self._value(arg) for arg in expr.args if arg not in below] if below else list(map(self._value, expr.args))
-                )
+                above = [self._value(arg) for arg in expr.args if arg not in below]
                 return self._quotient(self._product(above), self._product([self._power(arg) for arg in below]))
             case "^":
                 found = self._power(expr)

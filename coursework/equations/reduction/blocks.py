@@ -99,8 +99,7 @@ class Reduction:
         """Return the indices of the blocks that the velocities `wanted` need, in order."""
         sought = set(map(symbol, wanted))
         chosen = []
-        for index in range(len(self.blocks) - 1, -1, -1):
-            block = self.blocks[index]
+        for index, block in reversed([*enumerate(self.blocks)]):
             if sought & set(map(symbol, block.unknowns)):
                 chosen.append(index)
                 sought |= block.symbols

@@ -2,7 +2,7 @@
 
 Enters: velocity equations and the start.  Leaves: the indices to use and sentences.  Raises `InputError`.
 Source: Dulmage, Mendelsohn 1958 (structure); rank by orthogonalisation in the author's order (numbers).
-Used by `blocks.py`.
+Used by `blocks.py` and `closed_positions.py`.
 """
 
 from __future__ import annotations
@@ -46,14 +46,14 @@ def choose(
     system = compile_system(equations, listed)
     matrix, right, _ = system.matrix(0.0, start)
     generic = _generic(system, start)
-    base = matrix if len(_kept(matrix)) == len(_kept(generic)) else generic
-    kept = _kept(base)
+    base = matrix if len(independent_rows(matrix)) == len(independent_rows(generic)) else generic
+    kept = independent_rows(base)
     names = [equation.name for equation in listed]
     sames, conflicts = _judge_dropped(matrix, right, kept, names)
     if conflicts:
         # What follows from the geometry cannot be corrected: so of contradicting equations the written one is reported.
         order = sorted(range(len(listed)), key=lambda place: listed[place].written is not None)
-        kept = [order[place] for place in _kept(base[order])]
+        kept = [order[place] for place in independent_rows(base[order])]
         sames, conflicts = _judge_dropped(matrix, right, kept, names)
     if len(kept) < len(equations.unknowns) and (nearly := _nearly(base, kept, names)):
         raise InputError([_too_near(equations, nearly, base)])
@@ -69,7 +69,7 @@ def _generic(system: LinearSystem, start: Sequence[float]) -> Array:
     return system.matrix(0.0137, shifted)[0]
 
 
-def _kept(matrix: Array) -> list[int]:
+def independent_rows(matrix: Array) -> list[int]:
     """Return the rows that are independent of the rows kept before them (modified Gram-Schmidt)."""
     basis: list[Array] = []
     kept = []
@@ -196,17 +196,17 @@ def _undetermined(matrix: Array, kept: list[int], unknowns: tuple[str, ...]) -> 
 
 def _structure(equations: VelocityEquations, rows: list[frozenset[int]], owner: list[int]) -> list[Sentence]:
     """Return sentences about equations that share too few unknowns and unknowns that share too few equations."""
-    over, under = over_and_under(rows, owner)
     names = [equation.name for equation in equations.equations]
+    (crowd, shared), (few, involved) = (
+        (tuple(names[row] for row in part[0]), tuple(equations.unknowns[column] for column in part[1]))
+        for part in over_and_under(rows, owner)
+    )
     told = []
-    if over[0] and len(over[0]) > len(over[1]):
-        crowd, involved = tuple(names[r] for r in over[0]), tuple(equations.unknowns[c] for c in over[1])
-        told.append(say_count("equation.crowd" if involved else "equation.empty", len(crowd), names=crowd, involved=involved))
-    if under[1]:
-        few, involved = tuple(names[r] for r in under[0]), tuple(equations.unknowns[c] for c in under[1])
-        if few:
-            key = "equation.alone_in" if len(involved) == 1 else "equation.only_in"
-            told.append(say_count(key, len(few), names=few, involved=involved))
-        else:
-            told.append(say_count("equation.in_none", len(involved), involved=involved))
+    if len(crowd) > len(shared):
+        told.append(say_count("equation.crowd" if shared else "equation.empty", len(crowd), names=crowd, involved=shared))
+    if few:
+        key = "equation.alone_in" if len(involved) == 1 else "equation.only_in"
+        told.append(say_count(key, len(few), names=few, involved=involved))
+    elif involved:
+        told.append(say_count("equation.in_none", len(involved), involved=involved))
     return told

@@ -14,7 +14,6 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from io import BytesIO
 from pathlib import Path, PurePosixPath
-from types import TracebackType
 from typing import IO
 
 from coursework.grading.collecting.file_lists import FileList, Names, of_nobody, sorted_out, unwrapped
@@ -56,7 +55,7 @@ class Source:
         """Return the source itself."""
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(self, *_: object) -> None:
         """Close the zip."""
         if self._zip:
             self._zip.close()
@@ -233,10 +232,6 @@ def _bounded(file: IO[bytes], name: str, size: int, left: int) -> SubmittedFile:
     # A file may grow while it is read; one byte more than allowed shows that.
     content = file.read(HEAD if size > FILE_BYTES else most + 1)
     if size > FILE_BYTES or len(content) > most:
-        return too_large(name, content[:HEAD], max(size, len(content)))
+        why = say("reading.trouble.too_large", limit=FILE_BYTES // 2**20)
+        return submitted_file(name, content[:HEAD], why, max(size, len(content)))
     return submitted_file(name, content)
-
-
-def too_large(name: str, head: bytes, size: int) -> SubmittedFile:
-    """Return the record of a file of which only the beginning, `head`, was kept."""
-    return submitted_file(name, head, say("reading.trouble.too_large", limit=FILE_BYTES // 2**20), size)

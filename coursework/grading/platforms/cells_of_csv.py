@@ -92,14 +92,9 @@ def read_cells(content: bytes, file: str) -> CellText:
         text = content[len(mark) :].decode(name)
     except UnicodeDecodeError as error:
         raise InputError([Fault(say("fault.G015"), file)]) from error
-    separator = _separator(text)
+    outside = "".join(text.partition("\n")[0].split('"')[::2])  # the head without what stands in quotation marks
+    separator = max(_SEPARATORS, key=outside.count)
     return CellText(file, text, name, mark, separator, tuple(_records(text, separator)))
-
-
-def _separator(text: str) -> str:
-    """Return the separator that occurs most often outside quotation marks in the first line."""
-    outside = "".join(text.partition("\n")[0].split('"')[::2])
-    return max(_SEPARATORS, key=outside.count)
 
 
 def _records(text: str, separator: str) -> Iterator[tuple[CsvCell, ...]]:

@@ -77,7 +77,7 @@ class _Found:
 def read_submission(submission: Submission, expected: Expected) -> StudentWork:
     """Return the table, equations and answers of a submission."""
     found = _Found(notes=list(submission.notes), review=submission.review)
-    files = [inner for file in submission.files for inner in _opened(file, found)]
+    files = [inner for file in submission.files for inner in _opened(file)]
     for file in files[FILES:]:
         found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.too_many", limit=FILES)))
     for file in files[:FILES]:
@@ -108,7 +108,7 @@ def _in_unit_of(table: Table | None, line: EquationLine) -> EquationLine:
     return line if line.tree is not None else replace(line, tree=turned[0].tree, repaired=turned[0].text, fault=None)
 
 
-def _opened(file: SubmittedFile, found: _Found) -> list[SubmittedFile]:
+def _opened(file: SubmittedFile) -> list[SubmittedFile]:
     """Return the file itself, or the files inside it if it is a plain zip (opened only one level deep, in memory)."""
     if not file.content.startswith(b"PK") or file.trouble:
         return [file]
@@ -257,7 +257,8 @@ def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]
     wholes = joined([part for part, _ in found.tables], grid)
     if len(wholes) < len(tables):  # some files hold parts of one table
         tables = [table for _, table in read_parts(wholes, grid) if isinstance(table, Table)] or tables
-    best, *others = sorted(tables, key=lambda table: (table.weight, _decimals(table)), reverse=True)
+    ranked = sorted(tables, key=lambda table: (table.weight, sum(column.decimals for column in table.columns)), reverse=True)
+    best, *others = ranked
     equal = [other for other in others if other.weight == best.weight and not alike(other, best)]
     if equal:
         names = tuple(_named(table) for table in (best, *equal))
@@ -286,7 +287,3 @@ def _unread_cells(table: Table) -> Sentence | None:
 def _named(table: Table) -> str | Sentence:
     """Return the name of a table's file, with the place of the table in it if known."""
     return say("reading.place.in_file", place=table.place, file=table.reading.file) if table.place else table.reading.file
-
-
-def _decimals(table: Table) -> int:
-    return sum(column.decimals for column in table.columns)

@@ -1,7 +1,8 @@
 """Whether the written velocity equations agree with the geometry of the file.
 
 Enters: the written equations, the equations derived from the geometry, closed positions.  Leaves: `Agreement`: which equations
-agree and which cannot be judged.  Raises `InputError` naming each equation that contradicts.  Used by `unseen_signs.py`.
+agree and which cannot be judged.  Raises `InputError` naming each equation that contradicts.  Used by `unseen_signs.py`,
+`turning.py` and `virtual_power.py`.
 """
 
 from __future__ import annotations
@@ -120,8 +121,8 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
 
 
 def given_by_geometry(equations: VelocityEquations) -> list[VelocityEquation]:
-    """Return the velocity equations that are derived from the geometry, not written in the file."""
-    return [*equations.from_closure, *(one for one in equations.equations if not one.written), *equations.bound]
+    """Return the velocity equations that are derived from points, links and closures, not written in the file."""
+    return [*(one for one in equations.equations if not one.written), *equations.from_closure, *equations.bound]
 
 
 def gives(rows: Array, one: Array) -> bool:
@@ -138,7 +139,8 @@ def _faults(
     alone = [place for place in range(first, every.shape[1]) if _contradictory(every[:, [*range(first), place]]).any()]
     if not alone:
         suspects = set(range(first, every.shape[1]))
-        for culprits in _contradictory(_each_left_out(every[_contradictory(every)], first)):
+        others = [[*range(row), *range(row + 1, every.shape[1])] for row in sorted(suspects)]  # all rows but a written one
+        for culprits in _contradictory(every[_contradictory(every)][:, others]):
             suspects -= {first + place for place in np.flatnonzero(culprits).tolist()}
         found = [written[place - first] for place in sorted(suspects)]
         if not found:
@@ -190,13 +192,6 @@ def _require_free(equations: VelocityEquations, times: Array, positions: Array) 
             faults.append(Fault(told, variant.file, variant.line_of("closure")))
     if faults:
         raise InputError(faults)
-
-
-def _each_left_out(rows: Array, first: int) -> Array:
-    """Return copies of the matrices (c, k, n), each without one row from `first` on: (c, k - first, k - 1, n)."""
-    count = rows.shape[1]
-    kept = [[row for row in range(count) if row != index] for index in range(first, count)]
-    return rows[:, kept]
 
 
 def _contradictory(rows: Array) -> Flags:

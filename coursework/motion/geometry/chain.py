@@ -148,23 +148,18 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
     if group.mode or not kind.modes:
         return group.mode
     chosen = [c for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
-    starts = [(c.start_or_guess, c.unit) for c in chosen if c.start_or_guess is not None]
-    if len(starts) == len(chosen):
+    starts = np.array([c.start_or_guess for c in chosen if c.start_or_guess is not None])
+    if len(starts) < len(chosen):
+        return None
 
-        def values(wanted: list[Expression]) -> Array:
-            return compile_rows(equations, wanted, 0)(np.zeros(1), q)
+    def values(wanted: list[Expression]) -> Array:
+        return compile_rows(equations, wanted, 0)(np.zeros(1), q)
 
-        def distance(mode: int) -> float:
-            closed = dyad(equations.symbols, group, mode, values).coordinates[0].tolist()
-            return max(abs(_nearest(value, start, unit) - start) for value, (start, unit) in zip(closed, starts, strict=True))
+    def distance(mode: int) -> float:
+        gaps = dyad(equations.symbols, group, mode, values).coordinates[0] - starts
+        return float(np.max(np.abs(np.where([c.unit == "rad" for c in chosen], gaps - whole_turns(gaps), gaps))))
 
-        return min((1, -1), key=distance)
-    return None
-
-
-def _nearest(value: float, start: float, unit: str) -> float:
-    """Return an angle shifted by whole turns next to `start`; any other value unchanged."""
-    return value + 2 * np.pi * round((start - value) / (2 * np.pi)) if unit == "rad" else value
+    return min((1, -1), key=distance)
 
 
 def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[Expression]], Array]) -> groups.GroupMotion:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import field, replace
 from functools import cached_property
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -200,15 +201,8 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
         values = np.array(function(0.0, *start), dtype=float)[: len(positions)]
     except (ArithmeticError, ValueError) as error:
         listed = ", ".join(_without_value(equations, wanted, start))
-        raise InputError(
-            [
-                Fault(
-                    say("fault.V311", names=listed, error=str(error)),
-                    variant.file,
-                    variant.nearest_line("closure"),
-                )
-            ]
-        ) from error
+        told = say("fault.V311", names=listed, error=str(error))
+        raise InputError([Fault(told, variant.file, variant.nearest_line("closure"))]) from error
     origin = np.where([position.target == "zero" for position in positions], 0.0, values)
     followed = tuple("" if position.target in {"zero", "start"} else position.target for position in positions)
     combination, blocks = equations.once("closure blocks", lambda: _blocks([p.expression for p in positions], names, equations))
@@ -250,16 +244,13 @@ def _blocks(
     rows = [inside(expr) for expr in expressions]
     # With products multiplied out once, equal terms cancel in sums and differences.
     flat = [expanded(expr) for expr in expressions] if count <= MOST_COMBINED else []
-    for i in range(len(flat)):
-        for j in range(count):
-            for sign in (-1, 1):
-                if i == j or not rows[i] & rows[j]:
-                    continue
-                joined = flat[i] + sign * flat[j]
-                fewer = inside(joined)
-                if fewer < rows[i]:
-                    flat[i], rows[i] = joined, fewer
-                    combination[i] = combination[i] + sign * combination[j]
+    for i, j, sign in product(range(len(flat)), range(len(flat)), (-1, 1)):
+        if i != j and rows[i] & rows[j]:
+            joined = flat[i] + sign * flat[j]
+            fewer = inside(joined)
+            if fewer < rows[i]:
+                flat[i], rows[i] = joined, fewer
+                combination[i] = combination[i] + sign * combination[j]
     owner = match(rows, len(names))
     if count != len(names) or -1 in owner:
         return combination, ()

@@ -172,10 +172,8 @@ class _Seen:
 
     def _not_rigid(self, link: Link, one: str, other: str) -> Sentence:
         """Return that two points of a link change their distance, and which points each of them keeps its distance to."""
-        kept = []
-        for point in (one, other):
-            if others := tuple(name for name in self.tracks if name != point and self.keeps(point, name)):
-                kept.append(say("fault.V314.keeps", point=point, others=others))
+        near = {point: tuple(name for name in self.tracks if name != point and self.keeps(point, name)) for point in (one, other)}
+        kept = [say("fault.V314.keeps", point=point, others=others) for point, others in near.items() if others]
         known = {"link": link.name, "one": one, "other": other, **self._between(self.apart(one, other))}
         return say("fault.V314.kept", **known, kept=joined(kept)) if kept else say("fault.V314.alone", **known)
 

@@ -14,7 +14,7 @@ from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.codegen.names import acceleration, private
 from coursework.equations.codegen.programs import compile_function
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.equations.reduction.symbolic import TIME, local, symbol
+from coursework.equations.reduction.symbolic import local, symbol
 from coursework.equations.reduction.system import bound_values
 from coursework.system.arrays import Array, as_columns
 
@@ -49,9 +49,7 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[Expression], ord
 def second_rate(equations: VelocityEquations, rate: Expression) -> Expression:
     """Return d rate / d t, in which `derivative(NAME)` is the derivative of the velocity NAME."""
     symbols = equations.symbols
-    total = symbols.partial(rate, TIME)
-    for coordinate, its_rate in symbols.rates.items():
-        total += symbols.partial(rate, coordinate) * its_rate
+    total = symbols.rate(rate)
     for name in (*equations.variant.rates, *(name for name, _ in equations.variant.unknowns)):
         if symbol(name) not in symbols.definitions:
             total += derivative_by(rate, symbol(name)) * derivative(name)

@@ -45,7 +45,7 @@ def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, withi
     if len(branches) != 1 or set(branches[0]) != set(flow.system.unknowns):
         return None
     middle = _state(flow, event.time, event.position, branches[0], event.block)
-    moving = np.array([middle.velocities[name] for name in _rates(flow)])
+    moving = np.array([middle.velocities[name] for name in flow.equations.variant.rates])
     slope = _slope(flow, event, moving, end)
     if abs(slope) * end < _FLAT:
         return None
@@ -96,13 +96,7 @@ def _flanked(
     if np.any(others != others[0]) or not np.all((straight > 1 / _STRAIGHT) & (straight < _STRAIGHT)):
         return None
     flanks = tuple(_state(flow, t, q) for t, q in zip(times, positions, strict=True))
-    return Passage(block, middle, flanks, flank, _rates(flow))
-
-
-def _rates(flow: Flow) -> tuple[str, ...]:
-    """Return the names of the rates of the coordinates."""
-    system = flow.system
-    return tuple((system.known if is_driven else system.unknowns)[place] for is_driven, place in flow.rates)
+    return Passage(block, middle, flanks, flank, flow.equations.variant.rates)
 
 
 def _state(flow: Flow, t: float, q: Array, known: dict[str, float] | None = None, block: int = 0) -> State:
@@ -112,5 +106,6 @@ def _state(flow: Flow, t: float, q: Array, known: dict[str, float] | None = None
         every = zip(flow.system.unknowns, flow.velocities(t, q.tolist(), -1, ()), strict=True)
         found = {name: value for name, value in every if value is not None}
     driven = flow.part(t, q.tolist(), block)[2].tolist()
-    given = {name: value for (is_driven, _), name, value in zip(flow.rates, _rates(flow), driven, strict=True) if is_driven}
+    driven_rates = zip(flow.rates, flow.equations.variant.rates, driven, strict=True)
+    given = {name: value for (is_driven, _), name, value in driven_rates if is_driven}
     return State(t, q, found | given)

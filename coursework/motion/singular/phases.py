@@ -49,14 +49,10 @@ def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: li
 def _phase_of(variant: Variant) -> str:
     """Return the given angle that is added to the argument of a sine or cosine of time in the drive; empty if there is none."""
     angles = {g.name for g in variant.given if g.si in {"rad", ""}}
-    for law in variant.drive:
-        for formula in law.formulas:
-            for node in formula.walk():
-                if node.op == "call" and node.name in {"sin", "cos"} and "t" in node.names():
-                    for part in _terms(node.args[0]):
-                        if part.op == "name" and part.name in angles:
-                            return part.name
-    return ""
+    nodes = [node for law in variant.drive for formula in law.formulas for node in formula.walk()]
+    waves = [node for node in nodes if node.op == "call" and node.name in {"sin", "cos"} and "t" in node.names()]
+    names = (part.name for wave in waves for part in _terms(wave.args[0]) if part.op == "name")
+    return next((name for name in names if name in angles), "")
 
 
 def _terms(tree: Formula) -> list[Formula]:

@@ -63,11 +63,6 @@ class Flow:
     clocks: dict[int, Callable[..., tuple[float, ...]]] = field(default_factory=dict)
     evaluations: int = field(default=0)
 
-    @property
-    def known(self) -> int:
-        """Return the index of the first driven rate among the values."""
-        return len(self.system.entries) + len(self.system.names)
-
     def _values(self, t: float, q: Sequence[float]) -> tuple[float, ...]:
         return (*self.system.scalar(t, *q), 0.0)
 
@@ -98,7 +93,7 @@ class Flow:
             for column, value in zip(place.unknowns, _solve(values, place, _rest(values, place, u)), strict=True):
                 u[column] = value
         place = self.places[block]
-        known = values[self.known : -1]
+        known = values[len(self.system.entries) + len(self.system.names) : -1]
         velocities = np.array([known[index] if driven else u[index] for driven, index in self.rates])
         return _matrix(values, place), np.array(_rest(values, place, u)), velocities
 

@@ -105,10 +105,7 @@ def invariant_table(variant: Variant, way: Way, second: Array) -> ExtraTable:
 def _crank(variant: Variant) -> Coordinate:
     driven = variant.driven_coordinates
     if len(driven) != 1:
-        raise _refused(
-            variant,
-            say("fault.V520", count=len(driven)),
-        )
+        raise _refused(variant, say("fault.V520", count=len(driven)))
     return driven[0]
 
 

@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from coursework.equations.reduction.independent import _judge_dropped, _kept, _left_out, _nearly
+from coursework.equations.reduction.independent import _judge_dropped, _left_out, _nearly, independent_rows
 
 
 @pytest.mark.parametrize(("part", "kept"), [(1.8e-9, [0]), (2.2e-9, [0, 1]), (-1.8e-9, [0]), (-2.2e-9, [0, 1])])
 def test_a_row_of_which_a_billionth_is_left_depends_on_those_before(part, kept):
     """Of (1, 1 + x) beside (1, 1) there is x/2 of its length left; a column of other unit changes nothing."""
     rows = np.array([[1.0, 1.0], [1.0, 1.0 + part]])
-    assert _kept(rows) == _kept(rows * [1.0, 1e6]) == _kept(rows * [1e-9, 1e-12]) == kept
-    assert _kept(np.array([[0.0, 0.0], *rows])) == [one + 1 for one in kept]
+    assert independent_rows(rows) == independent_rows(rows * [1.0, 1e6]) == independent_rows(rows * [1e-9, 1e-12]) == kept
+    assert independent_rows(np.array([[0.0, 0.0], *rows])) == [one + 1 for one in kept]
 
 
 @pytest.mark.parametrize(

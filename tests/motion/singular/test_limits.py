@@ -95,7 +95,8 @@ def test_flanks_come_nearer_down_to_a_hundred_thousandth_of_the_run(monkeypatch)
 def flanks_tried(slope, end, monkeypatch):
     tried = []
     middle = SimpleNamespace(velocities={})
-    flow = SimpleNamespace(system=SimpleNamespace(unknowns=("u",), known=()), rates=())
+    equations = SimpleNamespace(variant=SimpleNamespace(rates=()))
+    flow = SimpleNamespace(equations=equations, system=SimpleNamespace(unknowns=("u",), known=()), rates=())
     event = SimpleNamespace(kind="change point", together=(0,), block=0, time=0.5, position=np.zeros(1))
     monkeypatch.setattr(passing, "branches_at", lambda *_: ({"u": 1.0},))
     monkeypatch.setattr(passing, "_state", lambda *_: middle)

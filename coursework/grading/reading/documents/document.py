@@ -1,6 +1,6 @@
 """The content extracted from a document before it is interpreted: tables of cells and lines of text, each with its place.
 
-Enters: nothing.  Leaves: `Document`, `DocumentTable`, `DocumentLine`, limited in size while they are filled.
+Enters: nothing.  Leaves: `Document`, `DocumentLine`, limited in size while they are filled.
 Used by the readers of this room.
 """
 
@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from coursework.grading.reading.documents.signs import plain_signs
-from coursework.grading.reading.files.cells import Cell
+from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.limits import LINE_CHARACTERS
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
@@ -25,14 +25,6 @@ MOST_CHARACTERS = 4_000_000  # of all lines together
 def place_of(kind: str, /, **values: object) -> Sentence:
     """Return the description of a place, for a person; its key is `reading.place.<kind>`."""
     return say(f"reading.place.{kind}", **values)
-
-
-@frozen
-class DocumentTable:
-    """One table as rows of cells, of different lengths."""
-
-    rows: tuple[tuple[Cell, ...], ...]
-    place: Sentence
 
 
 @frozen
@@ -53,7 +45,7 @@ class Document:
     """
 
     kind: str
-    tables: list[DocumentTable] = field(default_factory=list)
+    tables: list[Sheet] = field(default_factory=list)
     lines: list[DocumentLine] = field(default_factory=list)
     texts: list[tuple[str, Sentence]] = field(default_factory=list)
     first_counts: bool = False
@@ -73,4 +65,4 @@ class Document:
         kept = tuple(tuple(row) for row in rows)
         self.cells += sum(map(len, kept))
         if max(map(len, kept), default=0) > 1 and len(self.tables) < MOST_TABLES and self.cells <= MOST_CELLS:
-            self.tables.append(DocumentTable(kept, place))
+            self.tables.append(Sheet(None, kept, place))

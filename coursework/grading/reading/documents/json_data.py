@@ -7,6 +7,7 @@ Used by `read_document.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import zip_longest
 from typing import Any
 
 from coursework.grading.reading.documents.document import Document, place_of
@@ -90,13 +91,12 @@ class _Reader:
             return []
         if all(isinstance(inner, JsonObject) for _, inner in columns):
             first: Any = columns[0][1]
-            inner_names = [name for name, _ in first.pairs]
-            if all(name.isdecimal() for name, _ in columns) or not all(_is_label(name) for name in inner_names):
+            numbers = [name.replace(".", "", 1).replace("-", "", 1) for name, _ in first.pairs]  # of rows, or times
+            if all(name.isdecimal() for name, _ in columns) or not all(map(str.isdecimal, numbers)):
                 return _records([inner for _, inner in columns])
         lists = [[_cell(entry) for entry in _entries(inner)[: self.most_rows]] for _, inner in columns[: self.most_columns]]
-        longest = max(map(len, lists))
-        padded = [column + [Cell("")] * (longest - len(column)) for column in lists]
-        return [[Cell(name[:CELL_CHARACTERS]) for name, _ in columns[: self.most_columns]], *map(list, zip(*padded, strict=True))]
+        heads = [Cell(name[:CELL_CHARACTERS]) for name, _ in columns[: self.most_columns]]
+        return [heads, *map(list, zip_longest(*lists, fillvalue=Cell("")))]
 
 
 def _records(records: list[Any]) -> list[Sequence[Cell]]:
@@ -155,11 +155,6 @@ def _flat(value: Any) -> bool:
 
 def _entries(value: Any) -> list[Any]:
     return value if isinstance(value, list) else [entry for _, entry in value.pairs]
-
-
-def _is_label(name: str) -> bool:
-    """Return whether a name is a row number or a time."""
-    return name.replace(".", "", 1).replace("-", "", 1).isdecimal()
 
 
 def _cell(value: Any) -> Cell:

@@ -96,8 +96,7 @@ def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[
     texts = document.texts[:_MOST_TEXTS]
     if not texts and not document.tables and document.lines:
         texts = [("\n".join(line.text for line in document.lines), document.lines[0].place)]
-    sheets = [(Sheet(None, table.rows), table.place) for table in document.tables]
-    todo = [partial(parts_of, sheet, Origin(name, document.kind, "cells", place=place), grid) for sheet, place in sheets]
+    todo = [partial(parts_of, one, Origin(name, document.kind, "cells", place=one.place), grid) for one in document.tables]
     todo += [partial(parts_of_text, Decoded(text, document.kind, False), name, grid, place) for text, place in texts]
     for read in todo:
         try:

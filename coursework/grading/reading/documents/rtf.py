@@ -57,9 +57,7 @@ def is_rtf(content: bytes) -> bool:
 
 def document_of_rtf(content: bytes, most_rows: int, most_columns: int) -> Document:
     """Return the tables, paragraphs and equations of an RTF file."""
-    reader = _Reader(DocumentBuilder("rtf", most_rows, most_columns), content.decode("latin-1"))
-    reader.read()
-    return reader.finished()
+    return _Reader(DocumentBuilder("rtf", most_rows, most_columns), content.decode("latin-1")).read()
 
 
 class _Reader:
@@ -82,8 +80,8 @@ class _Reader:
         self.merge = (False, False)
         self.at: list[int] = []  # per open table: number of cells of the row so far
 
-    def read(self) -> None:
-        """Read the whole file.  Raises `Refused` if it has too many tokens or is nested too deeply."""
+    def read(self) -> Document:
+        """Return the document of the whole file.  Raises `Refused` if it has too many tokens or is nested too deeply."""
         place, tokens = 0, 0
         while match := _TOKEN.match(self.source, place):
             place = match.end()
@@ -104,9 +102,6 @@ class _Reader:
                 self._sign(match[0][1])
             elif kind == "text":
                 self._text(match[0])
-
-    def finished(self) -> Document:
-        """Return the finished document."""
         self._flush()
         return self.builder.finished()
 

@@ -19,8 +19,7 @@ from coursework.grading.reading.equations.equations import (
     read_as_one,
 )
 from coursework.grading.reading.equations.labels import without_labels, without_words
-from coursework.grading.reading.equations.meanings import key
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.names_in_text import Spellings, plain_name
 from coursework.grading.reading.equations.plain_text import plain
 from coursework.grading.reading.equations.repair import is_name
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
@@ -63,7 +62,7 @@ def definition(text: str, names: Names) -> tuple[str, Formula] | None:
     if not name or not formula.strip() or "=" in formula:
         return None
     read = read_as_one(f"0 = {formula}", names)
-    return None if isinstance(read, Fault) else (key(name), read.tree.args[1])
+    return None if isinstance(read, Fault) else (plain_name(name), read.tree.args[1])
 
 
 def no_velocity(text: str, names: Names) -> bool:
@@ -85,7 +84,7 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     meant = spellings.canonical(name)
     # A letter that differs from a datum or coordinate only in being a capital is the student's name, as nobody solves for those.
     # But S = 0.4 or S = S0 is where a coordinate s starts, and S = 0.4 + u*h its next value.
-    is_own = meant is None or (meant in {*spellings.data, *spellings.rates} and key(name) != key(meant))
+    is_own = meant is None or (meant in {*spellings.data, *spellings.rates} and plain_name(name) != plain_name(meant))
     if meant in spellings.rates and is_own:
         named = names_in(formula, spellings)
         is_own = bool(TURNED.search(formula) or named & {*spellings.rates}) and named.isdisjoint(spellings.rates.values())

@@ -27,7 +27,7 @@ from coursework.grading.reading.equations.line_kinds import (
     own_name,
     sign_of_list,
 )
-from coursework.grading.reading.equations.meanings import key
+from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.systems.matrices import in_rows
@@ -40,9 +40,9 @@ from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.formula.tree import Formula
 
 _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur in equations
+_WORD = re.compile(r"[^\W\d]\w*")
 _BLANKS = re.compile(r"(?<=[^\S\n]{40})[^\S\n]+")  # longer than anybody types; on such blanks patterns would be slow
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
-_WORD = re.compile(r"[^\W\d]\w*")
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
@@ -245,14 +245,14 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
     spoken = [plain_signs(line[:MAX_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
     # A list that a program only returns, as in return [f1, f2], holds residuals: it is no use of the names.
     spoken = [_GATHERED.sub("", line) for line in spoken]
-    words = Counter(key(word) for line in spoken for word in {*_WORD.findall(line)})
-    names_left = {key(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
+    words = Counter(plain_name(word) for line in spoken for word in {*_WORD.findall(line)})
+    names_left = {plain_name(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
     with_own = replace(names, own=own, spellings=replace(names.spellings, own=frozenset(names_left)))
     labels: set[str] = set()  # names that label several lines: V_D = … = 0 along x, and again along y
     for turn in range(_PASSES):  # in a program the data may follow the formulas that use them
         waiting = 0
         for _, line in lines[:_MOST_DEFINITIONS]:
-            waits = {*map(key, _WORD.findall(line.partition("=")[2]))} & names_left - own.keys()
+            waits = {*map(plain_name, _WORD.findall(line.partition("=")[2]))} & names_left - own.keys()
             waiting += bool(waits)
             if waits and turn < _PASSES - 1:
                 continue
@@ -267,9 +267,10 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
 def _defines(line: str, own: Mapping[str, Formula], names: Names, before: set[str]) -> bool:
     """Return whether a line defines a name of the student; a second formula for a velocity (V_Bx of two links) is an equation."""
     name, formula = own_name(line, names.spellings) if own else ("", "")
-    if key(name) not in own or (key(name) in before and name[:1] in "vV" and _WORD.search(_FUNCTION.sub("", formula))):
+    called = plain_name(name)
+    if called not in own or (called in before and name[:1] in "vV" and _WORD.search(_FUNCTION.sub("", formula))):
         return False
-    before.add(key(name))
+    before.add(called)
     # V_Cy = … = 0 is also an equation; V_Cy = 0.3*4.1 = 1.23 is its value in some row.
     return "=" not in formula or not _WORD.search(_FUNCTION.sub("", formula))
 

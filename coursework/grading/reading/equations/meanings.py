@@ -1,7 +1,7 @@
 """Names that a student writes but the variant does not have -> their meanings: a length by its end points, c3, own names.
 
 Enters: the variant, names.  Leaves: checked formulas by name, which replace the names.
-Used by `equations.py` and `lines.py`.  Sizes are limited: a replaced name counts as if its formula had been typed.
+Used by `equations.py`.  Sizes are limited: a replaced name counts as if its formula had been typed.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
 
+from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.expected import Expected
 from coursework.mechanism.mechanism import build
-from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.reader import MAX_NODES
 from coursework.variant.formula.tree import Formula, constant, evaluate_any, mapped, named, terms, with_names
 from coursework.variant.record.variant import Variant
@@ -28,22 +28,14 @@ _END_POINTS = re.compile(r"[|\s]*([A-Z]\w?'?)\s*-?\s*([A-Z]\w?'?)[|\s]*")
 _LENGTH = re.compile(r"(?:[lLr]_?)?(.+)")
 
 
-def key(name: str) -> str:
-    """Return a name in the form in which meanings are looked up: Greek spelled out, no underscores or braces, case kept."""
-    return re.sub("[_{}]", "", spell(name))
-
-
 def meaning_of(name: str, expected: Expected, own: Meanings) -> Formula | None:
     """Return the meaning of a name that the variant does not have, None if it is unknown; `own` are the student's definitions."""
-    plain = key(name)
+    plain = plain_name(name)
     if plain in own:
         return own[plain]
     starts = tuple((column.name, column.values[0]) for column in expected.grid.columns if column.values)
     lengths = _lengths(expected.variant, starts)
-    for spelling in (plain, _LENGTH.sub(r"\1", plain)):
-        if spelling in lengths:
-            return lengths[spelling]
-    return _of_index(plain, expected.variant)
+    return lengths.get(plain) or lengths.get(_LENGTH.sub(r"\1", plain)) or _of_index(plain, expected.variant)
 
 
 def _of_index(name: str, variant: Variant) -> Formula | None:

@@ -39,7 +39,7 @@ class Spellings:
     def canonical(self, name: str) -> str | None:
         """Return the declared name that a spelling means, None if it means none."""
         plain = spell(name)
-        if _bare(name) in self.own and plain not in self.known:
+        if plain_name(name) in self.own and plain not in self.known:
             return None
         if (meant := self._written(plain)) or not (row := _ROW.fullmatch(plain)):
             return meant
@@ -47,7 +47,7 @@ class Spellings:
         return None if meant in self.data else meant
 
     def _written(self, plain: str) -> str | None:
-        return plain if plain in self.known else self.others.get(_bare(plain)) or self.others.get(_key(plain))
+        return plain if plain in self.known else self.others.get(plain_name(plain)) or self.others.get(_key(plain))
 
     def angle(self, name: str) -> str | None:
         """Return the coordinate (or other declared name) that a spelling means; also an angle with only its rate declared."""
@@ -56,7 +56,8 @@ class Spellings:
         return self.canonical(name) or next((one for one in (folded, turning) if one in self.rates), None)
 
 
-def _bare(name: str) -> str:
+def plain_name(name: str) -> str:
+    """Return a name in the form in which meanings are looked up: Greek spelled out, no underscores or braces, case kept."""
     return re.sub("[_{}]", "", spell(name))
 
 
@@ -98,10 +99,10 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
         folded.setdefault(_key(name), []).append(name)
     # A spelling that fits two declared names means neither, unless capitals decide: ω1 is not W1.
     others |= {
-        key: found[0] for key, found in folded.items() if len(found) == 1 and (key not in others or key == _bare(found[0]))
+        key: found[0] for key, found in folded.items() if len(found) == 1 and (key not in others or key == plain_name(found[0]))
     }
     known = {key: name for key, name in others.items() if len(folded.get(key, ())) < 2}
-    known |= {_bare(name): name for name in sorted(names, reverse=True)}
+    known |= {plain_name(name): name for name in sorted(names, reverse=True)}
     units = {entry.name: entry.unit for entry in variant.coordinates}
     for spelling, name in [*known.items()]:  # a rate by the name of its coordinate: w_theta
         for symbol in ("w", "omega", "om") if units.get(name) == "rad" else ("v",) if name in units else ():

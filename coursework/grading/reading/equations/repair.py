@@ -189,7 +189,7 @@ def _argument(tokens: list[_Token], place: int) -> tuple[list[_Token], int]:
     return [_Token("sign", "("), *inside, _Token("sign", ")")], end
 
 
-def _written(tokens: list[_Token], closely: bool = False) -> str:
+def _written(tokens: list[_Token], closely: bool) -> str:
     """Return the text of tokens with missing product signs; with `closely`, such products are put in parentheses after "/"."""
     pieces: list[str] = []
     before = _Token("sign", "")

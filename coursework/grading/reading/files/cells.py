@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple
 
 from coursework.grading.reading.limits import BLANK_ROWS
 from coursework.system.frozen import frozen
+from coursework.words.sentence import Sentence
 
 
 class Cell(NamedTuple):
@@ -20,10 +21,11 @@ class Cell(NamedTuple):
 
 @frozen
 class Sheet:
-    """Rows of cells, of different lengths; `name` is the sheet's name, None for a text file."""
+    """Rows of cells, of different lengths; `name` is that of a spreadsheet's sheet, `place` that of a table in a document."""
 
     name: str | None
     rows: tuple[tuple[Cell, ...], ...]
+    place: Sentence | None = None
 
 
 class BlankRows:

@@ -51,19 +51,14 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
         return Split("cells", rows)
     if lines and (hint := _HINT.fullmatch(lines[0])):
         return Split(NAMES.get(hint[1], hint[1]), _cells(["", *lines[1:]], hint[1], most_columns))
-    best: tuple[tuple[float, ...], str, bool] | None = None
-    for place, sign in enumerate((";", "\t", ",", "|", " ")):
-        if sign != " " and not any(sign in line for line in lines[:_SAMPLE]):
-            continue
-        rows = _cells(lines[:_SAMPLE], sign, most_columns)
-        judged = _judged(rows, sign)
-        if judged and (best is None or (*judged[0], -place) > best[0]):
-            best = (*judged[0], -place), sign, judged[1]
-    if best is None:
+    signs = [sign for sign in (";", "\t", ",", "|", " ") if sign == " " or any(sign in line for line in lines[:_SAMPLE])]
+    judged = [(sign, found) for sign in signs if (found := _judged(_cells(lines[:_SAMPLE], sign, most_columns), sign))]
+    if not judged:
         # Each number may be on a line of its own.
         rows = named_rows("\n".join(_lines(text, most_rows * most_columns)), most_rows)
         return Split("cells", rows) if rows else None
-    return Split(NAMES.get(best[1], best[1]), _cells(lines, best[1], most_columns), best[2])
+    sign, (_, has_pairs) = max(judged, key=lambda one: one[1][0])  # of equally good ones the first
+    return Split(NAMES.get(sign, sign), _cells(lines, sign, most_columns), has_pairs)
 
 
 def _lines(text: str, most: int) -> Iterator[str]:
@@ -99,7 +94,7 @@ def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
     """Return the tokens of the lines; tables separated by blank lines or headers are aligned one by one."""
     blocks: list[list[str]] = [[]]
     count = 0  # rows of numbers in the current block
-    for is_row, group in itertools.groupby(lines, _begins_with_number):
+    for is_row, group in itertools.groupby(lines, lambda line: line.lstrip("[({-+ |\t")[:1].isdigit()):
         block = list(group)
         if is_row and len(block) < _FEWEST:  # rows of numbers with other lines between them
             return _aligned(lines, most)
@@ -108,10 +103,6 @@ def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
         count = len(block) if is_row else 0
         blocks[-1] += block
     return tuple(row for block in blocks for row in _aligned(block, most))
-
-
-def _begins_with_number(line: str) -> bool:
-    return line.lstrip("[({-+ |\t")[:1].isdigit()
 
 
 def _aligned(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:

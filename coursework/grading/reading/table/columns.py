@@ -15,7 +15,7 @@ from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful, unreadable
 from coursework.grading.reading.numbers import differ
 from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME, Head, may_be
-from coursework.grading.reading.table.layout import Layout
+from coursework.grading.reading.table.layout import Layout, numbers_in
 from coursework.grading.reading.unit_names import fold
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
@@ -54,7 +54,8 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
     places, repeated = _by_head(layout, filled, dict(grid.units))
     free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
     _add_time(layout, places, free, len(names), grid.step)
-    if TIME in places and INDEX not in places and _is_of_steps(_numbers(layout, places[TIME].at), grid.step):
+    # A time column that counts rows (0, 1, 2 …) has no times: a step of 1 s is too long if the task's is below 1/12 s.
+    if TIME in places and INDEX not in places and grid.step * _FAR < 1.0 and _counts(numbers_in(layout, places[TIME].at)):
         places[INDEX] = places.pop(TIME)
     rest = [at for at in free if at not in {place.at for place in places.values()}]
     places |= _by_words(layout, rest, places)
@@ -147,7 +148,7 @@ def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns
     if TIME in places or not free or (layout.has_heads and layout.heads[free[0]].text):
         return
     spare = len(free) - columns if not any(name not in {INDEX} for name in places) else 1
-    first = _numbers(layout, free[0])
+    first = numbers_in(layout, free[0])
     if INDEX not in places and spare >= 2 and _counts(first) and _rises(layout, free[1]):
         places[INDEX] = Place(free[0], "position")
         places[TIME] = Place(free[1], "position")
@@ -160,15 +161,6 @@ def _is_time(values: list[float], step: float) -> bool:
     """Return whether the numbers are times from 0 in steps of about `step`."""
     ordered = sorted(values)
     return len(ordered) > 2 and ordered[0] == 0 and abs(ordered[-1] / (len(ordered) - 1) / step - 1) < 0.05
-
-
-def _is_of_steps(values: list[float], step: float) -> bool:
-    """Return whether a time column counts rows (0, 1, 2 …): a step of 1 s is too long if the task's is below 1/12 s."""
-    return _counts(values) and step * _FAR < 1.0
-
-
-def _numbers(layout: Layout, at: int) -> list[float]:
-    return [row[at].value for row in layout.body if row[at].is_number]
 
 
 def _counts(values: list[float]) -> bool:

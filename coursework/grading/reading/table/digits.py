@@ -32,17 +32,14 @@ def last_places(cells: Sequence[PrintedNumber]) -> tuple[int, list[float]]:
     if digits and (_is_significant(numbers, most, digits) or decimals[most] < _FIXED * len(numbers)):
         usual = max(decimals, key=lambda count: (decimals[count], count))
         full = 0 if _keeps_zeros(numbers) else digits
-        return max(usual, 0), [_unit(_own_decimals(cell, full) if cell.value and cell.is_number else usual) for cell in cells]
+        # A cell with fewer significant digits than `full` has lost zeros at its end.
+        decimals_of = [max(full - cell.digits, 0) - cell.place if cell.value and cell.is_number else usual for cell in cells]
+        return max(usual, 0), list(map(_unit, decimals_of))
     return max(most, 0), [_unit(most)] * len(cells)
 
 
 def _unit(decimals: int) -> float:
     return max(FINEST, float(f"1e{-min(decimals, 300)}"))
-
-
-def _own_decimals(cell: PrintedNumber, full: int) -> int:
-    """Return the decimals of a cell; if it has fewer than `full` significant digits, add the zeros dropped at its end."""
-    return -cell.place + max(full - cell.digits, 0)
 
 
 def _keeps_zeros(numbers: list[PrintedNumber]) -> bool:

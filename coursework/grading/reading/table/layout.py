@@ -106,7 +106,7 @@ def goes_on(first: Layout, second: Layout) -> bool:
     keys = first.keys
     for name in keys if second.has_heads else ("0", "1"):
         at, other = (keys[name], second.keys.get(name)) if second.has_heads else (int(name), int(name))
-        before, after = _numbers(first, at), _numbers(second, other)
+        before, after = numbers_in(first, at), numbers_in(second, other)
         steps = [later - earlier for numbers in (before, after) for earlier, later in pairwise(numbers)]
         step = median(steps) if before and after and steps and min(steps) >= 0 else 0.0
         gap = (after[0] - before[-1]) / step if step > 0 else 0.0
@@ -121,7 +121,8 @@ def _texts(row: Sequence[PrintedNumber]) -> list[str]:
     return [cell.text for cell in row]
 
 
-def _numbers(layout: Layout, at: int | None) -> list[float]:
+def numbers_in(layout: Layout, at: int | None) -> list[float]:
+    """Return the numbers in a column of a table, [] if it has no such column."""
     return [row[at].value for row in layout.body if at is not None and at < len(row) and row[at].is_number]
 
 

@@ -13,13 +13,9 @@ from coursework.grading.reading.student_work import Table, TableColumn
 
 def alike(first: Table, second: Table) -> bool:
     """Return whether two tables agree; if one is from a report, which may round to other digits, up to the rounding."""
-    return {c.name for c in first.columns} == {c.name for c in second.columns} and _same_where_both(first, second)
-
-
-def _same_where_both(first: Table, second: Table) -> bool:
     digits = ROUNDED if first.place or second.place else 0.0
     both = [(column, other) for column in first.columns if (other := second.column(column.name))]
-    return all(_same(column, other, digits) for column, other in both)
+    return len(both) == len(first.columns) == len(second.columns) and all(_same(*pair, digits) for pair in both)
 
 
 def _same(column: TableColumn, other: TableColumn, digits: float) -> bool:

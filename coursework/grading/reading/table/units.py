@@ -95,10 +95,8 @@ def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> st
     first = values[0] / column.values[0] if column.unit == "rad" and column.values[0] else math.nan
     begins = [first] if math.isfinite(first) else []
     increments = _ratios(_increments(column.values), _increments(values))
-    for seen, width in ((_ratios(column.values, values), _WIDTH), (begins, _AS_BEGUN), (increments, _WIDTH)):
-        if unit := _alike(seen, known, width):
-            return unit
-    return None
+    seen = ((_ratios(column.values, values), _WIDTH), (begins, _AS_BEGUN), (increments, _WIDTH))
+    return next((unit for ratios, width in seen if (unit := _alike(ratios, known, width))), None)
 
 
 def _alike(ratios: Sequence[float], known: Mapping[str, float], width: float) -> str | None:

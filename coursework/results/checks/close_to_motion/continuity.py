@@ -67,10 +67,9 @@ def jump_of_exact(evidence: Evidence) -> Jump | None:
     if exact is None or len(exact.t) < 2 or evidence.restricted:
         return None
     found = _suspects(evidence)
-    begin, end = (exact.t[found.row] + part * exact.step for part in (found.left, found.right))
     for time in breaks(evidence.variant):
-        found = found.kept(~((begin * (1 - _AT_BREAK) <= time) & (time <= end * (1 + _AT_BREAK))))
         begin, end = (exact.t[found.row] + part * exact.step for part in (found.left, found.right))
+        found = found.kept(~((begin * (1 - _AT_BREAK) <= time) & (time <= end * (1 + _AT_BREAK))))
     order = np.argsort(-np.nan_to_num(found.shares(evidence), nan=np.inf), kind="stable")[:_MOST_SUSPECTS]
     jumps = (_looked_into(evidence, int(found.row[place]), int(found.column[place])) for place in order)
     return max((jump for jump in jumps if jump is not None), default=None)
@@ -91,8 +90,7 @@ class _Brackets(NamedTuple):
 
     def shares(self, evidence: Evidence) -> Array:
         change = self.high - self.low
-        angles = np.array([evidence.unit(name) == "rad" for name in evidence.names])[self.column]
-        change = np.abs(np.where(angles, change - whole_turns(change), change))
+        change = np.abs(np.where(evidence.angles[self.column], change - whole_turns(change), change))
         return np.where(change < NO_ERROR, 0.0, change / evidence.scales[self.column])
 
 

@@ -279,11 +279,10 @@ def _changed(motion: Motion, evidence: Evidence) -> int | None:
         return None
     signs = np.sign(motion.determinants)
     for passage in evidence.passages:
-        own = [place for place, block in enumerate(evidence.rates.blocks) if block == passage.block]
+        own = np.flatnonzero(np.array(evidence.rates.blocks) == passage.block)
         # A slightly inaccurate scheme passes a row early or late.
         near = np.abs(motion.t - passage.middle.time) < motion.step
-        for place in own:
-            signs[motion.t > passage.middle.time, place] *= -1
-            signs[near, place] = signs[0, place]
+        signs[np.ix_(motion.t > passage.middle.time, own)] *= -1
+        signs[np.ix_(near, own)] = signs[0, own]
     changed = np.flatnonzero(np.any(signs != signs[0], axis=1))
     return int(changed[0]) if len(changed) else None

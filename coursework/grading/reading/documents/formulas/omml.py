@@ -64,10 +64,6 @@ def _run(node: FormulaNode) -> str:
     return f" {text.strip()} " if text.strip() in FUNCTIONS else text
 
 
-def _matrix(node: FormulaNode) -> str:
-    return matrix_of([[_inside(part) for part in row.children] for row in node.children if row.name == "mr"])
-
-
 _WAYS: dict[str, Callable[[FormulaNode], str]] = {
     "f": lambda node: fraction(_part(node, "num"), _part(node, "den")),
     "sSub": lambda node: index(_part(node, "e"), _part(node, "sub")),
@@ -80,7 +76,7 @@ _WAYS: dict[str, Callable[[FormulaNode], str]] = {
     "acc": lambda node: accented(_part(node, "e"), _property(node, "accPr", "chr", "\u0302")),
     "nary": lambda node: f" ∑({_inside(node)}) ",
     "eqArr": lambda node: rows_of([_inside(part) for part in node.children if part.name == "e"]),
-    "m": _matrix,
+    "m": lambda node: matrix_of([list(map(_inside, row.children)) for row in node.children if row.name == "mr"]),
     "r": _run,
     "br": lambda node: "\n",
     "dPr": lambda node: "",

@@ -48,11 +48,10 @@ def text_of_starmath(text: str) -> str:
             groups.append(_Group())
         elif token == "}":
             if len(groups) > 1:
-                closed = groups.pop()
-                _add(groups[-1], _whole(closed))
+                _add(groups[-2], _whole(groups.pop()))
         elif token in {"_", "^", "over", "sqrt", "dot", "sup", "sub", "rsub", "rsup"}:
             group.waiting.append({"sub": "_", "rsub": "_", "sup": "^", "rsup": "^"}.get(token, token))
-        elif token in {"newline", "#"} or token == "##":
+        elif token in {"newline", "#"}:
             group.rows.append("".join(group.parts))
             group.parts, group.waiting = [], []
         elif token.isspace():
@@ -61,8 +60,7 @@ def text_of_starmath(text: str) -> str:
         elif token not in _DROPPED and token not in {"stack", "matrix", "binom"}:
             _add(group, _plain(token))
     while len(groups) > 1:  # braces that are never closed
-        closed = groups.pop()
-        _add(groups[-1], _whole(closed))
+        _add(groups[-2], _whole(groups.pop()))
     whole = _whole(groups[0])
     return whole if len(text) <= _MOST_CHARACTERS else f"{whole}…"
 
