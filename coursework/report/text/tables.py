@@ -18,7 +18,6 @@ from coursework.report.text.text_runs import numeral, runs
 from coursework.report.text.words import with_own_letters
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene.motion_results import given_constants
-from coursework.scene.quantities import GRAPH_CHECK
 
 TABLE_FILE = "table.csv"  # holds the results table, with further columns for quantities asked for row by row
 MOST_ROWS = 32  # rows printed; a longer table is thinned, and table.csv holds all rows
@@ -80,7 +79,7 @@ def motion_parts(context: PageContext) -> list[Part]:
     notes = []
     check_row = run.variant.time.check_row
     if check_row is not None and check_row <= len(run.motion.t):
-        notes.append(words("table.check_row" if run.asks(GRAPH_CHECK) else "table.marked", mark=MARK, row=check_row))
+        notes.append(words("table.check_row" if run.is_checked_by_drawing else "table.marked", mark=MARK, row=check_row))
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s")
         notes.append(words("table.stopped", row=len(run.motion.t), kind=context.event(run.stop.kind), time=time))
