@@ -51,5 +51,5 @@ def test_other_data_of_one_template_are_judged_too():
     link = "[closure]", '[links]\n3 = { points = ["Q", "S"], rate = "w3" }\n[closure]'
     text = mechanism("four-bar-by-its-points", ('d = "0.37 m"', 'd = "0.37 m"\nk = 1'), ("c @ phi3", "c @ (k*phi3)"), link)
     assert closure(text).names
-    with pytest.raises(coursework.InputError, match="V309 .*link 3 turns at"):
+    with pytest.raises(coursework.InputError, match=r"V309 .*link 3 turns at"):
         closure(text, ("k = 1", "k = 2"), ("1.5448169061004255", "0.77240845305021275"))
