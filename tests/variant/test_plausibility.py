@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-import coursework
+from coursework.api import make_run
 from coursework.commands.cli import main
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.data_folders import folder
@@ -230,8 +230,8 @@ def test_an_end_to_which_the_step_does_not_lead_is_told(step: str, told: list[tu
     variant = parse_variant(mechanism("31", step=step))
     assert [(one.line, str(one.sentence)) for one in variant.plausibility if one.code == "END"] == told
     assert not [one for one in variant.timed(0.04).plausibility if one.code == "END"]
-    run = coursework.solve(variant, quantities=("w1",))
-    assert list(run.remarks) == [sentence for _, sentence in told]
+    run = make_run(variant)
+    assert list(run.remarks) == list(run.slips) == [sentence for _, sentence in told]
 
 
 def test_a_negative_ordinate_that_no_equation_contains_is_no_length_of_a_link() -> None:

@@ -273,7 +273,7 @@ class Variant:
         own = self.time.own_step or self.time.step
         time = replace(self.time, step=step or self.time.step, end=end or self.time.end, own_step=own)
         others = [key for key in ("step", "end") if getattr(time, key) != getattr(self.time, key)]
-        kept = tuple(remark for remark in self.plausibility if remark.code != "END")  # that of the file's own step
+        kept = tuple(one for one in self.plausibility if one.code != "END" or not others)  # it is about the file's own step
         changes: dict[KeyPath, float | str] = {**self.changes, **{("time", key): getattr(time, key) for key in others}}
         return replace(self, time=time, plausibility=kept, changes=changes)
 
