@@ -33,9 +33,6 @@ if TYPE_CHECKING:
     from coursework.takeaway.study import Study
 
 
-_SAME_TIME = 1e-6  # parts of a step
-
-
 @frozen
 class Advice:
     """Advice for a table that is coarse: a `step` (s), or a `scheme` with the same step, that suffices; None if not found."""
@@ -115,7 +112,8 @@ class Run(SceneRun):
     def remarks(self) -> tuple[str, ...]:
         """Return the likely slips in the file, and a remark if the last row is not at the end asked for."""
         end = self.variant.time.end
-        return (*self.slips, *([str(say("remark.last_row", last=self.end, end=end))] if self.end != end else []))
+        told = str(say("remark.last_row", last=self.end, end=end))
+        return (*self.slips, *([told] if self.end != end and told not in self.slips else []))
 
     @property
     def slips(self) -> tuple[str, ...]:
@@ -152,9 +150,7 @@ class Run(SceneRun):
     @property
     def end(self) -> float:
         """Return the time of the last row asked for (s), which a motion that stops does not reach."""
-        time = self.variant.time
-        last = time.steps * time.step
-        return time.end if abs(last - time.end) < _SAME_TIME * time.step else float(f"{last:.12g}")
+        return self.variant.time.last
 
     @property
     def passed(self) -> bool:

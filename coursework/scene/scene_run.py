@@ -280,6 +280,11 @@ class SceneRun:
         """Return the graph-analytical check, None if it was not asked for or if the motion stops before its row."""
         return self.of(GRAPH_CHECK) if self.asks(GRAPH_CHECK) else None
 
+    @property
+    def is_checked_by_drawing(self) -> bool:
+        """Return whether there is a graph-analytical check, and something can be read off its drawing."""
+        return self.graph_check is not None and not self.graph_check.unread
+
     def plan_with(self, *more: str, pages: bool = True) -> Plan:
         """Return the plan with `more` besides what was asked for; without `pages`, leave out what only pages show."""
         asked = [one.name for one in quantities_for(self.asked).values() if pages or not one.only_pages]

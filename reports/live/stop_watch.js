@@ -89,7 +89,7 @@ const watch = /** @type {Watch} */ ({
   draw() {
     // One mark is no diagram.
     byId("lab-diagram").closest("figure").hidden = this.schemes.length + this.tries.length < 2;
-    const field = byId("lab-diagram"), left = 62, right = 330, top = 20, bottom = 174;
+    const field = byId("lab-diagram"), left = 62, right = 330, top = 32, bottom = 174;
     /** @type {(values: number[]) => Point} */
     const powers = (values) => {
       const low = Math.floor(Math.log10(Math.min(...values)) - 0.05), high = Math.ceil(Math.log10(Math.max(...values)) + 0.05);

@@ -6,9 +6,11 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from coursework.api import make_run
 from coursework.commands.cli import main
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.data_folders import folder
+from tests.mechanisms.library import mechanism
 
 PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 
@@ -210,3 +212,28 @@ def test_a_datum_that_no_formula_has_is_told_unless_it_is_zero():
     assert told == [
         ("UNUSED", line_of("[given]") + 1, "spare appears in no formula of the file. Is another name written in its place?")
     ]
+
+
+def test_the_unit_advised_is_that_of_the_usual_length_and_not_of_the_least() -> None:
+    """Beside an offset of 0.05 m, 0.62 mm as centimetres would be near; but most lengths are like 0.62 m."""
+    text = mechanism("31", ('alpha = "4.35 rad"', 'alpha = "4.35 rad"\ne = "0.05 m"'), r3="0.62 mm")
+    (told,) = (str(one.sentence) for one in parse_variant(text).plausibility if one.code == "LENGTH")
+    assert told == "r3 = 0.62 mm beside 0.05 m: 0.62 m?"
+
+
+@pytest.mark.parametrize(("step", "told"), [
+    ("0.02 s", []), ("0.0200000000005 s", []), ("0.03 s", []),
+    ("0.05 s", [(34, "the last row is at t = 0.45 s: the step does not lead to the requested end, 0.48 s")]),
+    ("0.020000000001 s", [(34, "the last row is at t = 0.46 s: the step does not lead to the requested end, 0.48 s")]),
+])  # fmt: skip
+def test_an_end_to_which_the_step_does_not_lead_is_told(step: str, told: list[tuple[int, str]]) -> None:
+    variant = parse_variant(mechanism("31", step=step))
+    assert [(one.line, str(one.sentence)) for one in variant.plausibility if one.code == "END"] == told
+    assert not [one for one in variant.timed(0.04).plausibility if one.code == "END"]
+    run = make_run(variant)
+    assert list(run.remarks) == list(run.slips) == [sentence for _, sentence in told]
+
+
+def test_a_negative_ordinate_that_no_equation_contains_is_no_length_of_a_link() -> None:
+    text = mechanism("slider-crank-equations", ("[given]", '[given]\nyD = "-0.1 m"'))
+    assert not [one for one in parse_variant(text).plausibility if one.code == "LENGTH"]

@@ -63,3 +63,9 @@ def test_one_drive_too_many_for_a_chain_is_told_as_that() -> None:
     both = SHAPER.replace('w1 = "n"', 'w1 = "n"\nw3 = "n"')
     with pytest.raises(coursework.InputError, match="w1 and w3 are prescribed, but the mechanism has only 1 degree of freedom"):
         assert coursework.solve(coursework.parse_variant(both)).motion
+
+
+def test_one_velocity_that_two_equations_contradict_is_told_in_the_singular() -> None:
+    text = mechanism("four-bar-loop", ('w1 = "n"', 'w1 = "n"\nw2 = "n"'))
+    with pytest.raises(coursework.InputError, match=r"V403 .*1 unknown velocity \(w3\) and 1 independent equation of 2\."):
+        assert coursework.solve(coursework.parse_variant(text)).motion

@@ -21,12 +21,15 @@ from coursework.equations.reduction.meaning import meaning
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.tidy import as_formula
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, number
+from coursework.variant.formula.tree import Formula, factors, number
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     import sympy as sp
+
+_MOST_TOLD = 3  # unknowns of a block whose determinant may be simple enough to be told
+_MOST_PARTS = 400  # of an expression that is sought a simple form of
 
 
 @frozen
@@ -35,7 +38,8 @@ class Block:
 
     `coefficients` (size, size) and `sides` (size,) may contain the velocities of earlier blocks by name.  `determinant` is the
     formula shown (None for three unknowns or more), `meaning` a sentence about its zero, `largest` a bound of its absolute value
-    (0 if no bound is known).
+    (0 if no bound is known).  `condition` is the formula whose zero `meaning` tells: the determinant, also of three unknowns
+    where it is a product of simple factors.
     """
 
     unknowns: tuple[str, ...]
@@ -45,6 +49,7 @@ class Block:
     determinant: Formula | None
     meaning: str
     largest: float = 0.0
+    condition: Formula | None = None
 
     @property
     def size(self) -> int:
@@ -73,9 +78,12 @@ class Block:
 
     @property
     def symbolic_determinant(self) -> Expression:
-        """Return the determinant of a block of one or two unknowns."""
+        """Return the determinant of a block of at most three unknowns."""
         m = self.coefficients
-        return m[0][0] if self.size == 1 else m[0][0] * m[1][1] - m[0][1] * m[1][0]
+        if self.size == 1:
+            return m[0][0]
+        below = [_minor(m[-2], m[-1], left, right) for left, right in ((0, 1), (0, 2), (1, 2))[: 2 * self.size - 3]]
+        return below[0] if self.size == 2 else m[0][0] * below[2] - m[0][1] * below[1] + m[0][2] * below[0]
 
     @property
     def numerators(self) -> tuple[Expression, ...]:
@@ -84,6 +92,10 @@ class Block:
         if self.size == 1:
             return (r[0],)
         return r[0] * m[1][1] - m[0][1] * r[1], m[0][0] * r[1] - r[0] * m[1][0]
+
+
+def _minor(upper: Sequence[Expression], lower: Sequence[Expression], left: int, right: int) -> Expression:
+    return upper[left] * lower[right] - upper[right] * lower[left]
 
 
 @frozen
@@ -145,10 +157,11 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
 def _block(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equations: VelocityEquations) -> Block | None:
     """Return the block of some equations, None if its determinant is zero in every position."""
     bare = equations.once(("block", members, unknowns), lambda: _bare(members, unknowns, equations))
-    if bare is None or bare.determinant is None:
+    if bare is None or bare.condition is None:
         return bare
     variant = equations.variant
-    return replace(bare, meaning=meaning(bare.determinant, variant, bare.unknowns), largest=largest(bare.determinant, variant))
+    bound = largest(bare.determinant, variant) if bare.determinant is not None else 0.0
+    return replace(bare, meaning=meaning(bare.condition, variant, bare.unknowns), largest=bound)
 
 
 def _bare(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equations: VelocityEquations) -> Block | None:
@@ -158,10 +171,20 @@ def _bare(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equa
     names = tuple(equation.name for equation in members)
     if len(unknowns) > 2:
         text = say("determinant.large", count=len(unknowns), names=", ".join(names))
-        return Block(unknowns, names, matrix, right_side, None, text)
+        large = Block(unknowns, names, matrix, right_side, None, text)
+        return replace(large, condition=_product(large, equations)) if len(unknowns) == _MOST_TOLD else large
     bare = Block(unknowns, names, matrix, right_side, None, "")
     determinant = as_formula(bare.symbolic_determinant, equations.order)
-    return None if determinant == number(0) else replace(bare, determinant=determinant)
+    return None if determinant == number(0) else replace(bare, determinant=determinant, condition=determinant)
+
+
+def _product(block: Block, equations: VelocityEquations) -> Formula | None:
+    """Return the determinant of three unknowns if it is a product without sums outside its functions; else None."""
+    if block.symbolic_determinant.size > _MOST_PARTS:
+        return None
+    formula = as_formula(block.symbolic_determinant, equations.order)
+    sums = any(factor.op in {"+", "-"} for factor, _ in factors(formula, ("neg", "*", "/")))
+    return None if sums or formula == number(0) else formula
 
 
 def _moved(equation: VelocityEquation, unknowns: Collection[str]) -> Expression:

@@ -16,8 +16,9 @@ from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
-from coursework.words.sentences import say
+from coursework.words.sentences import joined, say
 
+SLIPS = {"ANGLE", "LENGTH", "NO-UNIT"}  # remarks on values with which a right start does not close
 OPEN = 0.01  # share of the largest length; a larger residual means a wrong start, not a rounded one
 
 
@@ -30,12 +31,15 @@ def require_start(closure: Closure | None) -> None:
     if abs(residual[worst]) <= OPEN * closure.scale:
         return
     variant = closure.equations.variant
-    listed = ", ".join(f"{name} {value:.6g}" for name, value in zip(closure.names, residual, strict=True))
-    unit = ", ".join(dict.fromkeys(one.unit for one in closure.equations.positions if one.name in closure.names))
-    told = say("fault.V312", residuals=listed, unit=unit)
-    if closed is not None:
-        told = say("fault.V313", residuals=listed, unit=unit, nearest=typed_start(variant, closed))
-    raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
+    off = {
+        name: value for name, value in zip(closure.names, residual.tolist(), strict=True) if abs(value) > CLOSED * closure.scale
+    }
+    listed = ", ".join(f"{name} {value:.6g}" for name, value in off.items())
+    unit = ", ".join(dict.fromkeys(one.unit for one in closure.equations.positions if one.name in off))
+    slips = joined(remark.sentence for remark in variant.plausibility if remark.code in SLIPS)
+    told = {"residuals": listed, "unit": unit, "hint": say("remark.instead", slips=slips) if slips else ""}
+    sentence = say("fault.V312", **told) if closed is None else say("fault.V313", nearest=typed_start(variant, closed), **told)
+    raise InputError([Fault(sentence, variant.file, variant.line_of("coordinates"))])
 
 
 def typed_start(variant: Variant, start: Array, digits: int = 15) -> str:

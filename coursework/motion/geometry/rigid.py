@@ -34,11 +34,7 @@ _ROUND_OFF = 1e-9  # share of the largest length
 
 
 def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
-    """Raise `InputError` if links or the frame contradict the points; checked once for all variants of a template."""
-    equations.once("rigid", lambda: _require(equations, closure))
-
-
-def _require(equations: VelocityEquations, closure: Closure) -> None:
+    """Raise `InputError` if links or the frame contradict the points; with other data or another start they may do so."""
     contradictory = len(closure.names) > len(closure.free)  # more is held than there are free coordinates: reported elsewhere
     variant = equations.variant
     if contradictory or not (

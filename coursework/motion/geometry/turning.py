@@ -27,11 +27,7 @@ _TOLERANCE = 1e-6  # share of the largest rate: far above round-off, far below t
 
 
 def require_turning(equations: VelocityEquations, closure: Closure) -> None:
-    """Raise `InputError` naming each link that does not turn at its rate; checked once for all variants of a template."""
-    equations.once("turning", lambda: _require(equations, closure))
-
-
-def _require(equations: VelocityEquations, closure: Closure) -> None:
+    """Raise `InputError` naming each link that does not turn at its rate; with other data it may not."""
     turns = equations.geometry.turns()
     if not turns:
         return

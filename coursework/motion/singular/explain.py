@@ -45,8 +45,8 @@ def explain(
     which = _which(block, equations, coordinates)
     cause = joined([say("event.cause", where=where, unknowns=block.unknowns, which=which), _together(event, reduction)])
     holds = block.meaning
-    if block.determinant is not None:
-        holds = meaning_of(block.determinant, equations.variant, block.unknowns, coordinates)
+    if block.condition is not None:
+        holds = meaning_of(block.condition, equations.variant, block.unknowns, coordinates)
     kept = say("event.kept", row=rows) if rows else say("event.none_kept")
     if branches is None:
         event, branches = replace(event, kind="dead point"), ()
@@ -102,16 +102,16 @@ def _unit(block: Block, equations: VelocityEquations) -> str:
 
 def _which(block: Block, equations: VelocityEquations, coordinates: dict[str, float]) -> str:
     """Return what is zero there, with its coordinates and their values; "" for a block without a formula."""
-    if block.determinant is None:
+    if block.condition is None:
         return ""
-    inside = block.determinant.names()
+    inside = block.condition.names()
     shown = []
     for coordinate in equations.variant.coordinates:
         if coordinate.name in inside:
             value = _tidied(coordinates[coordinate.name])
             key = "event.angle" if coordinate.unit == "rad" else "event.length"
             shown.append(say(key, name=coordinate.name, value=value, degrees=math.degrees(value)))
-    equation = say("event.equation", equation=spelled(vanishing(block.determinant, equations.variant, coordinates)))
+    equation = say("event.equation", equation=spelled(vanishing(block.condition, equations.variant, coordinates)))
     return joined([equation, say("event.with", values=tuple(shown)) if shown else ""], "join.nothing")
 
 

@@ -40,8 +40,9 @@ def math_equation(left: Formula, right: Formula, rates: Rates = NO_RATES) -> str
         return _folded(parts)
     is_negative, before, inside = spread
     found = list(_terms(inside, typst, plain))
-    head = f"{sign}{'-' if is_negative else ''}{typst.set(before).source} ["
-    parts.append((found[0][0] + _width(before, plain) + 4, f"{head} {found[0][1]}"))
+    factor, width = (typst.set(before).source, _width(before, plain)) if before else ("", 0)
+    head = f"{sign}{'-' if is_negative else ''}{factor} ["
+    parts.append((found[0][0] + width + 4, f"{head} {found[0][1]}"))
     return _folded([*parts, *found[1:-1], (found[-1][0] + 1, f"{found[-1][1]} ]")])
 
 
@@ -78,9 +79,14 @@ def _terms(tree: Formula, typst: Setter, plain: Setter) -> Iterator[Piece]:
         yield _width_of(measured[position][1].source) + (3 if lead else 0), lead + piece.source
 
 
-def _spread(tree: Formula, plain: Setter) -> tuple[bool, Formula, Formula] | None:
-    """Split a quotient or product at its widest sum into (is negative, the factor before the sum, the sum); None without one."""
+def _spread(tree: Formula, plain: Setter) -> tuple[bool, Formula | None, Formula] | None:
+    """Split a quotient or product at its widest sum into (is negative, the factor before the sum, the sum); None without one.
+
+    The factor is None where only a minus stands before the sum.
+    """
     if tree.op == "neg":
+        if tree.args[0].op in {"+", "-"}:
+            return True, None, tree.args[0]
         inner = _spread(tree.args[0], plain)
         return None if inner is None else (not inner[0], inner[1], inner[2])
     above, below = (tree.args[0], tree.args[1]) if tree.op == "/" else (tree, None)

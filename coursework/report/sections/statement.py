@@ -140,14 +140,27 @@ def _held(context: PageContext) -> list[str]:
             key = "sleeve" if {*link.points} & {*variant.frame.hinges} else "slides"  # on a pivot, or on a moving link
             told.append(say(f"statement.{key}", link=clean(link.name), bar=clean(link.slides)))
     contacts = {link.contact for link in variant.links}
-    riders = [_rider(context.run.scene.mechanism, t) for t, _ in variant.frame.rails]
+    mechanism = context.run.scene.mechanism
+    rails = _rails(mechanism)
+    riders = [_rider(mechanism, through) for through, _ in rails]
     guided = [clean(name) for name in dict.fromkeys(riders) if name and name not in contacts]
     if guided:
         told.append(say.count("statement.guided", len(guided), points=say.listing(guided)))
-    for rider, (through, angle) in zip(riders, variant.frame.rails, strict=True):
-        if rider in guided and (point := _leads_through(context.run.scene.mechanism, rider, through, angle)):
+    for rider, (through, angle) in zip(riders, rails, strict=True):
+        if rider in guided and (point := _leads_through(mechanism, rider, through, angle)):
             told.append(say("statement.leads_through", rider=clean(rider), point=clean(point)))
     return told
+
+
+def _rails(mechanism: Mechanism) -> list[tuple[Formula, Formula]]:
+    """Return a point and the angle of each fixed guide: those of [frame], then those that only a group has."""
+    rails = list(mechanism.variant.frame.rails)
+    for group in mechanism.variant.groups:
+        for guide in group.guides:
+            names = {*guide.through.names(), *guide.angle.names()}
+            if group.meets not in {_rider(mechanism, t) for t, _ in rails} and not any(_moves(mechanism, n) for n in names):
+                rails.append((guide.through, guide.angle))
+    return rails
 
 
 def _rolled_on(variant: Variant, contact: str) -> str:

@@ -18,7 +18,6 @@ from coursework.report.text.text_runs import numeral, runs
 from coursework.report.text.words import with_own_letters
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene.motion_results import given_constants
-from coursework.scene.quantities import GRAPH_CHECK
 
 TABLE_FILE = "table.csv"  # holds the results table, with further columns for quantities asked for row by row
 MOST_ROWS = 32  # rows printed; a longer table is thinned, and table.csv holds all rows
@@ -80,7 +79,7 @@ def motion_parts(context: PageContext) -> list[Part]:
     notes = []
     check_row = run.variant.time.check_row
     if check_row is not None and check_row <= len(run.motion.t):
-        notes.append(words("table.check_row" if run.asks(GRAPH_CHECK) else "table.marked", mark=MARK, row=check_row))
+        notes.append(words("table.check_row" if run.is_checked_by_drawing else "table.marked", mark=MARK, row=check_row))
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s")
         notes.append(words("table.stopped", row=len(run.motion.t), kind=context.event(run.stop.kind), time=time))
@@ -100,7 +99,7 @@ def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part
         return _by_row(context, _part(extra, 1), extra.rows[:, 0], caption, note, HALF_PAGE, file)
     if len(extra.rows) == len(context.run.motion.t):
         return _by_row(context, extra, context.run.motion.t, caption, note, HALF_PAGE, file)
-    columns, texts = _columns(context, extra, thinned(len(extra.rows)))
+    columns, texts = _columns(context, _sized(extra), thinned(len(extra.rows)))
     return [
         Table(
             columns,
@@ -112,18 +111,23 @@ def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part
     ]
 
 
+def _sized(grid: ExtraTable) -> ExtraTable:
+    """Return a table whose `sizes` also count what is round-off beside the other points: a fixed point's velocity of 1e-17."""
+    known = grid.sizes or (0.0,) * len(grid.names)
+    return replace(grid, sizes=tuple(max(size, largest_of(grid, index)) for index, size in enumerate(known)))
+
+
 def largest_of(grid: ExtraTable, index: int) -> float:
-    """Return the largest entry of all columns with the point and unit of column `index`; 0 if that is not a point's column."""
-    owner, point, _ = grid.names[index].partition(".")
-    alike = [i for i, name in enumerate(grid.names) if name.startswith(f"{owner}.") and grid.units[i] == grid.units[index]]
-    sizes = [abs(value) for i in alike for value in grid.rows[:, i].tolist() if math.isfinite(value)] if point else []
-    return max(sizes, default=0.0)
+    """Return the largest entry of all points in the unit of column `index`; 0 if that is not a point's column."""
+    if "." not in grid.names[index]:
+        return 0.0
+    alike = [i for i, name in enumerate(grid.names) if "." in name and grid.units[i] == grid.units[index]]
+    return max((abs(value) for i in alike for value in grid.rows[:, i].tolist() if math.isfinite(value)), default=0.0)
 
 
 def _columns(context: PageContext, grid: ExtraTable, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
     heads = [Column(context.symbol_runs([n]), context.unit(u)) for n, u in zip(grid.names, grid.units, strict=True)]
-    sizes = [max(largest_of(grid, index), grid.sizes[index] if grid.sizes else 0.0) for index in range(len(heads))]
-    texts = [context.numbers.column(grid.rows[kept, index], sizes[index]) for index in range(len(heads))]
+    texts = [context.numbers.column(grid.rows[kept, index], grid.sizes[index]) for index in range(len(heads))]
     return heads, [[numeral(text) for text in column] for column in texts]
 
 
@@ -131,7 +135,7 @@ def _by_row(
     context: PageContext, grid: ExtraTable, t: Any, caption: str, note: str, longest: int = ONE_PAGE, file: str = TABLE_FILE
 ) -> list[Part]:
     """Return one table, or as many as the columns need, each with the columns row and time."""
-    check_row = context.run.variant.time.check_row
+    check_row, grid = context.run.variant.time.check_row, _sized(grid)
     kept = thinned(len(t), keep=[check_row - 1] if check_row else [])
     labels: list[Cell] = [f"{MARK} {row + 1}" if row + 1 == check_row else str(row + 1) for row in kept]
     times = context.numbers.times([float(t[row]) for row in kept])

@@ -10,7 +10,6 @@ import numpy as np
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.report.text.numbers import TIGHT
 from coursework.report.text.page_context import PageContext
-from coursework.scene.quantities import GRAPH_CHECK
 from coursework.variant.record.variant import Variant
 
 PERIOD = "T"  # symbol of the period, unless a datum has this name
@@ -39,7 +38,7 @@ def sought(context: PageContext) -> list[str]:
     is_exact = run.tableau is None
     told.append(words("statement.method_exact") if is_exact else words("statement.method", scheme=context.told(run.scheme_title)))
     told += corrections(context)
-    if time.check_row is not None and time.check_row <= len(run.motion.t) and run.asks(GRAPH_CHECK):
+    if time.check_row is not None and run.is_checked_by_drawing:
         when = context.quantity((time.check_row - 1) * time.step, "s")
         told.append(words("statement.check_row", row=time.check_row, time=when))
     return told

@@ -43,7 +43,7 @@ def remarks_on(
     found = [
         *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
         *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *_links_left_out(variant),
-        *_idle(variant, dimensions), *_empty_guides(variant), *_untouched(variant),
+        *_idle(variant, dimensions), *_empty_guides(variant), *_untouched(variant), *_short_of_end(variant),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
     lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
@@ -81,19 +81,20 @@ def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
     If the file has a geometry, it shows which lengths are links; in equations alone, a factor of a rate looks like one.
     """
     if not variant.points and not variant.groups:
+        used = {name for _, formula in variant.formulas() for name in formula.names()}
         for given in variant.given:
-            if given.value < 0 and dimensions.known.get(given.name) == {LENGTH: 1}:
+            if given.name in used and given.value < 0 and dimensions.known.get(given.name) == {LENGTH: 1}:
                 yield "LENGTH", ("given", given.name), say("remark.negative", name=given.name, text=_written(given))
     lengths = sorted((g for g in variant.given if g.value and dimensions.known.get(g.name) == {LENGTH: 1}), key=_size)
     named: dict[str, tuple[Given, Sequence[Given]]] = {}
     for place in range(1, len(lengths)):
         below, above = lengths[:place], lengths[place:]
         if _size(above[0]) >= _FAR * _size(below[-1]) * (1 - 1e-12):
-            few, many = (below, above[:1]) if len(below) < len(above) else (above, below[-1:])
+            few, many = (below, above) if len(below) < len(above) else (above, below[::-1])
             for given in few:
                 named.setdefault(given.name, (given, many))
-    for given, (neighbour,) in named.values():
-        better = _nearer(given, neighbour)
+    for given, others in named.values():
+        neighbour, better = others[0], _nearer(given, others[len(others) // 2])
         key = "remark.length" if better else "remark.length_alone"
         yield "LENGTH", ("given", given.name), say(
             key, name=given.name, text=_written(given), beside=_written(neighbour), better=f"{given.text} {better}"
@@ -108,10 +109,10 @@ def _written(given: Given) -> str:
     return f"{given.text} {given.unit or 'm'}"
 
 
-def _nearer(given: Given, neighbour: Given) -> str:
-    """Return the unit with which the same number would be nearest to its neighbour, "" if none brings it near."""
+def _nearer(given: Given, middle: Given) -> str:
+    """Return the unit with which the same number would be nearest to the middle one of the others, "" if none brings it near."""
     units = _LENGTHS[any("а" <= letter <= "я" for letter in given.unit)]
-    apart = math.log(abs(float(given.text.replace("−", "-")))) - math.log(_size(neighbour))  # a quotient may be 0 or infinite
+    apart = math.log(abs(float(given.text.replace("−", "-")))) - math.log(_size(middle))  # a quotient may be 0 or infinite
     far, unit = min((abs(apart + math.log(float(UNITS[unit][0]))), unit) for unit in units)
     return unit if far < math.log(_FAR) and unit != (given.unit or "m") else ""
 
@@ -178,6 +179,12 @@ def _untouched(variant: Variant) -> Iterator[_Found]:
         others = (name for one in variant.links if one is not link for name in (*one.points, one.contact))
         if link.contact and link.contact not in {*rails, *others}:
             yield "CONTACT", ("links", link.name), say("remark.contact", link=link.name, point=link.contact)
+
+
+def _short_of_end(variant: Variant) -> Iterator[_Found]:
+    """Yield `end` if the step does not lead to it, for the table ends before it."""
+    if variant.time.last != variant.time.end:
+        yield "END", ("time", "end"), say("remark.last_row", last=variant.time.last, end=variant.time.end)
 
 
 def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:

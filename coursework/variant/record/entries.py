@@ -101,6 +101,8 @@ class Binding:
     relative: str = ""
 
 
+_SAME_TIME = 1e-6  # parts of a step
+
 # The guide of 1995 numbers the rows of the check by N, with t = (N + 1) h; row 1 of a table is t = 0.  Its sheets use N = 2.
 ROWS_BEFORE_N = 2
 USUAL_ROW = 2 + ROWS_BEFORE_N
@@ -134,6 +136,12 @@ class Time:
     def steps(self) -> int:
         """Return the number of whole steps up to `end`."""
         return whole_steps(self.step, self.end)
+
+    @property
+    def last(self) -> float:
+        """Return the time of the last row asked for (s); it is before `end` where the step does not lead there."""
+        last = self.steps * self.step
+        return self.end if abs(last - self.end) < _SAME_TIME * self.step else float(f"{last:.12g}")
 
     @property
     def whole(self) -> float:

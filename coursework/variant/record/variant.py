@@ -273,7 +273,9 @@ class Variant:
         own = self.time.own_step or self.time.step
         time = replace(self.time, step=step or self.time.step, end=end or self.time.end, own_step=own)
         others = [key for key in ("step", "end") if getattr(time, key) != getattr(self.time, key)]
-        return replace(self, time=time, changes={**self.changes, **{("time", key): getattr(time, key) for key in others}})
+        kept = tuple(one for one in self.plausibility if one.code != "END" or not others)  # it is about the file's own step
+        changes: dict[KeyPath, float | str] = {**self.changes, **{("time", key): getattr(time, key) for key in others}}
+        return replace(self, time=time, plausibility=kept, changes=changes)
 
     def with_data(
         self, given: Values | None = None, start: Values | None = None, drive: Values | None = None, *,

@@ -5,8 +5,10 @@ from types import SimpleNamespace
 
 import pytest
 
+import coursework
 from coursework.equations.reduction.meaning import _vanishing, meaning
 from coursework.variant.formula.reader import parse
+from tests.mechanisms.library import mechanism
 
 BOTH = [parse("sin(x)"), parse("cos(y)")]
 
@@ -37,3 +39,19 @@ def test_a_slide_of_no_length_stands_on_the_pivot_where_its_guide_goes_through_i
     made = variant(e=0.1)
     made.coordinates, made.groups, made.points = [SimpleNamespace(name="s", unit="m", rate="u")], [group], ()
     assert meaning(parse("s"), made, ()) == f"the distance s is zero ({words})"
+
+
+def test_three_equations_whose_determinant_is_one_product_are_told_like_two() -> None:
+    """The links lie on one line: at the time when KQ = AK - AQ, from the given motion of M alone."""
+    run = coursework.solve(coursework.parse_variant(mechanism("pantograph-on-a-rail")), quantities=("table",))
+    (block, _) = run.scene.reduction.blocks
+    assert (block.size, block.determinant) == (3, None)
+    assert run.stop.time == pytest.approx(0.37467516951291, abs=1e-11)
+    assert "sin(phi1 - phi2) = 0, with phi1 = 2.56554 rad" in run.stop.cause
+    assert "link 1 and link 2 lie on one line (stretched or folded)" in run.stop.meaning
+
+
+def test_three_equations_whose_determinant_is_a_sum_are_told_by_their_names() -> None:
+    run = coursework.solve(coursework.parse_variant(mechanism("block-of-three-equations")), quantities=("table",))
+    (block,) = (one for one in run.scene.reduction.blocks if one.size == 3)
+    assert block.condition is None and "the determinant of the 3 equations 1, 2, 3 is zero" in str(block.meaning)

@@ -5,9 +5,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from coursework.api import make_run
 from coursework.motion.geometry import closed_start as module
 from coursework.motion.geometry import closure as closure_module
 from coursework.motion.geometry.closure import Closure
+from coursework.variant.reading.reader import parse_variant
+from coursework.words.errors import InputError
+from tests.mechanisms.library import mechanism
 
 
 @pytest.mark.parametrize(("far", "found"), [(0.99, 0.99), (-1.01, 0.5), (1.01, 0.5), (None, 0.5)])
@@ -67,3 +71,17 @@ def test_a_residual_is_measured_against_the_largest_length_of_the_data(lengths, 
     given = [SimpleNamespace(value=9.0, si="rad/s"), *(SimpleNamespace(value=value, si="m") for value in lengths)]
     closure = SimpleNamespace(equations=SimpleNamespace(variant=SimpleNamespace(given=given)))
     assert Closure.scale.fget(closure) == scale
+
+
+@pytest.mark.parametrize(("right", "slip", "code", "told"), [
+    ("0.5720474966558032 rad", "32.775907 rad", "V313", "phi2 = 32.775907 rad is 5.22 turns; 32.775907 deg?"),
+    ("0.3 m", "300 m", "V312", "b = 300 m beside 0.28 m: 300 mm?"),
+    ("0.5720474966558032 rad", "0.9 rad", "V313", ""),
+])  # fmt: skip
+def test_a_start_that_a_slip_of_the_pen_opens_is_refused_with_the_slip(right: str, slip: str, code: str, told: str) -> None:
+    """The nearest closed start may be another assembly; the slip put right closes this one."""
+    with pytest.raises(InputError) as caught:
+        _ = make_run(parse_variant(mechanism("four-bar-loop", (right, slip)))).scene.closure
+    (fault,) = caught.value.faults
+    assert fault.code == code
+    assert str(fault.message).partition(" A likelier slip: ")[2] == told

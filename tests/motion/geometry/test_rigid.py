@@ -103,6 +103,18 @@ def test_a_start_with_few_digits_tells_nothing_of_links():
     assert closure(text).agreed == ("x", "y")
 
 
+def test_a_start_that_leaves_a_given_pivot_beside_its_link_is_among_what_may_be_wrong():
+    """R - c @ phi3 is held where the start puts it: with phi3 as it closes that is Q, and the file is right.
+
+    Both starts share the compiled template, and which of them is looked at first makes no difference.
+    """
+    held = ("[closure]", '[links]\n3 = { points = ["Q", "R"], rate = "w3" }\n[closure]'), ("(R - Q - c @ phi3)", "(R - c @ phi3)")
+    text = mechanism("four-bar-by-its-points", *held)
+    assert closure(text).names
+    with pytest.raises(coursework.InputError, match=r"V314 .*Q and R of link 3 .*, or the start values, with which"):
+        closure(text, ("1.5448169061004255", "1.3448169061004255"))
+
+
 def test_a_crank_does_not_grow_to_the_slider_whose_way_is_measured_from_its_pivot():
     with pytest.raises(coursework.InputError, match=r"V314 .*A and C of link 1 are 1\.6 m apart"):
         closure(mechanism("example-2"), ('["A", "B"],', '["A", "B", "C"],'))

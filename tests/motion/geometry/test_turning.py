@@ -44,3 +44,12 @@ def test_the_rate_that_is_meant_is_named_where_another_link_has_it():
 
 def test_angles_may_be_counted_clockwise():
     assert closure(CLOCKWISE) is not None
+
+
+def test_other_data_of_one_template_are_judged_too():
+    """A link at k times an angle turns at its rate only where k is 1; both variants share what was compiled."""
+    link = "[closure]", '[links]\n3 = { points = ["Q", "S"], rate = "w3" }\n[closure]'
+    text = mechanism("four-bar-by-its-points", ('d = "0.37 m"', 'd = "0.37 m"\nk = 1'), ("c @ phi3", "c @ (k*phi3)"), link)
+    assert closure(text).names
+    with pytest.raises(coursework.InputError, match=r"V309 .*link 3 turns at"):
+        closure(text, ("k = 1", "k = 2"), ("1.5448169061004255", "0.77240845305021275"))

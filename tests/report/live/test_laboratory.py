@@ -129,6 +129,13 @@ COVERED = """() => {
 }"""
 
 
+MARK = 5  # half of the height of a mark, in units of the diagram
+ABOVE = """() => {
+    const height = (name) => document.querySelector(`#lab-diagram ${name}`).getBBox(), title = height(".live-title");
+    return height(".live-axes").y - (title.y + title.height);
+}"""
+
+
 @pytest.mark.parametrize("name", ["31", "example-3"])
 def test_every_scheme_has_its_mark_before_anything_is_moved(written: Any, opened: Any, name: str) -> None:
     page = opened(written(name))
@@ -137,6 +144,7 @@ def test_every_scheme_has_its_mark_before_anything_is_moved(written: Any, opened
     assert marks_of(page, "[data-tried]") == ["euler"]
     assert page.page.locator("#lab-diagram [data-names]").count() >= 2
     assert page.page.evaluate(COVERED) == []
+    assert page.page.evaluate(ABOVE) > MARK, "a mark at the top of the diagram leaves the name of the axis free"
     page.set("#lab-scheme", "rk4", "change")
     page.page.wait_for_selector("#lab-diagram [data-scheme=rk4][data-tried]")
     assert sorted(marks_of(page, "")) == sorted(SCHEMES)  # the try has taken the place of the mark

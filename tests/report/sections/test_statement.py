@@ -8,6 +8,7 @@ from types import ModuleType
 import pytest
 
 import coursework
+from tests.mechanisms.library import mechanism
 from tests.report.made import solved
 from tests.report.own import SHAPER
 
@@ -110,3 +111,11 @@ def test_the_nodes_of_a_tabulated_law_have_their_unit(real: ModuleType) -> None:
 def test_the_slider_moves_on_its_guide_and_not_the_point_the_guide_leads_through(real: ModuleType, name: str, rider: str) -> None:
     run = solved(name, quantities=("table",))
     assert f"{rider} moves in a straight guide." in real.text_of(real.parts(run, "statement"))
+
+
+@pytest.mark.parametrize(("name", "rail"), [("example-2", '"C", angle = "0"'), ("prp", '"Kj", angle = "pi/2 + gamma"')])
+def test_a_guide_that_only_the_group_has_is_told_like_one_of_the_frame(real: ModuleType, name: str, rail: str) -> None:
+    """The drawing shows both; the first guide of `prp` turns with its arm, so it is none of the frame."""
+    bare = coursework.parse_variant(mechanism(name, (f"[ {{ through = {rail} }} ]", "[]")))
+    told = real.text_of(real.parts(coursework.solve(bare), "statement"))
+    assert "A is a fixed pivot. C moves in a straight guide." in told

@@ -114,6 +114,7 @@ def unusual(real: ModuleType) -> list[Any]:
         solve("example-2-motor", "rk4", quantities=["table"]),
         solve(parse_variant(CRANK), quantities=["table"]), solve(parse_variant(BOOM), quantities=["table"]),
         solve(parse_variant(mechanism("ten-wheels")), quantities=["table"]),
+        solve(parse_variant(mechanism("pantograph-on-a-rail")), quantities=["table"]),
     ]  # fmt: skip
 
 

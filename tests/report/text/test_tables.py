@@ -17,8 +17,8 @@ GRID = SimpleNamespace(
 )  # fmt: skip
 
 
-@pytest.mark.parametrize(("index", "largest"), [(0, 0.5), (1, 0.5), (2, 8.0), (3, 3.0), (4, 0.0)])
-def test_numbers_of_one_point_and_one_unit_are_set_by_the_largest_of_them(index: int, largest: float) -> None:
+@pytest.mark.parametrize(("index", "largest"), [(0, 3.0), (1, 3.0), (2, 8.0), (3, 3.0), (4, 0.0)])
+def test_numbers_of_points_in_one_unit_are_round_off_beside_the_largest_of_them(index: int, largest: float) -> None:
     """A column of no point is set by itself."""
     assert largest_of(GRID, index) == largest
 

@@ -92,3 +92,12 @@ def test_a_datum_called_as_the_step_is_told_apart_from_it(real: ModuleType, name
 def test_a_row_beyond_the_last_is_not_said_to_be_checked(real: ModuleType, end: float, is_told: bool) -> None:
     run = solved("31", end=end, quantities=["table", "graph_check"])
     assert ("is checked by construction" in real.text_of(real.parts(run, "statement"))) is is_told
+
+
+@pytest.mark.parametrize(("row", "drawn"), [("20", True), ("1", False)])
+def test_a_row_of_which_there_is_no_drawing_is_not_said_to_be_checked_by_one(real: ModuleType, row: str, drawn: bool) -> None:
+    """In row 1 the boom rests, so nothing can be read off a drawing; the section of the check says so."""
+    text = mechanism("boom", ("check_row = 20", f"check_row = {row}"))
+    run = coursework.solve(coursework.parse_variant(text), quantities=("table", "graph_check"))
+    assert ("checked by construction" in real.text_of(real.parts(run, "statement"))) is drawn
+    assert ("the row of the graph-analytical check" in real.text_of(real.parts(run, "results"))) is drawn

@@ -105,3 +105,10 @@ def test_a_dead_point_at_the_start_is_no_lack_of_the_file(tmp_path):
     assert (run.stop.time, found.verdict) == (0.0, "SKIP") and "not judged" not in run.summary
     told = CliRunner().invoke(main, ["check", str(file)]).stdout
     assert "dead point" in told and "nothing in the geometry gives" not in told
+
+
+def test_a_start_that_keeps_more_than_the_sentence_lists_says_that_there_is_more():
+    held = ["R.x - c*cos(phi3)", "R.y - c*sin(phi3) + d", "R.x - S.x + d"]
+    for more, ending in ([], "R.x - S.x + d = 0.37. If"), (["R.y - S.y + d"], "R.x - S.x + d = 0.37, …. If"):
+        _, start = solved(str([*held, *more]).replace("'", '"'))
+        assert ending in str(start.sentence)

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 MOST_EQUATIONS = 6  # differentiated equations on a page
 MOST_PARTS = 100  # of an expression that is differentiated for a page
 LONGEST = 160  # characters of a formula that is written out
+AT_REST = 1e-9  # parts of the velocity of the fastest point: a slower point rests
 UPRIGHT = 1e-6  # parts of the velocity along y: a point that is slower than that along x moves only along y
 DIGITS, MOST_DIGITS = 6, 15  # least and most digits of a factor; it has as few as give the printed result
 SHOWN = 5  # significant digits of a result
@@ -106,7 +107,7 @@ def _solved(context: PageContext, rests: Mapping[str, Expression]) -> Iterator[t
             above = right[0] * matrix[1][1] - right[1] * matrix[0][1]
             below = matrix[0][0] * matrix[1][1] - matrix[1][0] * matrix[0][1]
         formula = quotient(expanded(above), product(below, equations.order), equations.order)
-        if len(spelled(formula)) <= LONGEST:
+        if formula.op != "number" and len(spelled(formula)) <= LONGEST:
             found.append((not _coriolis(context, right), f"d{block.unknowns[0]}", formula))
     for _, name, formula in sorted(found, key=lambda one: one[0]):
         yield name, formula
@@ -125,14 +126,18 @@ def _coriolis(context: PageContext, rests: list[Expression]) -> list[str]:
 def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
     """Return position, velocity and, if asked for, acceleration of the last point along x, as formulas and in numbers.
 
-    A point that moves only along y is written along y; a point whose formulas are too long gives way to the one before it.
+    A point that moves only along y is written along y.  A point that rests (as the pivot in which a contour ends), whose place
+    is a coordinate by itself, or whose formulas are too long gives way to the one before it.
     """
     equations = context.run.scene.equations
     named_points = [name.partition(".")[0] for name in extra.names if name.endswith(".vx")]
     rows = len(context.run.motion.t)
     row = _row(context, rows)
+    speeds = [np.max(np.abs(extra.rows[:, index]), initial=0.0) for index, unit in enumerate(extra.units) if unit == "m/s"]
     for point in reversed(named_points):
         fastest = [np.max(np.abs(extra.rows[:, extra.names.index(f"{point}.v{axis}")]), initial=0.0) for axis in "xy"]
+        if max(fastest) <= AT_REST * max(speeds):
+            continue
         axis = "x" if fastest[0] > UPRIGHT * fastest[1] else "y"
         place = equations.symbols.vectors[point]["xy".index(axis)]
         if place.size > MOST_PARTS:
@@ -144,7 +149,7 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
             dots = {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
             levels.append((f"a{axis}", replaced(expanded(second_rate(equations, rate)), dots)))
         formulas = [(f"{point}.{key}", as_sum(expression, equations.order)) for key, expression in levels]
-        if rate is ZERO or any(len(spelled(formula)) > LONGEST for _, formula in formulas):
+        if formulas[0][1].op == "name" or any(len(spelled(formula)) > LONGEST for _, formula in formulas):
             continue
         values = _values(context, row)
         shown = [display(named(name), formula, context.rates) for name, formula in formulas]

@@ -70,8 +70,9 @@ def _kept(closure: Closure | None) -> Sentence | None:
     rows = [] if closure is None else zip(closure.equations.positions, closure.origin.tolist(), strict=True)
     limit = START_LIMIT * closure.scale if closure is not None else 0.0
     kept = [(one.told, value) for one, value in rows if one.written and abs(value) > limit]
-    listed = joined([say("check.START.value", name=name, value=value) for name, value in kept[:_MOST_KEPT]], "join.numbers")
-    return say("check.START.kept", values=listed) if kept else None
+    listed = [say("check.START.value", name=name, value=value) for name, value in kept[:_MOST_KEPT]]
+    more = ["…"] if len(kept) > _MOST_KEPT else []
+    return say("check.START.kept", values=joined([*listed, *more], "join.numbers")) if kept else None
 
 
 def _with_loops(closure: Closure) -> Closure | None:

@@ -151,3 +151,23 @@ def test_determinants_have_the_number_of_their_block() -> None:
     assert [name for name in shown if name.startswith("Δ")] == ["Δ₃", "Δ₃₁", "Δ₃₂"]
     alone = [line.partition(" = ")[0] for line in equations(catalogued("example-1"), "solution")]
     assert [name for name in alone if name.startswith("Δ")] == ["Δ", "Δ₁", "Δ₂"]  # one block has no number
+
+
+def test_the_point_worked_through_moves_and_the_pivot_in_which_a_contour_ends_has_no_round_off() -> None:
+    text = mechanism("four-bar-loop", ('A = "a @ phi1"', 'A = "a @ phi1"\nZ = "A + b @ phi2 - c @ phi3"'))
+    run = coursework.solve(coursework.parse_variant(text), "exact", quantities=("table", "points"))
+    assert equations(run, "points")[0].startswith("x_A = ")
+    (section,) = (one for one in model_of(run).sections if one.name == "points")
+    rows = [row for part in section.parts if part.kind == "table" for row in part.rows]
+    assert rows and all(row[-3:] == ["0", "0", "0"] for row in rows), "y, vx and vy of Z"
+    assert 0 < abs(run.points["Z"].velocity).to_numpy().max() < 1e-12
+
+
+def test_a_slider_whose_place_is_a_coordinate_gives_way_to_a_point_with_a_formula() -> None:
+    run = solved(mechanism("trammel", ("[links]", 'X = "(x, 0)"\n[links]')), "points")
+    assert equations(run, "points")[0].startswith("x_E = ")
+
+
+def test_an_acceleration_that_is_always_zero_is_not_worked_through() -> None:
+    shown = equations(solved(mechanism("gears-and-crank"), "accelerations"), "accelerations")
+    assert not any(line.endswith("= 0 = 0") or line.endswith("ω̇₂ = 0") for line in shown[-2:])
