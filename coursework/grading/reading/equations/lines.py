@@ -43,9 +43,10 @@ _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur
 _BLANKS = re.compile(r"(?<=[^\S\n]{40})[^\S\n]+")  # longer than anybody types; on such blanks patterns would be slow
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
 _WORD = re.compile(r"[^\W\d]\w*")
-_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
+_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
+_BARE = re.compile(r"[^-+/−–\s]+")  # the names of a line with no other sign: "vC/a -"
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
 _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # at the start of a continued line
@@ -203,7 +204,7 @@ def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple
 
 def _goes_on(kept: str, line: str, names: Names) -> bool:
     """Return whether `line` continues `kept`: `kept` ends with a sign or in an open parenthesis, or `line` begins with a sign."""
-    if _IMPORT.match(kept) or (not _IS_FORMULA.search(kept) and kept.strip() not in names.spellings.known):
+    if _IMPORT.match(kept) or not (_IS_FORMULA.search(kept) or all(map(names.spellings.canonical, _BARE.findall(kept)))):
         return False
     if kept.lstrip().startswith("[[") and depths(kept)[-1]:
         return True
