@@ -58,9 +58,10 @@ _TYPED = re.compile(
     r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
 )  # a declaration in Pascal, Rust, Python
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
+# An equation that is assigned to a name: eq[1] := …, eq||1 := … in Maple, F(1) = … == … in MATLAB.
 _KEPT = re.compile(
-    r">?\s*([^\W\d]\w{0,20})\[\s*(\d{1,3})\s*\]\s*:=\s*(?=[^=]+=)"
-)  # an equation that is assigned to a name, in Maple
+    r">?\s*([^\W\d]\w{0,20})(?:[\[({]\s*|\|\|)(\d{1,3})\s*[\])}]?\s*(?::=\s*(?=[^=]+=)|(=)(?!=)\s*(?=[^=]+==[^=]+$))"
+)
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table drawn with bars
@@ -152,7 +153,7 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
         bare = bare if '_"' in bare else _KEY.sub("", bare).strip(_QUOTES + " ,")  # but V_"Mx" has an index in Typst
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
-        if (under := _KEPT.match(bare)) and names.spellings.angle(under[1] + under[2]) is None:
+        if (under := _KEPT.match(bare)) and (under[3] or names.spellings.angle(under[1] + under[2]) is None):
             bare = bare[under.end() :]
         if is_statement(bare):
             continue

@@ -65,10 +65,19 @@ def test_an_equation_may_be_in_millimetres(numbers, right):
     "vF = −asin φ1·ω1 − m·sin(φ2 + λ)·ω2", "asin(phi1)*w1 + m*sin(phi2 + lam)*w2 + vF = 0",  # a·sin φ1, where a is a datum
     "vF + a*w1*sin(phi1) + m*w2*sin(phi2 + lambda) = 0",
     "vF +\n a*w1*sin(phi1) +\n m*w2*sin(phi2 + lam) = 0", "vF/a +\n w1*sin(phi1) +\n m*w2*sin(phi2 + lam)/a = 0",
-    "F(2) = vF + a*w1*sin(phi1) ...\n + m*w2*sin(phi2 + lam) == 0;",
+    "F(2) = vF + a*w1*sin(phi1) ...\n + m*w2*sin(phi2 + lam) == 0;", "eq||2 := vF + a*w1*sin(phi1) + m*w2*sin(phi2 + lam) = 0:",
+    r"latexmath:[v_F + a \omega_1 \sin\varphi_1 + m \omega_2 \sin(\varphi_2 + \lambda) = 0]",
 ])  # fmt: skip
 def test_a_line_is_read_as_it_is_meant(text):
     assert verdicts(text) == ["right"]
+
+
+def test_a_slip_in_an_equation_that_a_program_keeps_under_a_name_has_its_hint():
+    lines = read_lines(
+        "F(2) = vF - a*w1*sin(phi1) + m*w2*sin(phi2 + lam) == 0;", "f.m", Expected(KEY.grid, KEY.variant)
+    ).equations
+    (mark,) = Judge(KEY).mark(lines).marks
+    assert (mark.verdict, mark.hint.kind) == ("wrong", "sign")
 
 
 def test_names_written_together_with_a_function_are_no_word_before_the_equation():
