@@ -56,7 +56,7 @@ _IN_DEGREES = re.compile(
     rf"|\s*[*·⋅]\s*{_PI}\s*/\s*180\b|\s*/\s*180\s*[*·⋅]\s*{_PI}(?!\w)|(?<![\w.]){_PI}\s*/\s*180\s*[*·⋅]\s*",
     re.IGNORECASE,
 )
-_DEGREES = re.compile(r"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{1,3})\s*(?:°|º|\^\s*\{?\\circ\}?)")
+_DEGREES = re.compile(r"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{1,3}(?:[.,]\d{1,9})?)\s*(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)")
 _ROOT = re.compile(r"√\s*(\d+(?:[.,]\d+)?|[^\W\d]\w*)")
 _OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # in StarMath; TeX's \over divides the whole group
 _EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # an equation in SymPy

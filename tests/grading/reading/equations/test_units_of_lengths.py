@@ -72,6 +72,16 @@ def test_a_line_is_read_as_it_is_meant(text):
     assert verdicts(text) == ["right"]
 
 
+@pytest.mark.parametrize("text", [
+    "vF + 0,14·ω1·sin φ1 + 0,7·ω2·sin(φ2 + 11,459156°) = 0",
+    r"v_F + a\omega_1\sin\varphi_1 = -m\omega_2\sin(\varphi_2 + 11{,}459156^\circ)",
+    r"v_F + a\omega_1\sin\varphi_1 + m\omega_2\sin(\varphi_2 + 11.459156^{\circ}) = 0",
+])  # fmt: skip
+def test_an_angle_in_degrees_may_have_decimals(text):
+    assert verdicts(text) == ["rounded"]
+    assert verdicts(text.replace("11", "12")) == ["wrong"]
+
+
 def test_a_slip_in_an_equation_that_a_program_keeps_under_a_name_has_its_hint():
     lines = read_lines(
         "F(2) = vF - a*w1*sin(phi1) + m*w2*sin(phi2 + lam) == 0;", "f.m", Expected(KEY.grid, KEY.variant)
