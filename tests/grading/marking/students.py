@@ -118,6 +118,14 @@ def steps_of_rows_before():
     return np.array(rows)
 
 
+def one_by_one(t, q):
+    """The increments of a program that overwrites its coordinates: each is moved with those before it already moved."""
+    moved = q.copy()
+    for place in range(len(q)):
+        moved[place] += H * slopes(t, moved)[place]
+    return moved - q
+
+
 MISCONCEPTIONS = {
     "heun": lambda: table(heun),
     "midpoint": lambda: table(midpoint),
@@ -127,6 +135,7 @@ MISCONCEPTIONS = {
     "step_ahead": lambda: table(lambda t, q: H * slopes(t + H, q)),
     "step_behind": lambda: table(lambda t, q: H * slopes(t - H, q)),
     "row_before": steps_of_rows_before,
+    "in_place": lambda: table(one_by_one),
     "omega_late": late,
     "other_step": lambda: table(lambda t, q: 2 * H * slopes(t, q)),
     "degree_mode": lambda: table(printed=lambda t, q: velocities(t, q, degrees=True)),

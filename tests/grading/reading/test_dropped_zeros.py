@@ -63,6 +63,21 @@ def test_rows_that_are_missing_take_no_digits_from_a_steady_column():
     assert not grade.table.cells.too_coarse.any()
 
 
+@pytest.mark.parametrize("step", ["the task's", "half of it"])
+def test_a_jump_in_a_steady_column_takes_no_digits_from_it(step):
+    """A row left out, and times numbered on: the driven angle stays in equal steps but for one."""
+    desk = Desk(parse_variant(STEADY, "own.toml", {}))
+    part = 1.0 if step == "the task's" else 0.5
+    lines = [",".join(["t", *desk.key.names])]
+    rows = [*desk.machine.table()]
+    del rows[7]
+    for row, values in enumerate(rows):
+        lines.append(",".join([short(row * part * desk.machine.h, 4), *(short(value, 9) for value in values)]))
+    files = (submitted_file("table.csv", "\n".join(lines).encode()),)
+    grade = Marker(desk.key, Rubric()).grade(read_submission(Submission("a", None, files), desk.expected))
+    assert not grade.table.cells.too_coarse.any()
+
+
 def test_a_column_that_is_printed_coarser_than_those_beside_it_is_coarse():
     """As the numbers change, each of one digit behind the point, nothing was dropped."""
     desk = Desk(parse_variant(SLIDER_CRANK, "own.toml", {}))

@@ -11,7 +11,7 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.points import constant, following, handed_in, in_a_run, moves_as_it_may
+from coursework.grading.marking.table.points import constant, following, handed_in, in_a_run, moves_as_it_may, stands_still
 from coursework.grading.marking.table.untold import but
 from coursework.grading.marking.table.ways import KEY, Places
 from coursework.system.arrays import Flags
@@ -39,7 +39,7 @@ class Explained:
         after_put = (holds & ~by_key)[rows[1:], :m] & self._above_put
         holds = (holds | by_key) & self._spoken
         after_put &= not as_it_is and holds[rows, m:].mean() >= _MOSTLY
-        steps = holds[rows[1:], :m] & (holds[rows[:-1], m : 2 * m] | after_put) & self._moves
+        steps = holds[rows[1:], :m] & (holds[rows[:-1], m : 2 * m] | after_put) & (self._moves | self._hardly)
         counts = self._in_runs.copy()
         counts[rows[1:], :m] |= steps
         follows, motion = following(self.cells.student.values[rows, :m], steps, np.asarray(self._moves.any(axis=1)))
@@ -74,6 +74,13 @@ class Explained:
     @cached_property
     def _moves(self) -> Flags:
         return moves_as_it_may(self.key, self.cells)
+
+    @cached_property
+    def _hardly(self) -> Flags:
+        """Return the steps (n - 1, m) that the table's own velocities make smaller than its digits, if anything moves at all."""
+        m, rows, student = len(self.key.coordinates), self._rows, self.cells.student
+        small = np.diff(self.key.t[rows])[:, None] * np.abs(student.values[rows[:-1], m : 2 * m]) <= student.units[rows[1:], :m]
+        return np.asarray(small & (not stands_still(self.key, self.cells)))
 
     @cached_property
     def _in_runs(self) -> Flags:

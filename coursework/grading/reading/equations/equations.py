@@ -10,16 +10,16 @@ import re
 from dataclasses import field, replace
 
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
-from coursework.grading.reading.equations.meanings import Meanings, meaning_of, put_in
+from coursework.grading.reading.equations.meanings import Meanings, in_smaller_units, meaning_of, put_in
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
-from coursework.grading.reading.equations.plain_text import of_one_component, of_radians, plain
+from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_radians, plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
 from coursework.grading.reading.equations.signs import relates_two_sides
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.system.frozen import frozen
 from coursework.variant.formula import reader
-from coursework.variant.formula.tree import Formula, FormulaFault, with_names
+from coursework.variant.formula.tree import Formula, FormulaFault, spelled, with_names
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentences import closest, say
@@ -52,10 +52,14 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     name may be the value of any velocity.
     """
     found, fault = _readings(text, names)
-    for meant, in_degrees in ((of_radians(text), True), (of_one_component(text, names.expected.variant), False)):
+    variant = names.expected.variant
+    meanings = ((of_radians(text), True), (of_one_component(text, variant), False), (of_products(text, names.spellings), False))
+    for meant, in_degrees in meanings:
         read = _readings(meant, names)[0] if meant != text else []
         found += [replace(one, text=one.text or meant, is_loose=True, in_degrees=in_degrees) for one in read]
     firm = [reading for reading in found if not reading.is_loose]
+    for tree in in_smaller_units(firm[0].tree, variant) if firm else ():
+        found.append(EquationReading(tree, " = ".join(map(spelled, tree.args)), is_loose=True))
     if firm:
         first = firm[0]
         others = tuple(reading for reading in found if reading is not first)

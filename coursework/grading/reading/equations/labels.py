@@ -49,6 +49,7 @@ _ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
 _CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")
 _NUMBER_BEHIND = re.compile(r"\s+\d")  # a number after a blank: "at point P 2*r3*w3"; no factor is followed by one
+_GLUED = re.compile(r".(?:sin|cos)$")  # names written together with a function: vCcos φ2 is no word
 _AXES = ("x", "y", "z", "ox", "oy")
 _PREPOSITIONS = (*"авзікосу",)  # Cyrillic prepositions of one letter
 _LONG = 5  # a word of at least this many letters is not a symbol
@@ -122,7 +123,7 @@ def without_words(text: str, is_name: Callable[[str], bool]) -> str:
 def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
     """Return whether a word is neither a name nor an abbreviation; after other words (`after` > 0) x is an axis, C a point."""
     is_axis = word.casefold() in _AXES
-    if is_name(word) or word == "lambda":
+    if is_name(word) or word == "lambda" or _GLUED.search(word):
         return is_axis and after > 0
     if len(word) == 1:
         return is_axis or (after > 0 and word.isupper())

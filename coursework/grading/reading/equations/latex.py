@@ -46,6 +46,8 @@ _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi
 _DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
 _MOST = 200  # fractions and dots in one line, environments in a text
 
+_ASCIIDOC = re.compile(r"\b(?:latexmath|asciimath|stem):\[(.*)\]")
+
 
 def logical_lines(text: str) -> list[tuple[int, str]]:
     r"""Return (number from 1, line) of the logical lines; between \begin and \end only \\ ends a line, a line break does not.
@@ -55,6 +57,7 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
     >>> logical_lines("\\documentclass{article}\\begin{document}\nSo\n\\begin{align}\na &= b\n\\end{align}\n\\end{document}")
     [(2, 'So'), (4, 'a &= b')]
     """
+    text = _ASCIIDOC.sub(r"\1", text)
     if "\\" not in text:
         return list(enumerate(text.split("\n"), start=1))
     text = with_own_commands(text)

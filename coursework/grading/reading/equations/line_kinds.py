@@ -24,12 +24,16 @@ from coursework.grading.reading.equations.plain_text import plain
 from coursework.grading.reading.equations.repair import is_name
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.files.printed import PAIR
+from coursework.grading.reading.table.headers import PRINTED
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula import reader
 from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 
 _QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*(?:[^\d\s=*+()]{0,8}(?:[-^]?\d)?|(.{1,12}?))\s*[.,;]?\s*")
+_MEASURED = re.compile(
+    r"\s*([-+−]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?)\s*[\[(]?\s*([^\W\d]\w*|[^\W\d]\w*/\w+|1/\w+|°)\s*[\])]?\s*[.,;]?\s*"
+)
 _AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
 _SHORT = 80  # most characters of a name with its number
 _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # in V_Cy = … = 0, which also defines V_Cy
@@ -61,8 +65,22 @@ def definition(text: str, names: Names) -> tuple[str, Formula] | None:
     formula = _IS_ZERO.sub("", formula)
     if not name or not formula.strip() or "=" in formula:
         return None
-    read = read_as_one(f"0 = {formula}", names)
+    read = read_as_one(f"0 = {in_si(formula)}", names)
     return None if isinstance(read, Fault) else (plain_name(name), read.tree.args[1])
+
+
+def in_si(quantity: str) -> str:
+    """Return a number with a unit as a number in SI, and any other text as it is.
+
+    >>> in_si(" 700 мм"), in_si("0,7 [m]"), in_si("2*r1")
+    ('(700)*0.001', '0,7', '2*r1')
+    """
+    found = _MEASURED.fullmatch(quantity)
+    unit = unit_of(found[2]) if found else ""
+    factor = next((units[unit] for units in PRINTED.values() if unit in units), None)
+    if found is None or factor is None:
+        return quantity
+    return found[1] if factor == 1 else f"({found[1]})*{factor:.12g}"
 
 
 def no_velocity(text: str, names: Names) -> bool:

@@ -43,9 +43,10 @@ _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur
 _WORD = re.compile(r"[^\W\d]\w*")
 _BLANKS = re.compile(r"(?<=[^\S\n]{40})[^\S\n]+")  # longer than anybody types; on such blanks patterns would be slow
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
-_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
+_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
+_BARE = re.compile(r"[^-+/−–\s]+")  # the names of a line with no other sign: "vC/a -"
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
 _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # at the start of a continued line
@@ -57,9 +58,10 @@ _TYPED = re.compile(
     r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
 )  # a declaration in Pascal, Rust, Python
 _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
+# An equation that is assigned to a name: eq[1] := …, eq||1 := … in Maple, F(1) = … == … in MATLAB.
 _KEPT = re.compile(
-    r">?\s*([^\W\d]\w{0,20})\[\s*(\d{1,3})\s*\]\s*:=\s*(?=[^=]+=)"
-)  # an equation that is assigned to a name, in Maple
+    r">?\s*([^\W\d]\w{0,20})(?:[\[({]\s*|\|\|)(\d{1,3})\s*[\])}]?\s*(?::=\s*(?=[^=]+=)|(=)(?!=)\s*(?=[^=]+==[^=]+$))"
+)
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table drawn with bars
@@ -151,7 +153,7 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
         bare = bare if '_"' in bare else _KEY.sub("", bare).strip(_QUOTES + " ,")  # but V_"Mx" has an index in Typst
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
-        if (under := _KEPT.match(bare)) and names.spellings.angle(under[1] + under[2]) is None:
+        if (under := _KEPT.match(bare)) and (under[3] or names.spellings.angle(under[1] + under[2]) is None):
             bare = bare[under.end() :]
         if is_statement(bare):
             continue
@@ -203,7 +205,7 @@ def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple
 
 def _goes_on(kept: str, line: str, names: Names) -> bool:
     """Return whether `line` continues `kept`: `kept` ends with a sign or in an open parenthesis, or `line` begins with a sign."""
-    if _IMPORT.match(kept) or (not _IS_FORMULA.search(kept) and kept.strip() not in names.spellings.known):
+    if _IMPORT.match(kept) or not (_IS_FORMULA.search(kept) or all(map(names.spellings.canonical, _BARE.findall(kept)))):
         return False
     if kept.lstrip().startswith("[[") and depths(kept)[-1]:
         return True

@@ -15,13 +15,16 @@ from functools import lru_cache
 from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.expected import Expected
 from coursework.mechanism.mechanism import build
+from coursework.variant.dimensions.exponents import LENGTH
 from coursework.variant.formula.reader import MAX_NODES
-from coursework.variant.formula.tree import Formula, constant, evaluate_any, mapped, named, terms, with_names
+from coursework.variant.formula.tree import Formula, constant, evaluate_any, mapped, named, number, terms, with_names
+from coursework.variant.record.places import measures
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 
 Meanings = Mapping[str, Formula]
 _SAME = 1e-9
+_IN_A_METRE = (1000, 100)  # mm, cm
 _SHORT = {"c": "cos", "s": "sin", "C": "cos", "S": "sin", "cos": "cos", "sin": "sin"}
 _KINDS = {**dict.fromkeys(("theta", "psi", "alpha", "beta", "gamma", "q"), "rad"), **dict.fromkeys(("l", "L"), "m")}
 _END_POINTS = re.compile(r"[|\s]*([A-Z]\w?'?)\s*-?\s*([A-Z]\w?'?)[|\s]*")
@@ -117,6 +120,27 @@ def put_in(tree: Formula, meanings: Mapping[str, Formula]) -> Formula | None:
 
     grown = sum(sum(1 for _ in meanings[node.name].walk()) for node in tree.walk() if node.op == "name" and node.name in meanings)
     return with_names(tree, changed) if grown <= MAX_NODES else None
+
+
+def in_smaller_units(tree: Formula, variant: Variant) -> Iterator[Formula]:
+    """Yield a tree of symbols and numbers as it is meant if its lengths are in mm, or in cm: each symbol has that many more."""
+    lengths = _with_lengths(variant)
+    if lengths.keys().isdisjoint(tree.names()) or not any(node.op == "number" and node.value for node in tree.walk()):
+        return
+
+    for factor in _IN_A_METRE:
+
+        def scaled(name: Formula, factor: int = factor) -> Formula:
+            exponent = lengths.get(name.name)
+            return Formula("*" if exponent == 1 else "/", (name, number(factor))) if exponent else name
+
+        yield with_names(tree, scaled)
+
+
+@lru_cache(maxsize=16)
+def _with_lengths(variant: Variant) -> Mapping[str, int]:
+    """Return the names of which a length is a part, with its exponent, 1 or -1."""
+    return {name: int(power) for name, unit in measures(variant).items() if (power := unit.get(LENGTH, 0)) in {1, -1}}
 
 
 def _at(tree: Formula, column: int) -> Formula:

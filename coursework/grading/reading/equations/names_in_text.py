@@ -103,6 +103,8 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     }
     known = {key: name for key, name in others.items() if len(folded.get(key, ())) < 2}
     known |= {plain_name(name): name for name in sorted(names, reverse=True)}
+    for short, word in (("lam", "lambda"), ("eps", "epsilon")):  # the tool's spelling of a letter, and its full name
+        known |= {plain_name(name).replace(short, word): name for name in names if re.fullmatch(rf"{short}(?:_?\w|\d*)", name)}
     units = {entry.name: entry.unit for entry in variant.coordinates}
     for spelling, name in [*known.items()]:  # a rate by the name of its coordinate: w_theta
         for symbol in ("w", "omega", "om") if units.get(name) == "rad" else ("v",) if name in units else ():

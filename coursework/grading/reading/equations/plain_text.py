@@ -47,6 +47,7 @@ _SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
 _OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*(?:t|\w+\s*,[\w\s,]{1,60})\s*\)|\[\s*t\s*\])")
 _OF_ROW = re.compile(r"(?<![\w.])([^\W\d]\w*(?:\[\s*\d{1,2}\s*\])?)(?:\s?\[\s*[ijkn]\s*\]|\(i\))")
+_ARC = re.compile(r"(?<!\w)[a𝑎](sin|cos|tan)")
 _LAMBDA = re.compile(r"=\s*(?:lambda\b[\w\s,]{0,60}:|@\s*\([\w\s,]{0,60}\))")  # in Python, in MATLAB
 _METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() in Rust
 _PI = r"(?:(?:np|numpy|math|Math)\.)?(?:pi|π|ПИ|ПІ)(?:\(\))?"
@@ -55,7 +56,7 @@ _IN_DEGREES = re.compile(
     rf"|\s*[*·⋅]\s*{_PI}\s*/\s*180\b|\s*/\s*180\s*[*·⋅]\s*{_PI}(?!\w)|(?<![\w.]){_PI}\s*/\s*180\s*[*·⋅]\s*",
     re.IGNORECASE,
 )
-_DEGREES = re.compile(r"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{1,3})\s*(?:°|º|\^\s*\{?\\circ\}?)")
+_DEGREES = re.compile(r"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{1,3}(?:[.,]\d{1,9})?)\s*(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)")
 _ROOT = re.compile(r"√\s*(\d+(?:[.,]\d+)?|[^\W\d]\w*)")
 _OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # in StarMath; TeX's \over divides the whole group
 _EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # an equation in SymPy
@@ -109,6 +110,11 @@ def _double(found: re.Match[str], spellings: Spellings) -> str:
 def of_radians(text: str) -> str:
     """Return a line without its conversions of degrees to radians: sin(phi3) for SIN(phi3*PI()/180)."""
     return _IN_DEGREES.sub("", text)
+
+
+def of_products(text: str, spellings: Spellings) -> str:
+    """Return a line with a*sin(phi) for asin(phi), if there is a datum a: products are often written without a sign."""
+    return _ARC.sub(r"a*\1", text) if "a" in spellings.data else text
 
 
 def of_one_component(text: str, variant: Variant) -> str:

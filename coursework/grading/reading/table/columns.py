@@ -20,6 +20,7 @@ from coursework.grading.reading.unit_names import fold
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 
+_NEAR = 0.1  # of a step: how far from the task's time a column without a head may be and still be the time
 _FAR = 12  # times the step of the task: a student's own step is never this long
 
 
@@ -152,7 +153,7 @@ def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns
     if INDEX not in places and spare >= 2 and _counts(first) and _rises(layout, free[1]):
         places[INDEX] = Place(free[0], "position")
         places[TIME] = Place(free[1], "position")
-    elif (spare >= 1 or _is_time(first, step)) and _rises(layout, free[0]):
+    elif _is_on_grid(first, step) or ((spare >= 1 or _is_time(first, step)) and _rises(layout, free[0])):
         # 1, 2, 3 … before the columns of the task are row numbers.
         places[INDEX if _counts(first) and INDEX not in places else TIME] = Place(free[0], "position")
 
@@ -161,6 +162,14 @@ def _is_time(values: list[float], step: float) -> bool:
     """Return whether the numbers are times from 0 in steps of about `step`."""
     ordered = sorted(values)
     return len(ordered) > 2 and ordered[0] == 0 and abs(ordered[-1] / (len(ordered) - 1) / step - 1) < 0.05
+
+
+def _is_on_grid(values: list[float], step: float) -> bool:
+    """Return whether the numbers are times of the task from 0 on, each after the other; rows may be left out or stand twice."""
+    rows = [value / step for value in values]
+    return (
+        len(rows) > 2 and rows == sorted(rows) and rows[0] == 0 < rows[-1] and all(abs(row - round(row)) < _NEAR for row in rows)
+    )
 
 
 def _counts(values: list[float]) -> bool:

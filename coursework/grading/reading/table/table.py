@@ -124,7 +124,9 @@ def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Seq
         whole = [cell.value * factor for cell in cells]
         jumps = turns_of_jumps(whole) if len({*column.turns}) > 1 else [0] * len(whole)
         values = tuple(value - 2 * math.pi * (beside + turns) for value, turns in zip(whole, jumps, strict=True))
-        columns[column.name] = values, tuple(step * factor for step in last_places(cells)[1])
+        one = set(column.last_place)  # with one unit for all cells, the zeros that a steady drive dropped are counted in it
+        known = one.pop() if len(one) == 1 else math.inf
+        columns[column.name] = values, tuple(min(step * factor, known) for step in last_places(cells)[1])
     return OwnTimes(rows.own_step, columns)
 
 
@@ -234,7 +236,9 @@ def _is_steady(column: TableColumn) -> bool:
     step = median_low(steps)
     begins = [value - step * row for row, value in known]
     near = 1e-9 * max(1.0, abs(known[0][1]), abs(known[-1][1]))
-    return sum(abs(begin - median_low(begins)) <= near for begin in begins) >= _STEADY * len(known)
+    equal = sum(abs(each - step) <= near for each in steps)  # where a row was left out, the column jumps once
+    in_line = sum(abs(begin - median_low(begins)) <= near for begin in begins)
+    return equal >= _STEADY * len(steps) or in_line >= _STEADY * len(known)
 
 
 def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], grid: Grid) -> Iterator[Note]:

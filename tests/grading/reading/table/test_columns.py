@@ -52,6 +52,8 @@ def numbers(*names: str) -> str:
     ("t ?1 ?2 ?1 ?2", (TIMES, *"abcd"), (), "t:0h phi1:1p phi2:2p w1:3p w2:4p"),
     ("t phi1 - w1 w2", (TIMES, *"abcd"), (), "t:0h phi1:1h phi2:2p w1:3h w2:4h"),
     ("phi1 phi2 w1 w2", tuple("abcd"), (), "phi1:0h phi2:1h w1:2h w2:3h"),
+    ("", ("0 0.1 0.3 0.4", *"abcd"), (), "t:0p phi1:1p phi2:2p w1:3p w2:4p"),  # a row is left out
+    ("", ("0 0.1 0.1 0.2", *"abcd"), (), "t:0p phi1:1p phi2:2p w1:3p w2:4p"),  # a row stands twice
     ("- phi1 phi2 w1 w2", ("1 2 bad bad", *"abcd"), (), "phi1:1h phi2:2h w1:3h w2:4h"),  # of two no steps are known
     ("- phi1 phi2 w1 w2", ("0 0.1 0.2 bad", *"abcd"), (), "t:0p phi1:1h phi2:2h w1:3h w2:4h"),
     ("t phi1 phi2 rate_of_link_w1 w2", (TIMES, *"abcd"), (), "t:0h phi1:1h phi2:2h w1:3h w2:4h"),

@@ -39,7 +39,10 @@ def turned(key: Key, student: StudentTable) -> StudentTable | None:
         return _turned(key, student, mirrored=False)
     begins = slice(_BEGINNING)
     against = _opposite(values[begins, m:], key.table[begins, m:])[angular[m:]]
-    return _turned(key, student, mirrored=True) if against.sum() > 0 else None
+    if against.sum() <= 0:
+        return None
+    back = _turned(key, student, mirrored=True)
+    return back if _explained(key, mark_cells(key, back)) >= _by_drive(key, student) else None
 
 
 def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
@@ -47,18 +50,25 @@ def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
     back = turned(key, student)
     if back is None:
         return None
-    m, plain, cells = len(key.coordinates), mark_cells(key, student), mark_cells(key, back)
+    plain, cells = mark_cells(key, student), mark_cells(key, back)
     follows = _explained(key, cells)
-    # A drive with the opposite sign explains its own table as well, and better.  If both give the same numbers, as in a train of
-    # wheels, they cannot be told apart, and the convention is believed.
-    other = key.misread("sign_drive")
-    driven = np.abs(student.values[:, m:] - other(key.t, student.values[:, :m])) if other else None
-    by_drive = 0.0
-    if driven is not None and not _begins_mirrored(key, student):
-        allowed = np.fmax.reduce([way.tolerance[:, m:] for way in plain.ways])
-        with np.errstate(invalid="ignore"):
-            by_drive = _part(driven <= allowed, ~cells.missing[:, m:])
-    return back if follows >= _EXPLAINED and follows >= by_drive and cells.wrong.sum() < plain.wrong.sum() else None
+    is_told = follows >= _EXPLAINED and follows >= _by_drive(key, student)
+    return back if is_told and cells.wrong.sum() < plain.wrong.sum() else None
+
+
+def _by_drive(key: Key, student: StudentTable) -> float:
+    """Return the part of the velocities that a drive with the opposite sign explains, 0 if an angle begins mirrored.
+
+    Such a drive explains its own table better than the convention does.  If both give the same numbers, as in a train of wheels,
+    they cannot be told apart, and the convention is believed.
+    """
+    m, other = len(key.coordinates), key.misread("sign_drive")
+    if other is None or _begins_mirrored(key, student):
+        return 0.0
+    cells = mark_cells(key, student)
+    allowed = np.fmax.reduce([way.tolerance[:, m:] for way in cells.ways])
+    with np.errstate(invalid="ignore"):
+        return _part(np.abs(student.values[:, m:] - other(key.t, student.values[:, :m])) <= allowed, ~cells.missing[:, m:])
 
 
 def _angular(key: Key) -> Flags:

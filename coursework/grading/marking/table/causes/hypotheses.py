@@ -79,8 +79,8 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
     # In another scheme all stages may have used the time of the row: clock 0.
     tried = [(name, SCHEMES[name], 0.0, clock) for name in SCHEMES_TRIED for clock in (1.0, 0.0)]
     tried += [("step_ahead", EULER, h, 1.0), ("step_behind", EULER, -h, 1.0)]
-    for code, scheme, ahead, clock in tried:
-        made = partial(increments, scheme=scheme, ahead=ahead, clock=clock)
+    rules = [(code, partial(increments, scheme=one, ahead=ahead, clock=clock)) for code, one, ahead, clock in tried]
+    for code, made in [*rules, ("in_place", partial(_one_by_one, printed.key))]:
         stacked = printed.stacked(partial(made, w=np.empty(0)))
         claim = printed.claim(code, printed.steps(stacked(printed.q), printed.spread(stacked)))
         yield replace(claim, table=printed.marched(velocities_at, made))
@@ -99,6 +99,14 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
     if order != [*range(m)]:
         claim = printed.claim("other_rates", printed.steps(h * rates[:, order], h * units[:, order]))
         yield replace(claim, table=printed.marched(velocities_at, lambda t, q, w: h * w[:, order]))
+
+
+def _one_by_one(key: Key, t: Array, q: Array, w: Array) -> Array:
+    """Return increments (n, m): a program that overwrites the coordinates moves each with those before it already moved."""
+    moved = q.copy()
+    for place in range(q.shape[1]):
+        moved[:, place] += key.step * key.velocities_at(t, moved)[:, place]
+    return moved - q
 
 
 def _from_rows_before(key: Key, weight: float = 1.0) -> Array:

@@ -24,6 +24,43 @@ from tests.mechanisms.library import mechanism
 OWN = mechanism("slider-crank-on-a-slope").encode()
 
 
+# A four-bar linkage whose rocker pin sits on a wheel geared to the crank.
+GEARED = b"""
+format = 1
+title = "Geared five-bar linkage"
+source = "own"
+[given]
+a = "0.09 m"
+b = "0.28 m"
+c = "0.3 m"
+d = "0.11 m"
+W = "4.4 1/s"
+eps = "3.5 1/s"
+[drive]
+w1 = "W + eps*sin(W*t)"
+[coordinates]
+phi1 = { start = "0.6 rad", rate = "w1" }
+phi4 = { start = "2.4 rad", rate = "w4" }
+phi2 = { start = "1.5393 rad", rate = "w2" }
+phi3 = { start = "2.11683 rad", rate = "w3" }
+[time]
+step = "0.025 s"
+end = "0.6 s"
+[[constraint]]
+name = "1"
+because = "gears"
+equation = "w4 + 2*w1 = 0"
+[[constraint]]
+name = "2"
+because = "loop, x"
+equation = "-a*w1*sin(phi1) - b*w2*sin(phi2) + c*w3*sin(phi3) + d*w4*sin(phi4) = 0"
+[[constraint]]
+name = "3"
+because = "loop, y"
+equation = "a*w1*cos(phi1) + b*w2*cos(phi2) - c*w3*cos(phi3) - d*w4*cos(phi4) = 0"
+"""
+
+
 class Desk:
     """Where tables of one variant are handed in; `right` is made by a program of its own."""
 
@@ -122,6 +159,14 @@ def test_a_drive_with_the_other_sign_is_no_turning(desk):
         named = grade.table.misconception
         assert "sign_drive" in (named.code, *named.ties)
         assert "clockwise" not in (named.code, *named.ties, *codes(grade))
+
+
+def test_a_wheel_that_turns_with_the_crank_makes_no_turning_of_a_drive_with_the_other_sign():
+    """Half of the velocities are the drive's: turned back they agree, and the links between them do not."""
+    two = parse_variant(GEARED, "own.toml", {})
+    assert "clockwise" not in codes(Desk(two).graded(Machine(two, drive_sign=-1.0).table()))
+    turned = Desk(two).graded(Desk(two).turned("start"))
+    assert (turned.table.share, "clockwise" in codes(turned)) == (1, True)
 
 
 def test_a_right_table_is_untouched(desk):

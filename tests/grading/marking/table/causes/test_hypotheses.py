@@ -98,7 +98,7 @@ def above(place):
 
 MADE = {
     **{code: students.MISCONCEPTIONS[code] for code in (
-        "heun", "midpoint", "rk4", "step_ahead", "step_behind", "row_before", "time_ahead", "time_behind",
+        "heun", "midpoint", "rk4", "step_ahead", "step_behind", "row_before", "in_place", "time_ahead", "time_behind",
     )},
     "trapezoid": lambda: implicit(0.5), "backward": lambda: implicit(1.0), "rows_above": rows_above,
     **{f"rounded_omega_{k}": lambda k=k: table(lambda t, q: H * np.round(slopes(t, q), k)) for k in (1, 2, 3)},
