@@ -9,6 +9,7 @@ as a predefined process.  A block whose determinant can vanish is followed by a 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from textwrap import wrap
 from xml.sax.saxutils import escape
 
 from coursework.report.text.words import Words
@@ -128,11 +129,7 @@ def _text(one: Placed) -> Iterator[str]:
 
 def _lines(text: str) -> list[str]:
     """Return a text as at most three lines of a box."""
-    found = [""]
-    for word in text.split(" "):
-        if found[-1] and len(found[-1]) + len(word) >= _LETTERS:
-            found.append("")
-        found[-1] = f"{found[-1]} {word}".strip()
+    found = wrap(text, _LETTERS, break_long_words=False, break_on_hyphens=False)
     return found if len(found) <= 3 else [*found[:2], f"{found[2]} …"]
 
 
