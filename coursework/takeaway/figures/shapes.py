@@ -83,7 +83,6 @@ Shape = Chain | Circle | Arrow | Hatching | Words
 def shapes_of(svg: str, height: float) -> Iterator[Shape]:
     """Yield the shapes from the background to the foreground, without those that only a screen shows."""
     line: Chain | None = None  # an open chain, to which the next shape may be the head
-    shape: Shape
     for shape in _read(ElementTree.fromstring(svg), height):
         if isinstance(shape, Chain) and _is_head(shape):
             shape, line = _headed(line, shape)
