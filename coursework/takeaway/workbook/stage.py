@@ -24,7 +24,7 @@ from coursework.motion.schemes import scheme_of
 from coursework.system.arrays import Array
 from coursework.takeaway.workbook.cells import ROW, SHEET, TIME, Column, Matrix, StepTable
 from coursework.takeaway.workbook.formulas import spreadsheet
-from coursework.takeaway.workbook.names import letters, number_of
+from coursework.takeaway.workbook.names import letters
 from coursework.variant.formula.tree import Formula, mapped
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class Stage:
         """Write a velocity into its column of the table, or into a new one."""
         table, names = self.writer.table, self.writer.table.motion.velocity_names
         if name in self.places:
-            table.columns[number_of(self.places[name])].formula = formula
+            table.columns[table.number(self._head(name))].formula = formula
             return
         values = self.velocities[:, names.index(name)] if name in names else self.values([symbol(name)])[:, 0]
         self.places[name] = table.add(Column(self._head(name), formula, values, until=self._until))
@@ -108,7 +108,7 @@ class Stage:
         table.matrices.append(made)
         for place, name in enumerate(block.unknowns):
             self._set(name, "")
-            table.solved[number_of(self.places[name])] = (made, place)
+            table.solved[table.number(self._head(name))] = (made, place)
 
     def values(self, wanted: Sequence[Expression]) -> Array:
         """Return the numbers (n, k) of k expressions in the n rows."""
