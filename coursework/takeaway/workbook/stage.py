@@ -8,8 +8,7 @@ MMULT and MINVERSE over its coefficients, which are in hidden columns.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
-from functools import partial
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -52,12 +51,9 @@ class Stage:
 
     def __init__(self, writer: Maker, number: int, places: dict[str, str], t: Array, q: Array) -> None:
         self.writer, self.number, self.places, self.t, self.q = writer, number, {TIME: TIMES, **places}, t, q
+        self.until = int(number > 0)  # the last row has no further slopes
         self.matrices: dict[int, Matrix] = {}
         self.velocities = writer.table.motion.velocities if number == 0 else writer.rates.table(t, q)[0]
-
-    @property
-    def _until(self) -> int:
-        return int(self.number > 0)
 
     def write(self, blocks: Iterable[int]) -> None:
         """Write the velocities of some blocks, and laws that are velocities."""
@@ -91,7 +87,7 @@ class Stage:
             table.columns[table.number(self._head(name))].formula = formula
             return
         values = self.velocities[:, names.index(name)] if name in names else self.values([symbol(name)])[:, 0]
-        self.places[name] = table.add(Column(self._head(name), formula, values, until=self._until))
+        self.places[name] = table.add(Column(self._head(name), formula, values, until=self.until))
 
     def _head(self, name: str) -> str:
         return name + "′" * self.number
@@ -103,7 +99,7 @@ class Stage:
         rows = [[*row, side] for row, side in zip(block.coefficients, block.sides, strict=True)]
         entries = [entry for row in rows for entry in row]
         texts = tuple(self.text(as_formula(entry, order)) for entry in entries)
-        made = Matrix(0, size, texts, self.values(entries), self._until)
+        made = Matrix(0, size, texts, self.values(entries), self.until)
         self.matrices[index] = made
         table.matrices.append(made)
         for place, name in enumerate(block.unknowns):
@@ -131,7 +127,7 @@ class Stage:
             if name not in self.places and name not in self.writer.table.names and name != "pi":
                 expression = self._expression(name)
                 values = self.values([expression])[:, 0]
-                column = Column(self._head(name), self.law_text(name), values, until=self._until)
+                column = Column(self._head(name), self.law_text(name), values, until=self.until)
                 self.places[name] = self.writer.table.add(column)
         return spreadsheet(opened, self._cells(opened), self._table)
 
@@ -146,8 +142,7 @@ class Stage:
             self.places = own
 
     def _table(self, called: str, argument: Formula) -> str:
-        value: Callable[[str], str] = partial(self.writer.table.tables.value, called)
-        return value(self.text(argument))
+        return self.writer.table.tables.value(called, self.text(argument))
 
     def law_text(self, name: str) -> str:
         """Return the formula of a law, or of its derivative."""
