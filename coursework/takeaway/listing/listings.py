@@ -43,6 +43,7 @@ class _Listing:
         inside = one.locals
         later = [one.out(stage, rate) for stage in range(1, program.scheme.slopes) for rate in one.velocities]
         of_data = [one.names[name] for name in one.targets(program.known)]
+        known = [line for assigned in program.known for line in one.assigned(assigned)]
         size = one.largest
         in_velocities = self._perhaps("inside", names=", ".join([*inside, *one.velocities]), locals=", ".join(inside))
         arguments = (filled(self.texts.get("argument", "{name}"), name=name) for name in (one.t, *one.coordinates))
@@ -50,7 +51,7 @@ class _Listing:
         yield from self._laid("program", {
             "head": one.head(), "data": [*self._data()], "functions": functions(one), "limits": [*self._limits()],
             "blocks": one.blocks(), "rows": self._rows(),
-            "known": [filled(self.texts.get("of_data", "{line}"), line=line) for known in program.known for line in one.assigned(known)],
+            "known": [filled(self.texts.get("of_data", "{line}"), line=line) for line in known],
             "imports": self._perhaps("imports", calls=", ".join(sorted(program.calls & _IMPORTED))),
             "shared": self._perhaps("shared", names=" ".join(one.data)),
             "declared": self._perhaps("declared", names=", ".join(of_data)),
