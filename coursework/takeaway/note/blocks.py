@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import singledispatchmethod
+
 from coursework.report.text import parts
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note import tree
