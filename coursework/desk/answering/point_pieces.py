@@ -75,12 +75,9 @@ class Slider:
 
 def slider_of(variant: Variant, point: str) -> Slider | None:
     """Return the slider of a point in a guide of the frame, None if it does not slide in one."""
-    return next(iter([*_in_rails(variant, point), *_in_chain(variant, point)]), None)
-
-
-def _in_rails(variant: Variant, point: str) -> Iterator[Slider]:
-    rails = enumerate(variant.frame.rails)
-    return (Slider(angle, rail=k) for k, (through, angle) in rails if through.name == point and not variant.groups)
+    if not variant.groups:
+        return next((Slider(angle, rail=k) for k, (through, angle) in enumerate(variant.frame.rails) if through.name == point), None)
+    return next(_in_chain(variant, point), None)
 
 
 def _in_chain(variant: Variant, point: str) -> Iterator[Slider]:
