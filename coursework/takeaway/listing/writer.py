@@ -23,7 +23,7 @@ class Writer:
 
     def __init__(self, program: Program, syntax: Syntax, words: Words) -> None:
         self.program, self.syntax, self.words = program, syntax, words
-        self.names = Names.of(syntax, program.declared)
+        self.names = Names(syntax, program.declared)
         for datum in (*program.data, *program.start):
             _ = self.names[datum.name]
         for name in program.velocities:
