@@ -8,7 +8,7 @@ as a predefined process.  A block whose determinant can vanish is followed by a 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from textwrap import wrap
 from xml.sax.saxutils import escape
 
@@ -63,8 +63,8 @@ def size_of(program: Program, words: Words) -> tuple[float, float]:
 
 
 def _columns(program: Program, words: Words) -> tuple[list[Placed], list[Placed]]:
-    main = list(_down(list(program.boxes.values()), EDGE + WIDTH / 2))
-    return main, list(_down(list(_velocities(program, words)), EDGE + WIDTH + APART + WIDTH / 2))
+    main = _down(program.boxes.values(), EDGE + WIDTH / 2)
+    return main, _down(_velocities(program, words), EDGE + WIDTH + APART + WIDTH / 2)
 
 
 def _velocities(program: Program, words: Words) -> Iterator[Box]:
@@ -78,9 +78,8 @@ def _velocities(program: Program, words: Words) -> Iterator[Box]:
     yield program.returned(words)
 
 
-def _down(boxes: list[Box], x: float) -> Iterator[Placed]:
-    for place, box in enumerate(boxes):
-        yield Placed(box, x, EDGE + place * (HEIGHT + GAP))
+def _down(boxes: Iterable[Box], x: float) -> list[Placed]:
+    return [Placed(box, x, EDGE + place * (HEIGHT + GAP)) for place, box in enumerate(boxes)]
 
 
 def _column(column: list[Placed]) -> Iterator[str]:
