@@ -64,7 +64,7 @@ def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> lis
     bars = {slide.link for slide in sketch.pose.slides}
     if asked := [body.name for body in bodies if body.name in links and (len(body.points) > 1 or body.name in bars)]:
         sentences.append(say("drawing.by_lines", links=tuple(asked)))
-    for one in plan.steps if plan is not None else ():
+    for one in plan.polygons.found if plan is not None else ():
         if one.rule == "special":
             sentences.append(say("drawing.special", special=lowered_name(one.point), link=one.link, legs=crossing(one)))
     if plan is not None and findings.beyond:
