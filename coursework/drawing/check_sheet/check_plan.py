@@ -6,7 +6,7 @@ Used by `graph_check.py`, `readings.py` and `graph_words.py`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -17,7 +17,7 @@ from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.plans.moving import Kinematics, Moving
 from coursework.drawing.plans.plan_scale import SEEN, PlanScale, scale_of
 from coursework.drawing.plans.polygons import polygons
-from coursework.drawing.plans.vectors import POLE, VELOCITY, Found, Polygons
+from coursework.drawing.plans.vectors import POLE, VELOCITY, Polygons
 from coursework.system.frozen import frozen
 
 

@@ -212,7 +212,8 @@ class _Ruler:
         for line in one.lines if one.rule == "lines" else ():
             if line.kind == "slot":
                 self.vector(line.base, point)
-        for line in (line for found in self.plan.polygons.found if found.rule == "special" for line in found.lines) if self.plan else ():
+        steps = self.plan.polygons.found if self.plan else ()
+        for line in (line for found in steps if found.rule == "special" for line in found.lines):
             if line.kind == "slot" and line.at == point:
                 self.vector(line.base, point)
         for body in self.sketch.pose.bodies:
