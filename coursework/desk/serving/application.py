@@ -19,7 +19,7 @@ from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route
 
-from coursework.desk.job import Answer, Bounds, Job, Policy, Setup
+from coursework.desk.job import Answer, Job, Policy, Setup
 from coursework.desk.serving import assets
 from coursework.desk.serving.bodies import MOST_BYTES, MOST_TABLE_BYTES, NAMES, PLACE, TEXT, body_of
 from coursework.desk.serving.config import config_of
@@ -29,6 +29,7 @@ from coursework.desk.serving.library import Library
 from coursework.desk.serving.metrics import Metrics
 from coursework.desk.serving.renderers import Renderers
 from coursework.desk.serving.replies import language_of, refusal, reply
+from coursework.system.budget import Budget
 from coursework.system.frozen import frozen
 from coursework.words.errors import OutputError
 
@@ -49,7 +50,7 @@ class Plan:
     """The settings of one desk: who has access (`gate`), its `folder` (None: no files), the `opened` file, its language."""
 
     gate: Gate
-    bounds: Bounds
+    bounds: Budget
     workers: int
     folder: Path | None = None
     opened: Mapping[str, Any] = field(default_factory=dict)

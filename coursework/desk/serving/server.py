@@ -19,11 +19,12 @@ from pathlib import Path
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-from coursework.desk.job import Bounds, Policy
+from coursework.desk.job import Policy
 from coursework.desk.serving.application import Application, Plan
 from coursework.desk.serving.config import opened
 from coursework.desk.serving.guard import Gate
 from coursework.desk.serving.limits import Limits
+from coursework.system.budget import Budget
 from coursework.system.frozen import frozen
 from coursework.words.errors import InputError, reason_of
 from coursework.words.sentences import say
@@ -64,7 +65,7 @@ class Wish:
     """The options of the command line; `host` "" means only this machine, `folder` None a desk without files."""
 
     port: int
-    bounds: Bounds
+    bounds: Budget
     policy: Policy
     name: str = ""
     folder: Path | None = None
