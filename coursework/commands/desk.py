@@ -23,7 +23,8 @@ def edit(name: str, *, port: int, no_browser: bool, budget: float, memory: float
     """Open the desk over the files of this folder."""
     _require_extra()
     from coursework.desk.job import Policy
-    from coursework.desk.serving.server import Wish, serve
+    from coursework.desk.serving.application import Wish
+    from coursework.desk.serving.server import serve
 
     serve(Wish(port, Budget(budget, memory), Policy(), name, Path.cwd(), language=language, browser=not no_browser), _told)
     return 0
@@ -37,7 +38,8 @@ def serve(
     _require_extra()
     from coursework.desk.job import Policy
     from coursework.desk.policy import read_policy
-    from coursework.desk.serving.server import Wish, serve
+    from coursework.desk.serving.application import Wish
+    from coursework.desk.serving.server import serve
 
     root = "/" + root_path.strip("/") if root_path.strip("/") else ""
     offered = read_policy(policy) if policy else Policy()
