@@ -226,7 +226,7 @@ def live_numbers(run: SceneRun, functions: Functions) -> dict[str, Any]:
     constant = given_constants(variant, run.motion.names, run.motion.rows)
     return {
         "coordinates": [c.name for c in variant.coordinates],
-        "velocities": [*variant.rates, *(name for name, _ in variant.unknowns)],
+        "velocities": list(variant.velocities),
         "units": {name: variant.unit_of(name) for name in variant.columns},
         "shown": [name for name in run.motion.names if name not in constant],
         "start": scene.start,

@@ -8,7 +8,7 @@ Used by `writer.py`, `chart.py` and `commands/listing.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 from coursework.equations.codegen.names import private, public
 from coursework.equations.codegen.programs import Assign, Statement
@@ -122,16 +122,15 @@ def program_of(context: PageContext) -> Program:
     run, motion = context.run, rows_of(context.run)
     scene, variant = run.scene, run.variant
     scheme = scheme_of(motion.scheme, (SEMI_IMPLICIT.name,))
-    velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
-    found = moving(run) if variant.motor is not None else _by_laws(run, velocities)
-    shown = tuple(map(private, (*(c.name for c in variant.coordinates), *velocities)))
+    found = moving(run) if variant.motor is not None else _by_laws(run)
+    shown = tuple(map(private, variant.columns))
     boxes = _boxes(context)
     states = [(private(one.name), one.unit) for one in variant.coordinates]
     states += [(name, variant.unit_of(public(name, ()))) for name in found.states]
     start = zip(states, (*scene.start, *found.start), strict=True)
     units = {private(one.name): one.si for one in found.variant.given}
     limits = tuple(
-        Limit(one.middle.time, AT_EVENT * one.middle.time, tuple(one.middle.velocities[name] for name in velocities))
+        Limit(one.middle.time, AT_EVENT * one.middle.time, tuple(one.middle.velocities[name] for name in variant.velocities))
         for one in scene.search.passages
     )
     blocks = tuple(_blocks(context, found, len(boxes)))
@@ -145,8 +144,9 @@ def program_of(context: PageContext) -> Program:
     )  # fmt: skip
 
 
-def _by_laws(run: SceneRun, velocities: Sequence[str]) -> Moving:
+def _by_laws(run: SceneRun) -> Moving:
     """Return the parts of the program of a motion that is prescribed by the drive."""
+    velocities = run.variant.velocities
     statements: list[Statement] = [
         one for index, block in enumerate(run.reduction.blocks) for one in block_statements(block, index)
     ]

@@ -113,9 +113,8 @@ class Stage:
         for index, coordinate in enumerate(variant.coordinates):
             if coordinate.name in writer.rates.coordinates:
                 q[:, index] = self.q[:, writer.rates.coordinates.index(coordinate.name)]
-        velocities = [*variant.rates, *(name for name, _ in variant.unknowns)]
-        u = np.zeros((len(self.t), len(velocities)))
-        for index, name in enumerate(velocities):
+        u = np.zeros((len(self.t), len(variant.velocities)))
+        for index, name in enumerate(variant.velocities):
             if name in writer.table.motion.velocity_names:
                 u[:, index] = self.velocities[:, writer.table.motion.velocity_names.index(name)]
         return compile_rows(writer.equations, wanted, 1)(self.t, q, u)
