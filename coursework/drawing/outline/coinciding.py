@@ -77,8 +77,7 @@ def _parts(outline: Outline, poses: Poses, rows: Rows) -> list[_Part]:
         for a, b in itertools.pairwise(bar.corners)
     ]
     for slot in outline.slots:
-        along = at[slot.toward] - at[slot.base]
-        along = along / np.where(along == 0, 1, np.abs(along))
+        along = poses.along(slot.base, slot.toward)[rows]
         for rider in slot.riders:
             foot = at[slot.at] + 1j * along * ((at[rider] - at[slot.at]) * along.conjugate()).imag
             found.append(_Part(slot.link, foot, at[rider], frozenset((slot.at, *slot.riders))))
