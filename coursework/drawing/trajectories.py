@@ -130,12 +130,6 @@ def _hodograph(name: str, curve: Complex, rows: Complex, t: Array) -> Drawing:
     sheet.axes()
     top = int(np.argmax(np.abs(rows)))
     is_even = float(np.ptp(np.abs(rows))) <= AT_REST * fastest
-    words = say(
-        "drawing.hodograph.even" if is_even else "drawing.hodograph.caption",
-        point=name,
-        speed=decimal(speed),
-        fastest=float(abs(rows[top])),
-        row=top + 1,
-        time=float(t[top]),
-    )
+    key = "drawing.hodograph.even" if is_even else "drawing.hodograph.caption"
+    words = say(key, point=name, speed=decimal(speed), fastest=float(abs(rows[top])), row=top + 1, time=float(t[top]))
     return Drawing(f"hodograph-{name}", sheet.svg(), board.width, board.height, words, say("drawing.hodograph.alt", point=name))
