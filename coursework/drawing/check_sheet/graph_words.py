@@ -89,11 +89,8 @@ def why_unread(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> st
         return say("graph.unread_lengths" if any(sketch.pose.rates.values()) else "graph.unread_still")
     if findings.missing:
         return say("graph.unread_left")
-    return say(
-        "graph.unread_together"
-        if (findings.planned or findings.beyond) and (plan is None or plan.solved)
-        else "graph.unread_given"
-    )
+    together = (findings.planned or findings.beyond) and (plan is None or plan.solved)
+    return say("graph.unread_together" if together else "graph.unread_given")
 
 
 def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], letter: str, sleeves: Set[tuple[str, str]]) -> str:
