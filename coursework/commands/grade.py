@@ -155,8 +155,9 @@ def _bytes(path: Path) -> bytes:
 
 
 def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[str], states: dict[str, str]) -> None:
-    named = {state: say(f"feedback.state.{state.replace('-', '_')}") for state in states.values()}
-    counted = [say("screen.state", count=number, state=named[state]) for state, number in sorted(Counter(states.values()).items())]
+    counts = Counter(states.values())
+    named = {state: say(f"feedback.state.{state.replace('-', '_')}") for state in sorted(counts)}
+    counted = [say("screen.state", count=counts[state], state=name) for state, name in named.items()]
     told = joined(counted, "join.numbers") if counted else say("screen.nobody")
     tell(say("screen.submissions", count=len(listed.places), told=told, fresh=fresh, kept=len(states) - fresh))
     if changed:
