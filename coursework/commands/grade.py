@@ -116,9 +116,8 @@ def _one(
     check_rubric(rubric, chosen)
     submission = collect_one(source)
     with Worker(trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)) as worker:
-        outcome = worker.answer(
-            Task(submission, content, handed_in=_handed_in_alone(source, submission, results) if rubric.late else "")
-        )
+        handed_in = _handed_in_alone(source, submission, results) if rubric.late else ""
+        outcome = worker.answer(Task(submission, content, handed_in=handed_in))
     autograder_results(outcome.grade, results, out / "results.json", language)
     return 0
 

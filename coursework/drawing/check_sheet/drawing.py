@@ -49,9 +49,8 @@ def draw(
         findings = replace(findings, velocities=given, omegas={}, centres={}, specials={})
     svg = _Drawing(sketch, findings, layout, written).svg(say("drawing.title", row=row, time=time))
     alt = say("graph.alt", row=row)
-    caption = say(
-        "graph.blank" if blank else "graph.caption", row=row, time=time, scale=layout.scale_text, seen=_seen(sketch, findings)
-    )
+    key, seen = "graph.blank" if blank else "graph.caption", _seen(sketch, findings)
+    caption = say(key, row=row, time=time, scale=layout.scale_text, seen=seen)
     return Drawing("graph-check", svg, layout.width, layout.height, caption, alt, exact=True)
 
 

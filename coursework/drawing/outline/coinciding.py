@@ -41,9 +41,8 @@ class _Part:
 
 def coincides(outline: Outline, poses: Poses) -> bool:
     """Return whether links lie on one line in the first row."""
-    return bool(
-        max((share[0] for share in _shares(outline, poses, np.arange(1), (FOLDED, STRETCHED, NEAR))), default=0.0) > ALIKE
-    )
+    shares = _shares(outline, poses, np.arange(1), (FOLDED, STRETCHED, NEAR))
+    return any(share[0] > ALIKE for share in shares)
 
 
 def clearest(outline: Outline, poses: Poses) -> int:

@@ -142,9 +142,8 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
 def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
     """Set the window so that both motions fit, and return its size (m)."""
     shown = [places for each in poses for name, places in each.at.items() if not name.startswith("~")]
-    circles = [(wheel.centre, wheel.contact) for wheel in outline.wheels] + [
-        (track.centre, track.rim) for track in outline.tracks
-    ]
+    circles = [(wheel.centre, wheel.contact) for wheel in outline.wheels]
+    circles += [(track.centre, track.rim) for track in outline.tracks]
     for each in poses:
         for centre, rim in circles:
             radius = np.abs(each.at[rim] - each.at[centre])

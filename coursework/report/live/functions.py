@@ -58,9 +58,8 @@ def rates_of(scene: Scene) -> Piece:
     """Return the function of velocities and block determinants of a scene that laws drive."""
     variant, blocks = scene.variant, scene.reduction.blocks
     statements = [one for index, block in enumerate(blocks) for one in block_statements(block, index)]
-    return Piece(
-        "rates", statements, [*map(symbol, variant.velocities), *(local(f"_det{index}") for index in range(len(blocks)))]
-    )
+    determinants = [local(f"_det{index}") for index in range(len(blocks))]
+    return Piece("rates", statements, [*map(symbol, variant.velocities), *determinants])
 
 
 def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] = ()) -> Functions:

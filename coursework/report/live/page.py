@@ -156,9 +156,8 @@ def _said(
     variant = run.variant
     names = ["t", *variant.columns, *variant.values, *drawn.data["shown_points"]]
     units = {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)}
-    words = {key: marked(words) for key, words in _words(phrases, run).items()} | {
-        f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()
-    }
+    words = {key: marked(words) for key, words in _words(phrases, run).items()}
+    words |= {f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()}
     contacts = {wheel["contact"] for wheel in drawn.data["wheels"]}
     return drawn.data | {
         "centre": letter_of_centres(drawn.data["points"], contacts, [link["name"] for link in drawn.data["links"]]),
