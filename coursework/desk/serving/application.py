@@ -23,7 +23,8 @@ from coursework.desk.job import Answer, Job, Policy, Setup
 from coursework.desk.serving import assets
 from coursework.desk.serving.bodies import MOST_BYTES, MOST_TABLE_BYTES, NAMES, PLACE, TEXT, body_of
 from coursework.desk.serving.config import config_of
-from coursework.desk.serving.files import Files
+from coursework.desk.serving.files import Files, conflict
+from coursework.desk.serving.folder import Stale
 from coursework.desk.serving.guard import Gate, Guard, new_cookie
 from coursework.desk.serving.library import Library
 from coursework.desk.serving.metrics import Metrics
@@ -82,7 +83,7 @@ class Application:
             *(Route(f"/api/{kind}", self.computed, methods=["POST"]) for kind in COMPUTED if kind != "take"),
             *Library(self.answer).routes(), *(self.files.routes() if self.files else ()),
         ]  # fmt: skip
-        handlers: dict[Any, Any] = dict.fromkeys((HTTPException, OutputError, Exception), refusal)
+        handlers: dict[Any, Any] = dict.fromkeys((HTTPException, OutputError, Exception), refusal) | {Stale: conflict}
         return Guard(Starlette(routes=routes, exception_handlers=handlers, lifespan=self.life), self.gate)
 
     @asynccontextmanager

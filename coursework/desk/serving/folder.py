@@ -32,11 +32,14 @@ MOST_FILES = 2000
 
 
 class Stale(Exception):
-    """The error for a file that has changed since it was seen: `theirs` is its content now, None if there is no such file."""
+    """The error for a file that has changed since it was seen: `theirs` is its content now, None if there is no such file.
 
-    def __init__(self, theirs: bytes | None) -> None:
+    `mine` is the content that was to be written in its place.
+    """
+
+    def __init__(self, theirs: bytes | None, mine: bytes) -> None:
         super().__init__()
-        self.theirs = theirs
+        self.theirs, self.mine = theirs, mine
 
 
 def etag_of(content: bytes) -> str:
@@ -70,7 +73,7 @@ class Folder:
 
     def write(self, name: str, content: bytes, seen: str | None) -> bool:
         """Write a file if its version is still `seen` (None: there is no such file); return whether it is new."""
-        with self._at_rest(name, seen):
+        with self._at_rest(name, seen, content):
             write_bytes(self._file(name), content)
             self._lay_tables_beside(content)
         return seen is None
@@ -119,13 +122,13 @@ class Folder:
         return self.path / (name + SUFFIX)
 
     @contextmanager
-    def _at_rest(self, name: str, seen: str | None) -> Iterator[None]:
+    def _at_rest(self, name: str, seen: str | None, mine: bytes = b"") -> Iterator[None]:
         """Lock the folder while a file still has the version `seen`.  Raises `Stale` if it has another."""
         self.read(name)
         with held(self.path, PATIENCE, own=False):
             there = self.read(name)
             if (None if there is None else etag_of(there)) != seen:
-                raise Stale(there)
+                raise Stale(there, mine)
             yield
 
     def _listed(self, below: str) -> Iterator[dict[str, Any]]:
