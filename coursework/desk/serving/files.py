@@ -17,7 +17,7 @@ from watchfiles import awatch
 
 from coursework.desk.job import OK, Answer, plain
 from coursework.desk.serving.bodies import MOST_TABLE_BYTES, NO_JSON, OTHER_SHAPE, Refused, bytes_of
-from coursework.desk.serving.folder import CONFLICT, NOT_THERE, SUFFIX, Folder, Stale, etag_of
+from coursework.desk.serving.folder import CONFLICT, SUFFIX, Folder, Stale, etag_of
 from coursework.desk.serving.replies import language_of, reply
 from coursework.desk.serving.zips import packed, unpacked
 from coursework.words.sentences import load_phrases, say
@@ -89,9 +89,7 @@ class Files:
 
     async def read(self, request: Request) -> Response:
         """Return the text of a variant with its version."""
-        content = await asyncio.to_thread(self.folder.read, request.path_params["name"])
-        if content is None:
-            raise Refused(NOT_THERE, say("desk.no_file", name=request.path_params["name"]))
+        content = await asyncio.to_thread(self.folder.present, request.path_params["name"])
         return Response(content, media_type=TEXT, headers={"ETag": etag_of(content)})
 
     async def write(self, request: Request) -> Response:

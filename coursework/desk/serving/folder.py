@@ -90,21 +90,20 @@ class Folder:
     def restore(self, name: str) -> None:
         """Restore a deleted file.  Raises `Stale` if another file has its name now."""
         with self._at_rest(name, None):
-            if self.read(name, DELETED) is None:
-                raise Refused(NOT_THERE, say("desk.no_file", name=name))
+            self.present(name, DELETED)
             with refused(self._file(name)):
                 (self.path / DELETED / (name + SUFFIX)).replace(self._file(name))
 
     def rename(self, name: str, other: str) -> None:
         """Rename a file.  Raises `Stale` if there is a file with the other name."""
-        content = self._present(name)
+        content = self.present(name)
         self.write(other, content, None)
         with self._at_rest(name, etag_of(content)), refused(self._file(name)):
             self._file(name).unlink()
 
     def duplicate(self, name: str, other: str) -> None:
         """Write a copy of a file.  Raises `Stale` if there is a file with the other name."""
-        self.write(other, self._present(name), None)
+        self.write(other, self.present(name), None)
 
     def clear(self) -> None:
         """Remove unfinished files that a killed process has left here."""
@@ -112,8 +111,9 @@ class Folder:
             if time.time() - left.lstat().st_mtime > LEFT_OVER:
                 left.unlink(missing_ok=True)
 
-    def _present(self, name: str) -> bytes:
-        content = self.read(name)
+    def present(self, name: str, below: str = "") -> bytes:
+        """Return the bytes of NAME.toml.  Raises `Refused` if there is none."""
+        content = self.read(name, below)
         if content is None:
             raise Refused(NOT_THERE, say("desk.no_file", name=name))
         return content
