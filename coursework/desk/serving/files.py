@@ -16,7 +16,7 @@ from starlette.routing import Route
 from watchfiles import awatch
 
 from coursework.desk.job import OK, Answer, plain
-from coursework.desk.serving.bodies import MOST_TABLE_BYTES, NO_JSON, OTHER_SHAPE, Refused, bytes_of
+from coursework.desk.serving.bodies import MOST_TABLE_BYTES, OTHER_SHAPE, Refused, bytes_of, json_of
 from coursework.desk.serving.folder import CONFLICT, SUFFIX, Folder, Stale, etag_of
 from coursework.desk.serving.replies import language_of, reply
 from coursework.desk.serving.zips import packed, unpacked
@@ -106,10 +106,7 @@ class Files:
 
     async def change(self, request: Request) -> Response:
         """Rename a file, write a copy of it, or restore it."""
-        try:
-            wish = json.loads(await bytes_of(request))
-        except (ValueError, RecursionError):
-            raise Refused(NO_JSON, say("desk.no_json")) from None
+        wish = await json_of(request)
         name = request.path_params["name"]
         match wish:
             case {"rename": str(other)}:
