@@ -51,8 +51,7 @@ class Wishes:
 
 def assign(
     roster: Sequence[Student], assignment: Assignment, out: Path, wishes: Wishes, words: Words,
-    drawn: Callable[[int], None] = lambda number: None, made: Callable[[int], None] = lambda number: None,
-    missed: Callable[[str], None] = lambda letters: None,
+    drawn: Callable[[int], None], made: Callable[[int], None], missed: Callable[[str], None],
 ) -> list[str]:  # fmt: skip
     """Write the files of a class and return their kinds; nothing is written if one student gets no variant.
 

@@ -6,6 +6,7 @@ Enters: `Handout`s and the assignment they come from.  Leaves: HTML without scri
 from __future__ import annotations
 
 import statistics
+from collections import defaultdict
 from collections.abc import Sequence
 
 from coursework.assigning.accept import Accepted
@@ -63,14 +64,8 @@ def _datum(one: Range, accepted: Sequence[Accepted], assignment: Assignment, wor
     values = [read(each.values[one.path]).value for each in accepted]
     every = sorted((read(text).value, text) for text in one.ends)
     (low, first), (high, last) = every[0], every[-1]
-    told = strip(
-        values,
-        low,
-        high,
-        (low + high) / 2,
-        (_dressed(first, words), _dressed(last, words)),
-        words.numbers.scalar((low + high) / 2),
-    )
+    ends, middle = (_dressed(first, words), _dressed(last, words)), (low + high) / 2
+    told = strip(values, low, high, middle, ends, words.numbers.scalar(middle))
     return {"symbol": _head(one, assignment, words), "strip": told}
 
 
@@ -105,9 +100,8 @@ def _student(handout: Handout, words: Words) -> Plain:
 
 def _equal(accepted: Sequence[Accepted]) -> list[list[str]]:
     """Return the groups of students who have the same data."""
-    alike: dict[tuple[str, ...], list[str]] = {}
+    alike = defaultdict[tuple[str, ...], list[str]](list)
     for one in accepted:
-        alike.setdefault(tuple(text for path, text in sorted(one.values.items()) if path[0] != "time"), []).append(
-            clean(one.id, LONGEST)
-        )
+        data = tuple(text for path, text in sorted(one.values.items()) if path[0] != "time")
+        alike[data].append(clean(one.id, LONGEST))
     return [students for students in alike.values() if len(students) > 1]

@@ -42,11 +42,11 @@ def ranges_file(path_or_name: str | Path, folder: Path) -> Path:
     """Return the path of a ranges file, given as a path or as the name of a catalogue template with ranges in `folder`."""
     path = Path(path_or_name)
     beside = folder / f"{path_or_name}.toml"
-    if path.is_file() or path.suffix == ".toml" or not beside.is_file():
-        if not path.is_file() and path.suffix != ".toml":
-            known = sorted(file.stem for file in folder.glob("*.toml"))
-            raise InputError(say("fault.A001", name=str(path_or_name), known=tuple(known)))
+    if path.is_file() or path.suffix == ".toml":
         return path
+    if not beside.is_file():
+        known = sorted(file.stem for file in folder.glob("*.toml"))
+        raise InputError(say("fault.A001", name=str(path_or_name), known=tuple(known)))
     return beside
 
 

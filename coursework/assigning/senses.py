@@ -141,7 +141,7 @@ def _arms(mechanism: Mechanism, name: str) -> Iterator[tuple[str, Signed]]:
 
 def _sides(mechanism: Mechanism) -> Sequence[Formula]:
     points = [formula for _, formula in mechanism.points]
-    return [*points, *(side for one in mechanism.constraints if one.is_closure for side in (one.left, one.right))]
+    return [*points, *(side for one in mechanism.constraints if one.is_closure for side in one.sides)]
 
 
 def _symbols(variant: Variant, names: Sequence[str]) -> Runs:

@@ -57,31 +57,22 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
 def timed_study(run: Run) -> AccuracyStudy:
     """Return the study with times, also of imports and the reduction.  Raises `InputError` if the exact motion has no rows."""
     scene = run.scene
-    if not scene.follows_laws:
-        return _by_motor(run)
+    if not scene.follows_laws:  # the study of motion under forces: the error of the energy against the number of slopes
+        from coursework.scene.motor_scene import MotorScene
+
+        assert isinstance(scene, MotorScene)
+        with click.progressbar(length=30, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
+            return scene.energy_study(lambda _label: bar.update(1))
     if not len(run.exact.t):
         raise InputError(say("fault.C022"))
     problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
     command = [sys.executable, "-c", "import numpy"]
-    overhead = (
-        (say("study.imports"), timed_once(lambda: subprocess.run(command, check=True))[1]),
-        (
-            say("study.reduction"),
-            sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates")),
-        ),
-    )
+    imports = timed_once(lambda: subprocess.run(command, check=True))[1]
+    reduction = sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates"))
+    overhead = ((say("study.imports"), imports), (say("study.reduction"), reduction))
     made = scene.results.by_scheme
     with click.progressbar(length=45, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
         return make_study(
             problem, run.exact, made.motion.scheme,
             timed=True, overhead=overhead, progress=lambda _label: bar.update(1),
         )  # fmt: skip
-
-
-def _by_motor(run: Run) -> AccuracyStudy:
-    """Return the study of motion under forces: the error of the energy against the number of slopes."""
-    from coursework.scene.motor_scene import MotorScene
-
-    assert isinstance(run.scene, MotorScene)
-    with click.progressbar(length=30, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
-        return run.scene.energy_study(lambda _label: bar.update(1))

@@ -11,31 +11,14 @@ from typing import Any
 
 import click
 
-from coursework.commands.line.options import (
-    PATH,
-    RUBRIC_KEYS,
-    SCHEME,
-    SET,
-    VARIANT,
-    CommandWithKinds,
-    CommandWithTemplates,
-    Formats,
-    held_to_limits,
-    limited,
-    listed,
-    offered,
-    rubric_shown,
-    spoken,
-    templates,
-    versions_shown,
-)
+from coursework.commands.line import options as line
 from coursework.commands.program import PASSED, Program
 
 
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="coursework", prog_name="coursework")
 @click.option(
-    "--versions", is_flag=True, is_eager=True, expose_value=False, callback=versions_shown,
+    "--versions", is_flag=True, is_eager=True, expose_value=False, callback=line.versions_shown,
     help="Show what is installed of each extra and exit.",
 )  # fmt: skip
 def main() -> None:
@@ -45,20 +28,20 @@ def main() -> None:
     """
 
 
-@main.command("run", cls=CommandWithTemplates, short_help="Compute a variant and write its report.")
-@click.argument("variants", nargs=-1, required=True, metavar="VARIANT...", shell_complete=offered("variants"))
-@click.option("--out", type=PATH, help="Folder for the results (default: coursework-NAME; for several coursework-runs).")
-@click.option("--format", "formats", type=Formats("run"), help="Files to write (default: html,pdf,csv).")
-@SCHEME
+@main.command("run", cls=line.CommandWithTemplates, short_help="Compute a variant and write its report.")
+@click.argument("variants", nargs=-1, required=True, metavar="VARIANT...", shell_complete=line.offered("variants"))
+@click.option("--out", type=line.PATH, help="Folder for the results (default: coursework-NAME; for several coursework-runs).")
+@click.option("--format", "formats", type=line.Formats("run"), help="Files to write (default: html,pdf,csv).")
+@line.SCHEME
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @click.option("--end", help='End of the run in s, such as 0.48, or with a unit: "480 ms".')
-@SET
+@line.SET
 @click.option("--check-row", type=click.IntRange(min=1), help="Row of the graph-analytical check, from 1.")
 @click.option(
     "--blank", is_flag=True, help="Leave the construction of the graph-analytical check to the student: the mechanism alone."
 )
-@click.option("--quantities", callback=listed, help="What to compute: quantities, or columns of the table; commas between.")
+@click.option("--quantities", callback=line.listed, help="What to compute: quantities, or columns of the table; commas between.")
 @click.option("--project", is_flag=True, help="One Newton projection onto the position equations a step.")
 @click.option("--gain", type=float, default=0.0, help="Baumgarte's gain in 1/s (a teaching knob; gain times step below 2).")
 @click.option("--precision", type=click.Choice(["double", "single"]), default="double", help="single: see what round-off does.")
@@ -66,17 +49,17 @@ def main() -> None:
 @click.option("--verbose", is_flag=True, help="Print every check with its number on a terminal too, as for a file or a program.")
 @click.option("--plan", is_flag=True, help="Print what would be computed and what is left out, and stop.")
 @click.option("--profile", is_flag=True, help="Print calls and time of every quantity.")
-@spoken(passed_on=True)
+@line.spoken(passed_on=True)
 @click.option("--live/--no-live", default=True, show_default=True, help="Let the mechanism move on the page of a screen.")
 @click.option("--student", help="Name for the title block.")
 @click.option("--group", help="Group for the title block.")
 @click.option("--teacher", help="Teacher for the title block.")
 @click.option("--institution", help="Institution for the title block.")
 @click.option("--date", help="Date for the title block.")
-@templates(passed_on=True)
+@line.templates(passed_on=True)
 @click.option("--combined", is_flag=True, help="All variants in one PDF too: combined.pdf.")
 @click.option("--jobs", type=click.IntRange(min=1), default=1, show_default=True, help="Processes that share several variants.")
-@limited
+@line.limited
 def run_command(variants: tuple[str, ...], **options: Any) -> int:
     """Run VARIANT (a name of the catalogue or a file) and write its report; several, or a pattern, get a folder each."""
     from coursework.commands.several import run_variants
@@ -85,11 +68,11 @@ def run_command(variants: tuple[str, ...], **options: Any) -> int:
 
 
 @main.command("animate", short_help="Write the mechanism in motion as one picture.")
-@VARIANT
-@click.option("--out", type=PATH, help="The picture to write (default: NAME.gif).")
-@SCHEME
-@held_to_limits
-@spoken(passed_on=True)
+@line.VARIANT
+@click.option("--out", type=line.PATH, help="The picture to write (default: NAME.gif).")
+@line.SCHEME
+@line.held_to_limits
+@line.spoken(passed_on=True)
 def animate_command(variant: str, out: Path | None, scheme: str | None, language: str) -> int:
     """Write VARIANT in motion as one animated picture, the true mechanism beside that of the table."""
     from coursework.commands.animate import animate_variant
@@ -98,19 +81,19 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, language
 
 
 @main.command("listing", short_help="Print the coursework as a program of your own.")
-@VARIANT
+@line.VARIANT
 @click.option(
     "--language", "code", type=click.Choice(["python", "octave", "c", "pascal", "javascript"]),
     help="Language of the program (default: python; none with --chart alone).",
 )  # fmt: skip
-@SCHEME
+@line.SCHEME
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
-@SET
-@click.option("--out", type=PATH, help="The file to write (default: the screen).")
-@click.option("--chart", type=PATH, help="Write the block diagram of this program: FILE.svg.")
-@spoken(passed_on=True, option="--comments")
-@held_to_limits
+@line.SET
+@click.option("--out", type=line.PATH, help="The file to write (default: the screen).")
+@click.option("--chart", type=line.PATH, help="Write the block diagram of this program: FILE.svg.")
+@line.spoken(passed_on=True, option="--comments")
+@line.held_to_limits
 def listing_command(variant: str, **options: Any) -> int:
     """Print VARIANT as a program that needs no library and prints its table; draw its block diagram."""
     from coursework.commands.listing import list_variant
@@ -119,9 +102,9 @@ def listing_command(variant: str, **options: Any) -> int:
 
 
 @main.command("check", short_help="Tell faults, mobility, and whether it can move.")
-@VARIANT
-@held_to_limits
-@spoken(passed_on=False)
+@line.VARIANT
+@line.held_to_limits
+@line.spoken(passed_on=False)
 def check_command(variant: str) -> int:
     """Look at VARIANT: its faults, mobility, blocks, and whether the whole motion is possible."""
     from coursework.commands.check import check_variant
@@ -130,7 +113,7 @@ def check_command(variant: str) -> int:
 
 
 @main.command("variants")
-@spoken(passed_on=True)
+@line.spoken(passed_on=True)
 def variants_command(language: str) -> int:
     """List the catalogue."""
     from coursework.variant.catalogue import entries
@@ -142,18 +125,18 @@ def variants_command(language: str) -> int:
     return PASSED
 
 
-@main.command("new", cls=CommandWithKinds, short_help="Write a variant file to fill in.")
+@main.command("new", cls=line.CommandWithKinds, short_help="Write a variant file to fill in.")
 @click.argument("name")
 @click.option("--with", "more", metavar="forces", help="Add masses and forces, to be changed.")
 @click.option("--groups", "kinds", metavar="KIND,KIND…", help="Write a chain of groups of these kinds (below), a crank first.")
 @click.option(
     "--from",
     "original",
-    shell_complete=offered("variants"),
+    shell_complete=line.offered("variants"),
     help="Copy this variant with its tables, or a file of PMKS+, pylinkage, Linkage.",
 )
-@SET
-@spoken(passed_on=True)
+@line.SET
+@line.spoken(passed_on=True)
 def new_command(
     name: str, original: str | None, set_values: tuple[str, ...], kinds: str | None, language: str, more: str | None
 ) -> int:
@@ -163,13 +146,13 @@ def new_command(
     return new_variant(name, original, set_values, kinds, language, more)
 
 
-@main.command("accuracy", cls=CommandWithTemplates, short_help="Show what accuracy costs in time.")
-@VARIANT
-@click.option("--out", type=PATH, help="Folder for the page (default: coursework-NAME).")
-@click.option("--format", "formats", type=Formats("accuracy"), help="Files to write (default: all of these).")
-@templates(passed_on=False)
-@held_to_limits
-@spoken(passed_on=True)
+@main.command("accuracy", cls=line.CommandWithTemplates, short_help="Show what accuracy costs in time.")
+@line.VARIANT
+@click.option("--out", type=line.PATH, help="Folder for the page (default: coursework-NAME).")
+@click.option("--format", "formats", type=line.Formats("accuracy"), help="Files to write (default: all of these).")
+@line.templates(passed_on=False)
+@line.held_to_limits
+@line.spoken(passed_on=True)
 def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | None, language: str) -> int:
     """Show what accuracy costs in time for VARIANT."""
     from coursework.commands.accuracy import accuracy_page
@@ -177,34 +160,35 @@ def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | 
     return accuracy_page(variant, out, formats, language)
 
 
-@main.command("grade", cls=CommandWithTemplates)
-@click.argument("source", type=PATH)
-@click.option("--variant", shell_complete=offered("variants"), help="The variant that everybody has.")
-@click.option("--roster", type=PATH, help="ROSTER.csv: id,name,email,variant.")
-@click.option("--out", type=PATH, required=True, help="Folder for the gradebook.")
-@click.option("--rubric", type=PATH, help=f"How marks are made (TOML; keys: {RUBRIC_KEYS}).")
+@main.command("grade", cls=line.CommandWithTemplates)
+@click.argument("source", type=line.PATH)
+@click.option("--variant", shell_complete=line.offered("variants"), help="The variant that everybody has.")
+@click.option("--roster", type=line.PATH, help="ROSTER.csv: id,name,email,variant.")
+@click.option("--out", type=line.PATH, required=True, help="Folder for the gradebook.")
+@click.option("--rubric", type=line.PATH, help=f"How marks are made (TOML; keys: {line.RUBRIC_KEYS}).")
 @click.option(
-    "--rubric-example", is_flag=True, is_eager=True, expose_value=False, callback=rubric_shown, help="Print the default rubric."
-)
+    "--rubric-example", is_flag=True, is_eager=True, expose_value=False, callback=line.rubric_shown,
+    help="Print the default rubric.",
+)  # fmt: skip
 @click.option(
     "--overrides",
-    type=PATH,
+    type=line.PATH,
     help="Your own decisions: id,check,points,reason,say; check is table, equations, answers or total.",
 )
-@click.option("--worksheet", type=PATH, help="Moodle's offline grading worksheet, to be filled in.")
+@click.option("--worksheet", type=line.PATH, help="Moodle's offline grading worksheet, to be filled in.")
 @click.option(
     "--canvas",
-    type=PATH,
+    type=line.PATH,
     help="Canvas's gradebook export, to be filled in; it has no place for comments: attach feedback/ID.html in SpeedGrader.",
 )
 @click.option("--results", type=click.Choice(["gradescope", "prairielearn"]), help="One submission, for an autograder.")
 @click.option("--no-pages", is_flag=True, help="No feedback pages.")
-@templates(passed_on=False)
+@line.templates(passed_on=False)
 @click.option("--jobs", type=click.IntRange(0, 256), default=0, help="Submissions at once (default: the cores, at most 8).")
 @click.option("--scheduler", help="Address of a Dask scheduler: the same on a cluster.")
 @click.option("--limit", type=click.FloatRange(0.1, 3600), default=10.0, show_default=True, help="Seconds a submission may take.")
 @click.option("--memory", type=click.IntRange(256, 65536), default=1024, show_default=True, help="MiB a submission may take.")
-@spoken(passed_on=True)
+@line.spoken(passed_on=True)
 def grade_command(source: Path, **options: Any) -> int:
     """Grade SOURCE, a folder or zip of submissions."""
     from coursework.commands.grade import grade_source
@@ -212,19 +196,19 @@ def grade_command(source: Path, **options: Any) -> int:
     return grade_source(source, **options)
 
 
-@main.command("assign", cls=CommandWithTemplates, short_help="Give every student a variant, a sheet, a key.")
-@click.argument("roster", type=PATH)
-@click.option("--template", required=True, shell_complete=offered("variants"), help="The variant whose data are drawn anew.")
+@main.command("assign", cls=line.CommandWithTemplates, short_help="Give every student a variant, a sheet, a key.")
+@click.argument("roster", type=line.PATH)
+@click.option("--template", required=True, shell_complete=line.offered("variants"), help="The variant whose data are drawn anew.")
 @click.option("--ranges", help="What the data may be (TOML; default: those of the template in the catalogue).")
 @click.option("--seed", required=True, help="Any number or word: the same seed gives everybody the same data.")
-@click.option("--out", type=PATH, required=True, help="Folder for variants, sheets and keys.")
+@click.option("--out", type=line.PATH, required=True, help="Folder for variants, sheets and keys.")
 @click.option("--pdf", is_flag=True, help="All sheets in one PDF, too.")
 @click.option("--format", "workbooks", type=click.Choice(["xlsx"]), help="A workbook for everybody: data and an empty table.")
 @click.option("--help-level", type=click.IntRange(0, 1), default=0, show_default=True, help="1: its first row has its formulas.")
 @click.option("--deadline", default="", help="What stands on the line of the deadline (default: a line to write on).")
-@click.option("--rubric", type=PATH, help="By it the sheets say what is marked (TOML, as for grade).")
-@templates(passed_on=False)
-@spoken(passed_on=True)
+@click.option("--rubric", type=line.PATH, help="By it the sheets say what is marked (TOML, as for grade).")
+@line.templates(passed_on=False)
+@line.spoken(passed_on=True)
 def assign_command(roster: Path, **options: Any) -> int:
     """Give every student of ROSTER (id,name,email) a variant of their own, a task sheet, and you the key."""
     from coursework.commands.assign import assign_class
@@ -233,9 +217,9 @@ def assign_command(roster: Path, **options: Any) -> int:
 
 
 @main.command("precheck", short_help="See how your files would be read.")
-@click.argument("files", nargs=-1, required=True, type=PATH)
-@click.option("--variant", shell_complete=offered("variants"), help="The variant you were given.")
-@spoken(passed_on=False)
+@click.argument("files", nargs=-1, required=True, type=line.PATH)
+@click.option("--variant", shell_complete=line.offered("variants"), help="The variant you were given.")
+@line.spoken(passed_on=False)
 def precheck_command(files: tuple[Path, ...], variant: str | None) -> int:
     """See how FILES of yours would be read, before you hand them in; no number of the key is shown."""
     from coursework.commands.precheck import precheck_files
@@ -244,11 +228,11 @@ def precheck_command(files: tuple[Path, ...], variant: str | None) -> int:
 
 
 @main.command("edit")
-@click.argument("name", default="", shell_complete=offered("variants"))
+@click.argument("name", default="", shell_complete=line.offered("variants"))
 @click.option("--port", type=click.IntRange(0, 65535), default=8531, show_default=True, help="Port on this machine (0: any).")
 @click.option("--no-browser", is_flag=True, help="Print the address and open no browser.")
-@limited
-@spoken(passed_on=True)
+@line.limited
+@line.spoken(passed_on=True)
 @click.pass_context
 def edit_command(context: click.Context, /, name: str, language: str, **options: Any) -> int:
     """Open the desk in the browser: NAME typed, checked and drawn at once, over the files of this folder."""
@@ -264,8 +248,8 @@ def edit_command(context: click.Context, /, name: str, language: str, **options:
 @click.option("--root-path", default="", metavar="P", help="What stands before every path behind a proxy, such as /desk.")
 @click.option("--proxy", is_flag=True, help="Believe the X-Forwarded headers of the proxy before it.")
 @click.option("--allow-host", "hosts", multiple=True, metavar="H", help="A name by which it is called; again for more.")
-@click.option("--policy", type=PATH, help="What the desk offers (TOML: equations, exact, formats, language).")
-@spoken(passed_on=True)
+@click.option("--policy", type=line.PATH, help="What the desk offers (TOML: equations, exact, formats, language).")
+@line.spoken(passed_on=True)
 @click.pass_context
 def serve_command(context: click.Context, /, language: str, **options: Any) -> int:
     """Serve the desk to a class, without files: what is typed stays in each browser."""

@@ -10,23 +10,23 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from coursework.commands.screen import tell
+from coursework.system.budget import Budget
 from coursework.system.extras import installed_from
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
 SERVERS = ("starlette", "uvicorn", "watchfiles")
-# Limits for one text on a desk that is open to others: seconds of processor time, and MiB beyond the start.
-OPEN_SECONDS, OPEN_MEMORY = 5.0, 512.0
+BUDGET_OF_OTHERS = Budget(5.0, 512.0)  # for one text on a desk that is open to others
 
 
 def edit(name: str, *, port: int, no_browser: bool, budget: float, memory: float, language: str) -> int:
     """Open the desk over the files of this folder."""
     _require_extra()
-    from coursework.desk.job import Bounds, Policy
-    from coursework.desk.serving.server import Wish, serve
+    from coursework.desk.job import Policy
+    from coursework.desk.serving.application import Wish
+    from coursework.desk.serving.server import serve
 
-    bounds = Bounds(budget, memory)
-    serve(Wish(port, bounds, Policy(), name, Path.cwd(), language=language, browser=not no_browser), _told)
+    serve(Wish(port, Budget(budget, memory), Policy(), name, Path.cwd(), language=language, browser=not no_browser), _told)
     return 0
 
 
@@ -36,14 +36,14 @@ def serve(
 ) -> int:  # fmt: skip
     """Serve the desk to others."""
     _require_extra()
-    from coursework.desk.job import Bounds, Policy
+    from coursework.desk.job import Policy
     from coursework.desk.policy import read_policy
-    from coursework.desk.serving.server import Wish, serve
+    from coursework.desk.serving.application import Wish
+    from coursework.desk.serving.server import serve
 
     root = "/" + root_path.strip("/") if root_path.strip("/") else ""
     offered = read_policy(policy) if policy else Policy()
-    bounds = Bounds(OPEN_SECONDS, OPEN_MEMORY)
-    serve(Wish(port, bounds, offered, "", None, host, workers, root, proxy, hosts, language), _told)
+    serve(Wish(port, BUDGET_OF_OTHERS, offered, "", None, host, workers, root, proxy, hosts, language), _told)
     return 0
 
 

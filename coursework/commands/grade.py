@@ -6,6 +6,7 @@ Used by `cli.py`.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -88,13 +89,8 @@ def grade_source(
             if unknown := sum(_time_is_unknown(entry.grade) for entry in graded.entries()):
                 tell(say("screen.late_unknown", count=unknown))
             if sheet and (locked := [place.id for place in listed.places if place.row and place.row.locked]):
-                tell(
-                    say(
-                        "screen.locked",
-                        count=len(locked),
-                        who=joined(locked[:MOST_NAMED] + ["…"] * (len(locked) > MOST_NAMED), "join.comma"),
-                    )
-                )
+                who = joined(locked[:MOST_NAMED] + ["…"] * (len(locked) > MOST_NAMED), "join.comma")
+                tell(say("screen.locked", count=len(locked), who=who))
             journal.rewrite([graded.places[student] for student in sorted(graded.places)])
     return 0
 
@@ -120,9 +116,8 @@ def _one(
     check_rubric(rubric, chosen)
     submission = collect_one(source)
     with Worker(trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)) as worker:
-        outcome = worker.answer(
-            Task(submission, content, handed_in=_handed_in_alone(source, submission, results) if rubric.late else "")
-        )
+        handed_in = _handed_in_alone(source, submission, results) if rubric.late else ""
+        outcome = worker.answer(Task(submission, content, handed_in=handed_in))
     autograder_results(outcome.grade, results, out / "results.json", language)
     return 0
 
@@ -159,15 +154,10 @@ def _bytes(path: Path) -> bytes:
 
 
 def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[str], states: dict[str, str]) -> None:
-    counts = {state: sum(found == state for found in states.values()) for state in sorted(set(states.values()))}
-    told = joined(
-        [
-            say("screen.state", count=number, state=say(f"feedback.state.{state.replace('-', '_')}"))
-            for state, number in counts.items()
-        ],
-        "join.numbers",
-    )
-    told = told if counts else say("screen.nobody")
+    counts = Counter(states.values())
+    named = {state: say(f"feedback.state.{state.replace('-', '_')}") for state in sorted(counts)}
+    counted = [say("screen.state", count=counts[state], state=name) for state, name in named.items()]
+    told = joined(counted, "join.numbers") if counted else say("screen.nobody")
     tell(say("screen.submissions", count=len(listed.places), told=told, fresh=fresh, kept=len(states) - fresh))
     if changed:
         tell(say("screen.changed", changed=changed))

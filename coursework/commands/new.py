@@ -23,7 +23,7 @@ from coursework.variant.reading.set_values import with_set
 from coursework.variant.record.vocabulary import GROUP_KINDS
 from coursework.words.data_folders import REPORTS, folder
 from coursework.words.errors import InputError
-from coursework.words.sentences import ENGLISH, closest, say, say_count
+from coursework.words.sentences import closest, say, say_count
 
 MOST_GROUPS = 20
 # A comment after # (a text before it has no # inside), or a reason.
@@ -34,9 +34,8 @@ if TYPE_CHECKING:
 
 
 def new_variant(
-    name: str, original: str | None = None, set_values: Sequence[str] = (), kinds: str | None = None, language: str = ENGLISH,
-    more: str | None = None,
-) -> int:  # fmt: skip
+    name: str, original: str | None, set_values: Sequence[str], kinds: str | None, language: str, more: str | None
+) -> int:
     """Write NAME.toml: a copy of `original`, a chain of `kinds`, or the template; never overwrite a file with other content."""
     if kinds is not None and original is not None:
         raise InputError(say("fault.C070"))

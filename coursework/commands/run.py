@@ -132,9 +132,8 @@ def write_all(results: Results, folder: Path, formats: Sequence[Format]) -> list
         return _write(results, folder, formats)
     except Ended:
         run = results.run
-        known = [
-            one.name for one in quantities_for(run.asked).values() if one.name == TABLE.name or one.name in vars(run.results)
-        ]
+        computed = {TABLE.name, *vars(run.results)}
+        known = [one.name for one in quantities_for(run.asked).values() if one.name in computed]
         tables = [each for each in formats if not each.paged]
         if tables and "motion" in vars(run.scene):
             written = _write(Results(replace(run, asked=tuple(known)), results.language, live=False), folder, tables)

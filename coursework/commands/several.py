@@ -103,7 +103,8 @@ class RunTask:
             with watched(self.budget, item.variant):
                 return self._run(item, hidden)
         except (CourseworkError, MemoryError) as error:
-            return Outcome(item, WRONG_INPUT, message=self._message(error), code=_code(error))
+            code = error.faults[0].code if isinstance(error, CourseworkError) else ""
+            return Outcome(item, WRONG_INPUT, message=self._message(error), code=code)
         except Exception as error:
             import traceback
 
@@ -132,11 +133,10 @@ class RunTask:
         wrong = {"FAIL", "ERROR", *(["COARSE"] if strict else [])}
         failed = "; ".join(f"{check.code}: {written(check.sentence)}" for check in checks if check.verdict in wrong)
         page = results.model.plain() if self.combined else None
-        status, refused = run.status(strict), "\n".join(map(self._message, results.refused))
+        refused = "\n".join(map(self._message, results.refused))
+        status = max(run.status(strict), WRONG_INPUT if refused else 0)
         counts: Counter[str] = Counter(c.verdict for c in checks)
-        if refused:
-            return Outcome(item, max(status, WRONG_INPUT), len(run.motion.t), stop, counts, refused, page=page)
-        return Outcome(item, status, len(run.motion.t), stop, counts, failed, page=page)
+        return Outcome(item, status, len(run.motion.t), stop, counts, refused or failed, page=page)
 
 
 @contextmanager
@@ -159,10 +159,6 @@ def outcomes(task: RunTask, items: Sequence[Item], jobs: int) -> Generator[tuple
     trade = Trade(OPENED, task, Outcome, task.lost, tries=1, quiet=False)
     with Pool(trade, min(jobs, len(items))) as pool:
         yield from pool.answers(enumerate(items))
-
-
-def _code(error: CourseworkError | MemoryError) -> str:
-    return error.faults[0].code if isinstance(error, CourseworkError) else ""
 
 
 def run_variants(

@@ -9,6 +9,7 @@ import json
 from dataclasses import dataclass, field
 from typing import Any
 
+from coursework.system.budget import Budget
 from coursework.system.frozen import frozen
 from coursework.words.sentences import load_phrases, say
 
@@ -38,14 +39,6 @@ class Answer:
 
 
 @frozen
-class Bounds:
-    """The limits of one job: `seconds` of processor time, `memory` in MiB beyond that at the start."""
-
-    seconds: float
-    memory: float
-
-
-@frozen
 class Policy:
     """What a desk offers; empty `formats` mean all formats, an empty `language` means that of the browser."""
 
@@ -57,9 +50,9 @@ class Policy:
 
 @frozen
 class Setup:
-    """The settings of each process: bounds, policy, and the `folder` with the tables of a text ("" for none)."""
+    """The settings of each process: the `bounds` of one job, policy, and the `folder` with the tables of a text ("" for none)."""
 
-    bounds: Bounds
+    bounds: Budget
     policy: Policy = field(default_factory=Policy)
     folder: str = ""
 

@@ -6,8 +6,7 @@ Used by `quantities.py`.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+import itertools
 from functools import partial
 
 import numpy as np
@@ -119,7 +118,7 @@ def _hodograph(name: str, curve: Complex, rows: Complex, t: Array) -> Drawing:
         sheet.arrow(pole, first, VELOCITY, f' data-velocity="{short(name)}" data-row="1"', head=min(2.6, 0.6 * abs(first - pole)))
     sheet.circle(pole, 0.8, 'fill="white" stroke="black" stroke-width="0.35"')
     sheet.label(("p", "v", ""), [(pole, -1 + 1j, 1.2)], ITALIC)
-    pace = next(k for k in _paces() if len(rows) / k <= MOST_MARKED)
+    pace = next(m * 10**k for k in itertools.count() for m in (1, 2, 5) if len(rows) / (m * 10**k) <= MOST_MARKED)
     tip_of = [pole + complex(z / speed).conjugate() for z in rows]
     for tip in tip_of:
         sheet.circle(tip, 0.55, f'fill="black" data-tip="{number(tip.real)} {number(tip.imag)}"')
@@ -131,16 +130,6 @@ def _hodograph(name: str, curve: Complex, rows: Complex, t: Array) -> Drawing:
     sheet.axes()
     top = int(np.argmax(np.abs(rows)))
     is_even = float(np.ptp(np.abs(rows))) <= AT_REST * fastest
-    words = say(
-        "drawing.hodograph.even" if is_even else "drawing.hodograph.caption",
-        point=name,
-        speed=decimal(speed),
-        fastest=float(abs(rows[top])),
-        row=top + 1,
-        time=float(t[top]),
-    )
+    key = "drawing.hodograph.even" if is_even else "drawing.hodograph.caption"
+    words = say(key, point=name, speed=decimal(speed), fastest=float(abs(rows[top])), row=top + 1, time=float(t[top]))
     return Drawing(f"hodograph-{name}", sheet.svg(), board.width, board.height, words, say("drawing.hodograph.alt", point=name))
-
-
-def _paces() -> Sequence[int]:
-    return [m * 10**k for k in range(int(math.log10(200_000)) + 1) for m in (1, 2, 5)]

@@ -13,6 +13,7 @@ import sys
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
+from itertools import takewhile
 from pathlib import Path
 from typing import IO
 
@@ -144,11 +145,7 @@ def discard(hidden: Path) -> None:
 
 def _make(target: Path) -> list[Path]:
     """Make a folder and its missing parents; return the folders made, innermost first."""
-    new = []
-    for folder in (target, *target.parents):
-        if folder.exists():
-            break
-        new.append(folder)
+    new = [*takewhile(lambda folder: not folder.exists(), (target, *target.parents))]
     target.mkdir(parents=True, exist_ok=True)
     return new
 

@@ -30,7 +30,8 @@ def plot_run(run: SceneRun, names: Sequence[str], exact: bool, ax: Axes | None) 
     """Return the Axes that `Run.plot` describes."""
     listed = names or run.motion.velocity_names
     for name in listed:
-        if not _is_drawn(run, name):
+        # For "B.vx", `unit_of` tells later whether there is such a point.
+        if name not in run.motion.names and not _is_acceleration(run.motion, name) and "." not in str(name):
             raise no_column(name, run.motion.names)
     by_unit: dict[str, list[str]] = {}
     for name in listed:
@@ -74,11 +75,6 @@ def _between(run: SceneRun, name: str) -> tuple[Any, Any]:
         finer = np.linspace(0.0, float(t[-1]), BETWEEN * (len(t) - 1) + 1)
         found = run.scene.exact_at(finer)
     return found.t, _column(run, found, name)
-
-
-def _is_drawn(run: SceneRun, name: str) -> bool:
-    """Return whether a motion has a column; for "B.vx", `unit_of` tells later whether there is such a point."""
-    return name in run.motion.names or _is_acceleration(run.motion, name) or "." in str(name)
 
 
 def _is_acceleration(motion: Motion, name: str) -> bool:

@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 
 from coursework.desk.answering import bench
-from coursework.desk.job import Bounds, Job, Policy, Setup
+from coursework.desk.job import Job, Policy, Setup
+from coursework.system.budget import Budget
 from coursework.words.data_folders import folder
 from tests.benchmarks import test_march as march
 from tests.benchmarks.timer import ROUNDS, ratio, spent
@@ -32,7 +33,7 @@ _DATUM = re.compile(r'"([\d.]+) (m|mm)"')
 def pages(name: str, *, study: bool):
     """Return what answers one text after the other, each with another length."""
     text = (folder("variants") / f"{name}.toml").read_text(encoding="utf-8")
-    setup = Setup(Bounds(60, 1024), Policy())
+    setup = Setup(Budget(60, 1024), Policy())
 
     def page() -> None:
         other = _DATUM.sub(lambda found: f'"{float(found[1]) + 1e-7 * next(NUMBERS):.7f} {found[2]}"', text, count=1)

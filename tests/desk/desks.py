@@ -12,11 +12,12 @@ from typing import Any
 from starlette.testclient import TestClient
 
 from coursework.desk.answering import bench
-from coursework.desk.job import Answer, Bounds, Job, Policy, Setup
-from coursework.desk.serving.application import Application, Plan
+from coursework.desk.job import Answer, Job, Policy, Setup
+from coursework.desk.serving.application import Application, Wish
 from coursework.desk.serving.config import opened
 from coursework.desk.serving.guard import Gate
 from coursework.desk.serving.limits import Limits
+from coursework.system.budget import Budget
 
 PORT, SECRET = 8531, "s" * 43
 HOST = f"127.0.0.1:{PORT}"
@@ -53,12 +54,9 @@ def desk(folder: Path | None = None, *, name: str = "", policy: Policy | None = 
     with contextlib.ExitStack() as stack:
         before, bench.watched = bench.watched, lambda *_: contextlib.nullcontext()  # signals arrive in the main thread alone
         stack.callback(setattr, bench, "watched", before)
-        plan = Plan(
-            Gate(PORT, secret, limits=None if folder else Limits(), **gate), Bounds(60, 1024), 1, folder, opened(name, folder),
-            policy or Policy(),
-        )  # fmt: skip
-        application = Application(plan)
-        application.renderers = Here(Setup(plan.bounds, plan.policy, str(folder or "")))
+        wish = Wish(PORT, Budget(60, 1024), policy or Policy(), name, folder)
+        application = Application(wish, Gate(PORT, secret, limits=None if folder else Limits(), **gate), opened(name, folder))
+        application.renderers = Here(Setup(wish.bounds, wish.policy, str(folder or "")))
         client = stack.enter_context(TestClient(application.asgi(), f"http://{HOST}", follow_redirects=False))
         if folder:
             client.cookies.set(COOKIE, SECRET)

@@ -11,11 +11,12 @@ from coursework.api import solve
 from coursework.desk.answering import variant_page
 from coursework.desk.answering.mends import mends_of
 from coursework.desk.answering.typed import Desk, faults_of
-from coursework.desk.job import Bounds, Policy, Setup
+from coursework.desk.job import Policy, Setup
 from coursework.equations.reduction import structure
 from coursework.equations.reduction.equations import differentiate
 from coursework.report.output.results import Results
 from coursework.report.pages.html import render_html
+from coursework.system.budget import Budget
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -162,7 +163,7 @@ def test_a_section_that_is_missing_is_begun_at_the_end_of_the_text(client):
 @pytest.mark.parametrize(("folder", "advice"), [("", "[ask]"), (".", "--budget 5")])
 def test_what_costs_too_much_is_told_with_what_helps_on_this_desk(folder, advice):
     fault = Fault(say("fault.E001", limit="5", stage="x"), "own")
-    (told,) = faults_of(InputError([fault]), Desk({}, "en", Setup(Bounds(5, 512), folder=folder)))
+    (told,) = faults_of(InputError([fault]), Desk({}, "en", Setup(Budget(5, 512), folder=folder)))
     assert (told["code"], advice in told["sentence"]) == ("E001", True)
 
 

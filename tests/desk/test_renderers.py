@@ -7,10 +7,11 @@ from concurrent.futures import Future
 
 import pytest
 
-from coursework.desk.job import Answer, Bounds, Job, Setup
+from coursework.desk.job import Answer, Job, Setup
 from coursework.desk.serving import renderers
 from coursework.desk.serving.bodies import Refused
 from coursework.desk.serving.renderers import KEPT, MOST_WAITING, Renderers
+from coursework.system.budget import Budget
 from tests.desk.desks import ended
 
 OK = Answer(200, "text/plain", b"")
@@ -41,7 +42,7 @@ class Pool:
 def made(monkeypatch):
     monkeypatch.setattr(renderers, "Pool", Pool)
     monkeypatch.setattr(renderers, "PATIENCE", 0.0)
-    one = Renderers(Setup(Bounds(1, 1)), 1)
+    one = Renderers(Setup(Budget(1, 1)), 1)
     return one, one._pool
 
 
@@ -142,7 +143,7 @@ def test_what_a_class_asks_alike_is_computed_once(made):
 
 def test_beside_a_folder_whose_tables_may_change_nothing_is_kept(made):
     pool = made[1]
-    desk = Renderers(Setup(Bounds(1, 1), folder="."), 1)
+    desk = Renderers(Setup(Budget(1, 1), folder="."), 1)
     desk._pool = pool
 
     async def ask():

@@ -176,7 +176,7 @@ def test_a_length_that_a_closure_a_point_or_a_law_uses_helps_to_place_and_one_of
     given = [SimpleNamespace(name=name, si=si, value=1.0) for name, si in (*((name, "m") for name in "abcdehk"), ("p", "1/s"))]
     variant = SimpleNamespace(given=given, holds=[parse("c*sin(phi)")], functions=[SimpleNamespace(formulas=[parse("d + p*t")])])
     sides = (parse("a*cos(phi)"), parse("s"))
-    closure, rates = ([SimpleNamespace(is_closure=whole, left=left, right=sides[1])] for whole, left in (
+    closure, rates = ([SimpleNamespace(is_closure=whole, sides=(left, sides[1]))] for whole, left in (
         (True, sides[0]), (False, parse("k*w")),
     ))  # fmt: skip
     points = {name: parse(text, vectors=True) for name, text in (("A", "b @ phi"), ("B", "(h, 0)"), ("C", "A + e @ psi"))}

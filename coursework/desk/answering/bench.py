@@ -19,7 +19,7 @@ from coursework.desk.answering import completion, derived, drag, pieces, takeawa
 from coursework.desk.answering.contradicted import naming_terms
 from coursework.desk.answering.typed import Desk, faults_of
 from coursework.desk.job import FAULT, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
-from coursework.system.budget import Budget, limit_memory, watched
+from coursework.system.budget import limit_memory, watched
 from coursework.system.plain_lines import record_of
 from coursework.words.errors import CourseworkError
 from coursework.words.sentences import say
@@ -52,10 +52,9 @@ def opened(plain_setup: Any) -> Iterator[Callable[[Any], Answer]]:
 
 def answer(job: Job, setup: Setup) -> Answer:
     """Return the answer to a job; errors caused by its text become faults of the text."""
-    budget = Budget(setup.bounds.seconds, setup.bounds.memory)
     desk = Desk(job.body, job.language, setup)
     try:
-        with watched(budget, desk.name, lambda _fault: None):
+        with watched(setup.bounds, desk.name, lambda _fault: None):
             made = KINDS[job.kind](desk)
     except CourseworkError as error:
         return faulty(job.kind, faults_of(error, desk))

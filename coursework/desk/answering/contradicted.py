@@ -68,9 +68,7 @@ def _contradicted(kind: str, error: InputError, desk: Desk) -> Answer:
         right = _without(wrong, desk.variant)
         agreed = agreed_of(make_run(right, quantities=[TABLE.name]))
         judge, written = Judge(key_of(right)), [one for one in desk.variant.constraints if not one.is_closure]
-        others = [
-            linear(Formula("-", one.sides), judge.off_closure) for one in written if one.name in agreed and one.name not in wrong
-        ]
+        others = [linear(one.difference, judge.off_closure) for one in written if one.name in agreed and one.name not in wrong]
         searched = [one for one in written if one.name in wrong][:_MOST]
         slips = {one.name: slip for one in searched if (slip := _slip(one, judge, others, desk))}
     entries = [
@@ -91,7 +89,7 @@ def _without(names: Collection[str], variant: Variant) -> Variant:
 
 def _slip(one: Constraint, judge: Judge, others: Sequence[Linear], desk: Desk) -> Slip | None:
     """Return the one slip in an equation, or None; a change that would make it equal to one of the `others` does not count."""
-    tree = Formula("-", one.sides)
+    tree = one.difference
     text, probe = _text(one, desk)[1], judge.off_closure
     for edit in judge.slips(tree, text):
         mended = linear(applied(tree, edit), probe)

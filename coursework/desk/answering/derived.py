@@ -94,11 +94,6 @@ def _line(desk: Desk) -> int:
     return max(1, desk.text.count("\n", 0, geometry.start()) - 1) if geometry else desk.text.count("\n") + 1
 
 
-def verdicts(desk: Desk) -> list[dict[str, Any]]:
-    """Return for each written equation whether the geometry confirms it (True) or says nothing about it (None)."""
-    return judged(desk, agreed_of(desk.run), {})
-
-
 def agreed_of(run: Run) -> tuple[str, ...]:
     """Return the names of the equations that the geometry confirms."""
     closure = run.scene.closure

@@ -67,9 +67,8 @@ def with_additions(text: str, more: Additions) -> dict[str, Any]:
         if path in found.spans and values:
             begin, end = found.spans[path]
             before = text[begin + 1 : end - 1].rstrip()
-            pieces.append(
-                (begin + 1 + len(before), end - 1, f"{', ' if before.strip() else ''}{', '.join(values)}{_gap(before)}")
-            )
+            gap = " " if before.startswith(" ") else ""  # before the end of the list, if its author left one after its beginning
+            pieces.append((begin + 1 + len(before), end - 1, f"{', ' if before.strip() else ''}{', '.join(values)}{gap}"))
         elif values:
             sections.setdefault(str(path[0]), []).append(f"{path[1]} = [{', '.join(values)}]")
     ends = [*(len(line) for line in text.split("\n"))]
@@ -79,11 +78,6 @@ def with_additions(text: str, more: Additions) -> dict[str, Any]:
             head = [] if section in last or section in TABLES else ["", f"[{section}]"]
             pieces.append((at, at, "".join(f"\n{line}" for line in (*head, *added))))
     return changed(text, pieces)
-
-
-def _gap(before: str) -> str:
-    """Return the space before the end of a list, if its author left one after its beginning, else ""."""
-    return " " if before.startswith(" ") else ""
 
 
 def changed(text: str, pieces: list[Piece]) -> dict[str, Any]:

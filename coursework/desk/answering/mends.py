@@ -42,18 +42,16 @@ def mends_of(faults: Sequence[Fault], lines: Sequence[str]) -> list[Mend | None]
     A missing section is not added if another fault says that it is only misspelled in the text.
     """
     meant = [_meant(fault) for fault in faults]
-    return [
-        _beginning(fault, lines, meant)
-        if fault.code in (_MISSING, _NOTHING_WRITTEN, _TOO_FEW)
-        else _changed(fault, name, lines[fault.line - 1])
-        if 1 <= fault.line <= len(lines)
-        else None
-        for fault, name in zip(faults, meant, strict=True)
-    ]
+    return [_mend(fault, name, lines, meant) for fault, name in zip(faults, meant, strict=True)]
 
 
-def _changed(fault: Fault, meant: str | None, line: str) -> Mend | None:
-    return _one_sign(fault, line) or _rewritten(fault, line) or _respelled(fault, meant, line)
+def _mend(fault: Fault, name: str | None, lines: Sequence[str], meant: Sequence[str | None]) -> Mend | None:
+    if fault.code in (_MISSING, _NOTHING_WRITTEN, _TOO_FEW):
+        return _beginning(fault, lines, meant)
+    if not 1 <= fault.line <= len(lines):
+        return None
+    line = lines[fault.line - 1]
+    return _one_sign(fault, line) or _rewritten(fault, line) or _respelled(fault, name, line)
 
 
 def _meant(fault: Fault) -> str | None:

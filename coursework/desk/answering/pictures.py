@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from coursework.drawing.outline.outline import Outline, Slot
+from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import Poses, all_rows, read_poses, unit_vectors
 from coursework.drawing.outline.tracing import read_outline
 from coursework.scene.scene import Scene
@@ -43,7 +43,7 @@ class _Picture:
 
     def __init__(self, outline: Outline, poses: Poses) -> None:
         radii = {wheel.centre: float(abs(poses.at[wheel.contact][0] - poses.at[wheel.centre][0])) for wheel in outline.wheels}
-        self.outline, self.radii, self.lines = outline, radii, [_line(poses, slot) for slot in outline.slots]
+        self.outline, self.radii, self.lines = outline, radii, [*map(poses.slot_ends, outline.slots)]
         ends = [place for line in self.lines for place in line]
         sides = [poses.at[name] + side * radii.get(name, 0.0) for name in outline.names for side in (-1 - 1j, 1 + 1j)]
         shown = np.array([*sides, *ends])
@@ -88,14 +88,6 @@ class _Picture:
     def _circle(self, name: str, radius: float, fill: str) -> str:
         x, y = ([f"{value:.1f}" for value in part] for part in (self.at[name].real, self.at[name].imag))
         return f'<circle cx="{x[0]}" cy="{y[0]}" r="{radius:.1f}"{fill}>{_moving("cx", x)}{_moving("cy", y)}</circle>'
-
-
-def _line(poses: Poses, slot: Slot) -> tuple[Complex, Complex]:
-    """Return the ends of the line on which riders slide (m), frame by frame."""
-    along = poses.along(slot.base, slot.toward)
-    beside, low, high = poses.line(slot)
-    start = poses.at[slot.at] + 1j * along * beside
-    return np.asarray(start + along * min(low, 0.0)), np.asarray(start + along * max(high, 0.0))
 
 
 def _way(places: list[complex]) -> str:

@@ -6,7 +6,7 @@ Enters: a text's variant, the point to which a piece is attached, with its path.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 
@@ -74,24 +74,21 @@ class Slider:
 
 
 def slider_of(variant: Variant, point: str) -> Slider | None:
-    """Return the slider of a point in a guide of the frame, None if it does not slide in one."""
-    return next(iter([*_in_rails(variant, point), *_in_chain(variant, point)]), None)
+    """Return the slider of a point in a guide of the frame, None if it does not slide in one.
 
-
-def _in_rails(variant: Variant, point: str) -> Iterator[Slider]:
-    rails = enumerate(variant.frame.rails)
-    return (Slider(angle, rail=k) for k, (through, angle) in rails if through.name == point and not variant.groups)
-
-
-def _in_chain(variant: Variant, point: str) -> Iterator[Slider]:
-    """Yield the slider of a point that ends a group whose last coordinate is a length along a guide of the frame."""
+    In a chain the point ends a group whose last coordinate is a length along the guide.
+    """
+    for rail, (through, angle) in enumerate(variant.frame.rails if not variant.groups else ()):
+        if through.name == point:
+            return Slider(angle, rail=rail)
     moving = {name for one in variant.coordinates for name in (one.name, one.rate)}
     rates = {one.name: one.rate for one in variant.coordinates if one.unit == "m"}
     for group in variant.groups:
         if group.meets == point and len(group.guides) == 1 and group.coordinates[-1] in rates:
             [guide] = group.guides
             if not moving & {*guide.angle.names()}:
-                yield Slider(guide.angle, rates[group.coordinates[-1]])
+                return Slider(guide.angle, rates[group.coordinates[-1]])
+    return None
 
 
 def with_wheel(end: End, slider: Slider, size: float, number: int, letter: str, said: Said) -> Additions:

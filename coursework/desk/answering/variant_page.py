@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from coursework.desk.answering.controls import controls
-from coursework.desk.answering.derived import verdicts
+from coursework.desk.answering.derived import agreed_of, judged
 from coursework.desk.answering.typed import Desk, remarks_of
 from coursework.report.formulas.svg import draw
 from coursework.report.output.results import Results
@@ -59,7 +59,7 @@ def found(desk: Desk) -> dict[str, Any]:
         "faults": [],
         "summary": desk.words.written(summary) or None,
         "remarks": remarks_of(desk),
-        "equations": verdicts(desk),
+        "equations": judged(desk, agreed_of(desk.run), {}),
     }
 
 

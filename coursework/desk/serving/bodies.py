@@ -53,12 +53,17 @@ async def bytes_of(request: Request, most: int = MOST_BYTES) -> bytes:
     return bytes(content)
 
 
-async def body_of(request: Request, needed: Mapping[str, str], most: int = MOST_BYTES) -> dict[str, Any]:
-    """Return a JSON body with all keys in `needed`, perhaps keys in `OPTIONAL`, and no other keys.  Raises `Refused`."""
+async def json_of(request: Request, most: int = MOST_BYTES) -> Any:
+    """Return a JSON body.  Raises `Refused`."""
     try:
-        body = json.loads(await bytes_of(request, most))
+        return json.loads(await bytes_of(request, most))
     except (ValueError, RecursionError):
         raise Refused(NO_JSON, say("desk.no_json")) from None
+
+
+async def body_of(request: Request, needed: Mapping[str, str], most: int = MOST_BYTES) -> dict[str, Any]:
+    """Return a JSON body with all keys in `needed`, perhaps keys in `OPTIONAL`, and no other keys.  Raises `Refused`."""
+    body = await json_of(request, most)
     known = {**OPTIONAL, **needed}
     if not isinstance(body, dict):
         raise Refused(OTHER_SHAPE, say("desk.other_shape", wanted=tuple(needed)))

@@ -6,7 +6,7 @@ no file may have.  Used by `application.py` and `server.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +22,6 @@ from coursework.variant.catalogue import names
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.data_folders import folder as package_folder
 from coursework.words.errors import InputError
-from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
 
@@ -50,13 +49,15 @@ def config_of(
     """Return the data for the scripts; the text of the `opened` file is read anew, since it may have changed."""
     phrases = load_phrases(language)
     now = dict(opened)
+    titles = {name: title_of(scheme) for name, scheme in SCHEMES.items()} | ({EXACT: say("exact.title")} if policy.exact else {})
     if files and opened["name"] and (content := files.folder.read(opened["name"])) is not None:
         now |= {"text": content.decode("utf-8-sig", "replace"), "etag": etag_of(content)}
     return {
         **now, "root": root, "mode": "edit" if files else "serve", "version": VERSION, "language": language,
         "languages": [[each, load_phrases(each).template("desk.language_name")] for each in languages()],
-        "schemes": [[name, phrases.written(title)] for name, title in _schemes(policy)],
-        "formats": [*_formats(policy, is_own=files is not None)],
+        "schemes": [[name, phrases.written(title)] for name, title in titles.items()],
+        "formats": [suffix for suffix, each in formats_for("run").items()
+                    if (files or each.is_here()) and suffix in (policy.formats or (suffix,))],
         "policy": {"equations": policy.equations, "exact": policy.exact, "language": policy.language},
         "folder": str(files.folder.path) if files else None, "writable": bool(files and files.folder.is_writable()),
         "words": shell_words(language),
@@ -67,16 +68,3 @@ def shell_words(language: str) -> dict[str, str]:
     """Return the words of the shell; words that a language does not have yet are English."""
     own, english = (load_phrases(each).entries.get("desk", {}).get("shell", {}) for each in (language, ENGLISH))
     return {**english, **own}
-
-
-def _schemes(policy: Policy) -> Iterator[tuple[str, Sentence]]:
-    yield from ((name, title_of(scheme)) for name, scheme in SCHEMES.items())
-    if policy.exact:
-        yield EXACT, say("exact.title")
-
-
-def _formats(policy: Policy, *, is_own: bool) -> Iterator[str]:
-    """Yield the formats offered for download; `is_own`: those that lack an extra too, as the user can install it."""
-    for suffix, each in formats_for("run").items():
-        if (is_own or each.is_here()) and suffix in (policy.formats or (suffix,)):
-            yield suffix

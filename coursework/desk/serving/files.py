@@ -16,8 +16,8 @@ from starlette.routing import Route
 from watchfiles import awatch
 
 from coursework.desk.job import OK, Answer, plain
-from coursework.desk.serving.bodies import MOST_TABLE_BYTES, NO_JSON, OTHER_SHAPE, Refused, bytes_of
-from coursework.desk.serving.folder import CONFLICT, NOT_THERE, SUFFIX, Folder, Stale, etag_of
+from coursework.desk.serving.bodies import MOST_TABLE_BYTES, OTHER_SHAPE, Refused, bytes_of, json_of
+from coursework.desk.serving.folder import CONFLICT, SUFFIX, Folder, Stale, etag_of
 from coursework.desk.serving.replies import language_of, reply
 from coursework.desk.serving.zips import packed, unpacked
 from coursework.words.sentences import load_phrases, say
@@ -89,49 +89,34 @@ class Files:
 
     async def read(self, request: Request) -> Response:
         """Return the text of a variant with its version."""
-        content = await asyncio.to_thread(self.folder.read, request.path_params["name"])
-        if content is None:
-            raise Refused(NOT_THERE, say("desk.no_file", name=request.path_params["name"]))
+        content = await asyncio.to_thread(self.folder.present, request.path_params["name"])
         return Response(content, media_type=TEXT, headers={"ETag": etag_of(content)})
 
     async def write(self, request: Request) -> Response:
         """Write a text in place of the version that the browser has seen, or as a new file."""
         content = await bytes_of(request)
-        seen = _seen(request)
-        try:
-            is_new = await asyncio.to_thread(self.folder.write, request.path_params["name"], content, seen)
-        except Stale as stale:
-            return _conflict(content, stale)
+        is_new = await asyncio.to_thread(self.folder.write, request.path_params["name"], content, _seen(request))
         version = etag_of(content)
         return reply(plain(NEW if is_new else OK, {"etag": version}), {"ETag": version})
 
     async def delete(self, request: Request) -> Response:
         """Move a file to the deleted ones, from which it can be restored."""
-        try:
-            await asyncio.to_thread(self.folder.delete, request.path_params["name"], _seen(request) or "")
-        except Stale as stale:
-            return _conflict(b"", stale)
+        await asyncio.to_thread(self.folder.delete, request.path_params["name"], _seen(request) or "")
         return Response(status_code=NO_CONTENT)
 
     async def change(self, request: Request) -> Response:
         """Rename a file, write a copy of it, or restore it."""
-        try:
-            wish = json.loads(await bytes_of(request))
-        except (ValueError, RecursionError):
-            raise Refused(NO_JSON, say("desk.no_json")) from None
+        wish = await json_of(request)
         name = request.path_params["name"]
-        try:
-            match wish:
-                case {"rename": str(other)}:
-                    await asyncio.to_thread(self.folder.rename, name, other)
-                case {"duplicate": str(other)}:
-                    await asyncio.to_thread(self.folder.duplicate, name, other)
-                case {"restore": True}:
-                    await asyncio.to_thread(self.folder.restore, name)
-                case _:
-                    raise Refused(OTHER_SHAPE, say("desk.other_shape", wanted=("rename", "duplicate", "restore")))
-        except Stale as stale:
-            return _conflict(b"", stale)
+        match wish:
+            case {"rename": str(other)}:
+                await asyncio.to_thread(self.folder.rename, name, other)
+            case {"duplicate": str(other)}:
+                await asyncio.to_thread(self.folder.duplicate, name, other)
+            case {"restore": True}:
+                await asyncio.to_thread(self.folder.restore, name)
+            case _:
+                raise Refused(OTHER_SHAPE, say("desk.other_shape", wanted=("rename", "duplicate", "restore")))
         return Response(status_code=NO_CONTENT)
 
 
@@ -144,8 +129,9 @@ def _seen(request: Request) -> str | None:
     raise Refused(NO_VERSION, say("desk.no_version"))
 
 
-def _conflict(mine: bytes, stale: Stale) -> Response:
-    theirs = stale.theirs
+async def conflict(request: Request, stale: Stale) -> Response:
+    """Return the response for a file that has changed since the browser saw it: both contents, if the browser sent one."""
+    mine, theirs = stale.mine if request.method == "PUT" else b"", stale.theirs
     shown = None if theirs is None else theirs.decode("utf-8", "replace")
     there = None if theirs is None else etag_of(theirs)
     return reply(plain(CONFLICT, {"mine": mine.decode("utf-8", "replace"), "theirs": shown, "etag": there}))

@@ -32,11 +32,14 @@ MOST_FILES = 2000
 
 
 class Stale(Exception):
-    """The error for a file that has changed since it was seen: `theirs` is its content now, None if there is no such file."""
+    """The error for a file that has changed since it was seen: `theirs` is its content now, None if there is no such file.
 
-    def __init__(self, theirs: bytes | None) -> None:
+    `mine` is the content that was to be written in its place.
+    """
+
+    def __init__(self, theirs: bytes | None, mine: bytes) -> None:
         super().__init__()
-        self.theirs = theirs
+        self.theirs, self.mine = theirs, mine
 
 
 def etag_of(content: bytes) -> str:
@@ -70,7 +73,7 @@ class Folder:
 
     def write(self, name: str, content: bytes, seen: str | None) -> bool:
         """Write a file if its version is still `seen` (None: there is no such file); return whether it is new."""
-        with self._at_rest(name, seen):
+        with self._at_rest(name, seen, content):
             write_bytes(self._file(name), content)
             self._lay_tables_beside(content)
         return seen is None
@@ -87,21 +90,20 @@ class Folder:
     def restore(self, name: str) -> None:
         """Restore a deleted file.  Raises `Stale` if another file has its name now."""
         with self._at_rest(name, None):
-            if self.read(name, DELETED) is None:
-                raise Refused(NOT_THERE, say("desk.no_file", name=name))
+            self.present(name, DELETED)
             with refused(self._file(name)):
                 (self.path / DELETED / (name + SUFFIX)).replace(self._file(name))
 
     def rename(self, name: str, other: str) -> None:
         """Rename a file.  Raises `Stale` if there is a file with the other name."""
-        content = self._present(name)
+        content = self.present(name)
         self.write(other, content, None)
         with self._at_rest(name, etag_of(content)), refused(self._file(name)):
             self._file(name).unlink()
 
     def duplicate(self, name: str, other: str) -> None:
         """Write a copy of a file.  Raises `Stale` if there is a file with the other name."""
-        self.write(other, self._present(name), None)
+        self.write(other, self.present(name), None)
 
     def clear(self) -> None:
         """Remove unfinished files that a killed process has left here."""
@@ -109,8 +111,9 @@ class Folder:
             if time.time() - left.lstat().st_mtime > LEFT_OVER:
                 left.unlink(missing_ok=True)
 
-    def _present(self, name: str) -> bytes:
-        content = self.read(name)
+    def present(self, name: str, below: str = "") -> bytes:
+        """Return the bytes of NAME.toml.  Raises `Refused` if there is none."""
+        content = self.read(name, below)
         if content is None:
             raise Refused(NOT_THERE, say("desk.no_file", name=name))
         return content
@@ -119,13 +122,13 @@ class Folder:
         return self.path / (name + SUFFIX)
 
     @contextmanager
-    def _at_rest(self, name: str, seen: str | None) -> Iterator[None]:
+    def _at_rest(self, name: str, seen: str | None, mine: bytes = b"") -> Iterator[None]:
         """Lock the folder while a file still has the version `seen`.  Raises `Stale` if it has another."""
         self.read(name)
         with held(self.path, PATIENCE, own=False):
             there = self.read(name)
             if (None if there is None else etag_of(there)) != seen:
-                raise Stale(there)
+                raise Stale(there, mine)
             yield
 
     def _listed(self, below: str) -> Iterator[dict[str, Any]]:

@@ -108,7 +108,7 @@ class Guard:
             return None
         if gate.secret:
             return self._without_cookie(request, path)
-        return self._too_often(request, path) if gate.limits else None
+        return self._too_often(request, path, gate.limits) if gate.limits else None
 
     def _without_cookie(self, request: Request, path: str) -> Response | None:
         known = self.gate.secret.encode()
@@ -120,15 +120,14 @@ class Guard:
             return None
         return self._told(request, NO_COOKIE, "desk.no_cookie")
 
-    def _too_often(self, request: Request, path: str) -> Response | None:
+    def _too_often(self, request: Request, path: str, limits: Limits) -> Response | None:
         """Count a request that costs something, by browser and by address; return a refusal if there are too many."""
         if not path.startswith("/api/"):
             return None
         address = request.client.host if request.client else ""
         if self.gate.proxied:  # the last entry is the proxy's own; anybody can write those before it
             address = request.headers.get("x-forwarded-for", address).rpartition(",")[2].strip()
-        limits, client = self.gate.limits, request.scope["state"]["client"] or address
-        assert limits is not None
+        client = request.scope["state"]["client"] or address
         if wait := limits.wait(client, address, time.monotonic()):
             return self._told(request, TOO_MANY, "desk.too_many", {"Retry-After": str(wait)})
         limits.begin(client)

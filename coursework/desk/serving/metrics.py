@@ -43,11 +43,9 @@ class Metrics:
                 value = ordered[min(len(ordered) - 1, int(part * len(ordered)))]
                 yield f'coursework_request_seconds{{route="{route}",quantile="{part}"}} {value:.6f}'
             yield f'coursework_request_seconds_sum{{route="{route}"}} {self._sums[route]:.6f}'
-            yield f'coursework_request_seconds_count{{route="{route}"}} {sum(self._counts(route))}'
+            number = sum(number for (of, _), number in self._requests.items() if of == route)
+            yield f'coursework_request_seconds_count{{route="{route}"}} {number}'
         yield "# TYPE coursework_workers_restarted_total counter"
         yield f"coursework_workers_restarted_total {ended}"
         yield "# TYPE coursework_jobs_waiting gauge"
         yield f"coursework_jobs_waiting {waiting}"
-
-    def _counts(self, route: str) -> Iterator[int]:
-        return (number for (of, _), number in self._requests.items() if of == route)

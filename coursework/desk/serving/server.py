@@ -14,21 +14,17 @@ import sys
 import threading
 import webbrowser
 from collections.abc import Callable
-from pathlib import Path
 
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-from coursework.desk.job import Bounds, Policy
-from coursework.desk.serving.application import Application, Plan
+from coursework.desk.serving.application import Application, Wish
 from coursework.desk.serving.config import opened
 from coursework.desk.serving.guard import Gate
 from coursework.desk.serving.limits import Limits
-from coursework.system.frozen import frozen
 from coursework.words.errors import InputError, reason_of
 from coursework.words.sentences import say
 
-MOST_WORKERS = 4
 TRIED = 50  # ports tried, from the wished one on
 LEAVING = 1  # s that a connection has to end by itself
 MOST_CONNECTIONS = 500
@@ -59,24 +55,6 @@ class Calm(uvicorn.Server):
             await asyncio.sleep(BEAT)
 
 
-@frozen
-class Wish:
-    """The options of the command line; `host` "" means only this machine, `folder` None a desk without files."""
-
-    port: int
-    bounds: Bounds
-    policy: Policy
-    name: str = ""
-    folder: Path | None = None
-    host: str = ""
-    workers: int | None = None
-    root_path: str = ""
-    proxied: bool = False
-    hosts: tuple[str, ...] = ()
-    language: str = ""
-    browser: bool = False
-
-
 def serve(wish: Wish, tell: Callable[[str], None]) -> None:
     """Answer requests until Ctrl-C, which becomes `KeyboardInterrupt`; `tell` writes messages to standard error."""
     begin = opened(wish.name, wish.folder)
@@ -87,8 +65,6 @@ def serve(wish: Wish, tell: Callable[[str], None]) -> None:
     named = [wish.host.lower()] if wish.host not in {"", "0.0.0.0", "::"} else []
     hosts = (*(host.lower() for host in wish.hosts), *(f"{_bracketed(name)}:{port}" for name in named))
     gate = Gate(port, secret, hosts, wish.root_path, wish.proxied, None if wish.folder else Limits())
-    workers = wish.workers or min(os.cpu_count() or 1, MOST_WORKERS)
-    plan = Plan(gate, wish.bounds, workers, wish.folder, begin, wish.policy, wish.language)
     shown = HERE if wish.host in {"", "0.0.0.0", "::"} else _bracketed(wish.host)
     address = f"http://{shown}:{port}{wish.root_path}/" + (f"?secret={secret}" if secret else "")
     sys.stdout.write(address + "\n")
@@ -96,7 +72,7 @@ def serve(wish: Wish, tell: Callable[[str], None]) -> None:
     if wish.host:
         tell(say("desk.open_to_others", host=wish.host))
     config = uvicorn.Config(
-        Application(plan).asgi(), lifespan="on", ws="none", http=Impatient, log_level="critical", access_log=False,
+        Application(wish, gate, begin).asgi(), lifespan="on", ws="none", http=Impatient, log_level="critical", access_log=False,
         server_header=False, proxy_headers=False, limit_concurrency=MOST_CONNECTIONS, timeout_graceful_shutdown=LEAVING,
     )  # fmt: skip
     if wish.browser:

@@ -29,9 +29,11 @@ class Solved:
 
 def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
     """Return all velocities that rigid links, guides and sleeves determine, given the `velocities` of some points (m/s)."""
-    unknowns = _unknowns_of(pose)
+    points = dict.fromkeys([*(name for body in pose.bodies for name in body.points), *(slide.rider for slide in pose.slides)])
+    turns = {body.name: 2 * len(points) + k for k, body in enumerate(pose.bodies)}
+    unknowns = _Unknowns({name: 2 * k for k, name in enumerate(points)}, turns, pose.size or 1.0)
     rows = [*unknowns.given(pose, velocities), *unknowns.rigid(pose), *unknowns.sliding(pose)]
-    matrix = np.zeros((len(rows), unknowns.count))
+    matrix = np.zeros((len(rows), 2 * len(points) + len(turns)))
     for k, (row, _) in enumerate(rows):
         for place, value in row.items():
             matrix[k, place] += value
@@ -40,9 +42,9 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
     free = np.max(np.abs(ways[rank:]), axis=0, initial=0.0)
     found = np.linalg.lstsq(matrix, np.array([value for _, value in rows]), rcond=FREE)[0]
     found[np.abs(found) <= NOUGHT * np.max(np.abs(found), initial=0.0)] = 0.0
-    column, turn = unknowns.column, unknowns.turn
-    determined = {name: complex(found[k], found[k + 1]) for name, k in column.items() if max(free[k], free[k + 1]) < FREE**0.5}
-    return Solved(determined, {name: float(found[k]) / unknowns.size for name, k in turn.items() if free[k] < FREE**0.5})
+    columns = unknowns.column.items()
+    determined = {name: complex(found[k], found[k + 1]) for name, k in columns if max(free[k], free[k + 1]) < FREE**0.5}
+    return Solved(determined, {name: float(found[k]) / unknowns.size for name, k in turns.items() if free[k] < FREE**0.5})
 
 
 @frozen
@@ -52,10 +54,6 @@ class _Unknowns:
     column: Mapping[str, int]
     turn: Mapping[str, int]
     size: float
-
-    @property
-    def count(self) -> int:
-        return 2 * len(self.column) + len(self.turn)
 
     def vector(self, name: str, along: complex, factor: float = 1.0) -> dict[int, float]:
         return {self.column[name]: factor * along.real, self.column[name] + 1: factor * along.imag}
@@ -100,9 +98,3 @@ class _Unknowns:
                         yield {**self.vector(slide.rider, along), **self.vector(first, along, -1.0), **turned}, speed
             if slide.block in self.turn:
                 yield {self.turn[slide.link]: 1.0, self.turn[slide.block]: -1.0}, 0.0
-
-
-def _unknowns_of(pose: Pose) -> _Unknowns:
-    points = dict.fromkeys([*(name for body in pose.bodies for name in body.points), *(slide.rider for slide in pose.slides)])
-    turns = {body.name: 2 * len(points) + k for k, body in enumerate(pose.bodies)}
-    return _Unknowns({name: 2 * k for k, name in enumerate(points)}, turns, pose.size or 1.0)

@@ -6,7 +6,7 @@ Used by `graph_check.py`, `readings.py` and `graph_words.py`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -17,7 +17,7 @@ from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.plans.moving import Kinematics, Moving
 from coursework.drawing.plans.plan_scale import SEEN, PlanScale, scale_of
 from coursework.drawing.plans.polygons import polygons
-from coursework.drawing.plans.vectors import POLE, VELOCITY, Found, Polygons
+from coursework.drawing.plans.vectors import POLE, VELOCITY, Polygons
 from coursework.system.frozen import frozen
 
 
@@ -34,11 +34,6 @@ class CheckPlan:
     tabled: Mapping[str, complex]
     specials: Mapping[str, Centre]
 
-    @property
-    def steps(self) -> Sequence[Found]:
-        """Return how the images were found, in the order of drawing."""
-        return self.polygons.found
-
     def has(self, start: str, end: str) -> bool:
         """Return whether the plan draws the vector from one image to another itself; `start` is "" for the pole."""
         here = (s for s in self.polygons.segments if s.plan == VELOCITY)
@@ -51,7 +46,7 @@ class CheckPlan:
     @property
     def solved(self) -> set[str]:
         """Return the points whose image was computed, because no two lines of the plan meet in it."""
-        return {one.point for one in self.steps if one.rule == "solved"}
+        return {one.point for one in self.polygons.found if one.rule == "solved"}
 
 
 def plan_of(sketch: Sketch, findings: Findings, table: Kinematics) -> CheckPlan | None:

@@ -49,9 +49,8 @@ def draw(
         findings = replace(findings, velocities=given, omegas={}, centres={}, specials={})
     svg = _Drawing(sketch, findings, layout, written).svg(say("drawing.title", row=row, time=time))
     alt = say("graph.alt", row=row)
-    caption = say(
-        "graph.blank" if blank else "graph.caption", row=row, time=time, scale=layout.scale_text, seen=_seen(sketch, findings)
-    )
+    key, seen = "graph.blank" if blank else "graph.caption", _seen(sketch, findings)
+    caption = say(key, row=row, time=time, scale=layout.scale_text, seen=seen)
     return Drawing("graph-check", svg, layout.width, layout.height, caption, alt, exact=True)
 
 
@@ -85,7 +84,10 @@ class _Drawing:
 
     def svg(self, title: str) -> str:
         for centre in (*self.findings.drawn.values(), *self.findings.specials.values()):
-            self.construction(centre)
+            # Lines lead from two points to a centre, or to the border if it is off the sheet.
+            if centre.at is not None:
+                for name in centre.lines:
+                    self.sheet.line(self.at[name], self.layout.put(centre.at), AXIS)
         self.painter.fixed()
         self.painter.moving()
         for name in self.points:
@@ -115,12 +117,6 @@ class _Drawing:
         away = arrow or self.at[name] - self.middle
         places = [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0), (tip - arrow / 4, 1j * away, 1.0)]
         self.marks.append((("V", lowered_name(name), value), places if seen else places[:1], (tip - arrow / 2, tip)))
-
-    def construction(self, centre: Centre) -> None:
-        """Draw the lines that lead from two points to a centre, or to the border if it is off the sheet."""
-        if centre.at is not None:
-            for name in centre.lines:
-                self.sheet.line(self.at[name], self.layout.put(centre.at), AXIS)
 
     def cross(self, link: str, centre: Centre) -> None:
         """Mark a centre with a cross and its name; if it is off the sheet, with arrows at the border and its coordinates."""

@@ -128,7 +128,9 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     sketch = read(motion, row - 1)
     findings = construct(sketch.pose)
     measured = _measured(sketch, findings)
-    tabled = _tabled(equations, motion, row - 1, sketch, findings)
+    only = slice(row - 1, row)
+    here = replace(motion, t=motion.t[only], coordinates=motion.coordinates[only], velocities=motion.velocities[only])
+    tabled = _tabled(equations, here, sketch, findings)
     rows = tuple(
         (name, value, tabled.get(name, math.nan), value - tabled.get(name, math.nan), unit)
         for name, (value, unit) in measured.items()
@@ -147,22 +149,13 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
         seen = {name for name, centre in findings.drawn.items() if centre.at is None or not centre.lines or name in layout.near}
         far = tuple(body.name for body in sketch.pose.bodies if body.name in findings.drawn and body.name not in seen)
         findings = replace(findings, beyond=far)
-        plan = _plan(equations, motion, row - 1, sketch, findings)
+        plan = plan_of(sketch, findings, kinematics_of(outline, equations, here, np.zeros_like(here.velocities)))
         if plan is not None and plan.specials:
             findings = replace(findings, specials=plan.specials)
             layout = lay_out(sketch, findings)
         readings = read_off(sketch, findings, layout, values, plan)
     notes = (*how_found(sketch, findings, plan), *sketch.notes, *drift(sketch))
     return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, true, notes, readings, plan)
-
-
-def _plan(
-    equations: VelocityEquations, motion: Motion, row: int, sketch: Sketch, findings: Findings
-) -> CheckPlan | None:  # fmt: skip
-    """Return the plan of velocities of a row (from 0), as drawn and by the table."""
-    only = slice(row, row + 1)
-    here = replace(motion, t=motion.t[only], coordinates=motion.coordinates[only], velocities=motion.velocities[only])
-    return plan_of(sketch, findings, kinematics_of(sketch.outline, equations, here, np.zeros_like(here.velocities)))
 
 
 def _required_row(variant: Variant, motion: Motion) -> int:
@@ -212,22 +205,18 @@ def _measured(sketch: Sketch, findings: Findings) -> dict[str, tuple[float, str]
     return found
 
 
-def _tabled(
-    equations: VelocityEquations, motion: Motion, row: int, sketch: Sketch, findings: Findings
-) -> dict[str, float]:  # fmt: skip
-    """Return the same quantities from the table: its rates, and the speeds and centres that follow from them."""
+def _tabled(equations: VelocityEquations, here: Motion, sketch: Sketch, findings: Findings) -> dict[str, float]:
+    """Return the same quantities from one row of the table: its rates, and the speeds and centres that follow from them."""
     names = list(sketch.moving)
     components = [part for name in names for part in equations.symbols.vectors[name]]
-    only = slice(row, row + 1)
-    rows = (motion.t[only], motion.coordinates[only], motion.velocities[only])
-    flat = jets(equations, components, 1)[1](*rows)[0] if components else np.zeros(0)
+    flat = jets(equations, components, 1)[1](here.t, here.coordinates, here.velocities)[0] if components else np.zeros(0)
     velocities = {name: complex(x, y) for name, x, y in zip(names, flat[::2], flat[1::2], strict=True)}
     found = {f"V_{name}": abs(velocity) for name, velocity in velocities.items()}
     centres = _drawn_centres(sketch, findings)
     for body in sketch.pose.bodies:
-        if body.rate not in motion.velocity_names or body.guide:
+        if body.rate not in here.velocity_names or body.guide:
             continue
-        omega = float(motion.column(body.rate or "")[row])
+        omega = float(here.column(body.rate or "")[0])
         found[omega_name(body)] = omega
         carried = next((name for name in body.points if name in velocities), None)
         if body.name in centres and carried and omega:

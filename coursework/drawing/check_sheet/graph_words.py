@@ -64,7 +64,7 @@ def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> lis
     bars = {slide.link for slide in sketch.pose.slides}
     if asked := [body.name for body in bodies if body.name in links and (len(body.points) > 1 or body.name in bars)]:
         sentences.append(say("drawing.by_lines", links=tuple(asked)))
-    for one in plan.steps if plan is not None else ():
+    for one in plan.polygons.found if plan is not None else ():
         if one.rule == "special":
             sentences.append(say("drawing.special", special=lowered_name(one.point), link=one.link, legs=crossing(one)))
     if plan is not None and findings.beyond:
@@ -89,11 +89,8 @@ def why_unread(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> st
         return say("graph.unread_lengths" if any(sketch.pose.rates.values()) else "graph.unread_still")
     if findings.missing:
         return say("graph.unread_left")
-    return say(
-        "graph.unread_together"
-        if (findings.planned or findings.beyond) and (plan is None or plan.solved)
-        else "graph.unread_given"
-    )
+    together = (findings.planned or findings.beyond) and (plan is None or plan.solved)
+    return say("graph.unread_together" if together else "graph.unread_given")
 
 
 def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], letter: str, sleeves: Set[tuple[str, str]]) -> str:

@@ -115,9 +115,7 @@ class _Paper:
             self._move(name, velocity)
         for body in self.pose.bodies:
             if body.name in omegas:
-                self.omegas[body.name] = omegas[body.name]
-                if body.rate:
-                    self.rates.setdefault(body.rate, omegas[body.name])
+                self._turn(body, omegas[body.name])
 
     def within_reach(self, centre: Centre) -> Centre:
         """Return the centre, at infinity if it is too far away to be found on paper."""
@@ -134,6 +132,12 @@ class _Paper:
             self.velocities[name] = velocity
             if velocity:
                 self.directions.setdefault(name, velocity / abs(velocity))
+
+    def _turn(self, body: Body, omega: float) -> None:
+        """Write down the angular velocity of a link, and of all links that have the same rate."""
+        self.omegas[body.name] = omega
+        if body.rate:
+            self.rates.setdefault(body.rate, omega)
 
     def _at(self, name: str) -> complex:
         return self.pose.positions[name]
@@ -198,9 +202,7 @@ class _Paper:
             if slide.block == body.name and slide.link in self.omegas:
                 omega = self.omegas[slide.link]
         if omega is not None:
-            self.omegas[body.name] = omega
-            if body.rate:
-                self.rates.setdefault(body.rate, omega)
+            self._turn(body, omega)
 
     def _over_distance(self, body: Body, centre: complex, point: str) -> float | None:
         arms = {name: self._at(name) - centre for name in body.points if name in self.velocities}

@@ -6,7 +6,7 @@ Source of the series: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...)
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
@@ -52,10 +52,6 @@ class Layout(Board):
         (left, top, right, bottom), at = self.field, self.put(centre.at)
         return left + CROSS <= at.real <= right - CROSS and top + CROSS <= at.imag <= bottom - CROSS
 
-    def has(self, specials: Mapping[str, Centre]) -> int:
-        """Return how many of the special points lie on the sheet."""
-        return sum(self.holds(special) for special in specials.values())
-
 
 def lay_out(sketch: Sketch, findings: Findings) -> Layout:
     """Return the layout with the largest scale at which links and velocities fit, on the page that shows more centres.
@@ -72,7 +68,7 @@ def lay_out(sketch: Sketch, findings: Findings) -> Layout:
             if shallow is not None:
                 found = [way for way in found if not way.wide and way.near >= shallow.near]
             if found:
-                best = max(found, key=lambda way: (len(way.near), way.has(findings.specials), not way.wide))
+                best = max(found, key=lambda way: (len(way.near), sum(map(way.holds, findings.specials.values())), not way.wide))
                 if not best.wide or best.height >= SHALLOW:
                     return best
                 shallow = best

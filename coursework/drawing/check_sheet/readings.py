@@ -114,7 +114,7 @@ class _Ruler:
         self.speeds.update((name, abs(velocity)) for name, velocity in pose.velocities.items())
         self.omegas.update((b.name, abs(pose.rates[b.rate])) for b in pose.bodies if b.rate and b.rate in pose.rates)
         waiting = [body for body in pose.bodies if body.name in self.findings.omegas]
-        steps = [*self.plan.steps] if self.plan else []
+        steps = [*self.plan.polygons.found] if self.plan else []
         while waiting or steps:
             ready = next((body for body in waiting if self.ready(body)), None)
             if ready is not None:
@@ -212,7 +212,8 @@ class _Ruler:
         for line in one.lines if one.rule == "lines" else ():
             if line.kind == "slot":
                 self.vector(line.base, point)
-        for line in (line for found in self.plan.steps if found.rule == "special" for line in found.lines) if self.plan else ():
+        steps = self.plan.polygons.found if self.plan else ()
+        for line in (line for found in steps if found.rule == "special" for line in found.lines):
             if line.kind == "slot" and line.at == point:
                 self.vector(line.base, point)
         for body in self.sketch.pose.bodies:

@@ -7,6 +7,7 @@ Used by `force_plans.py`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import accumulate
 
 from coursework.drawing.force_plans.vectors import DIRECTION, FOUND, KNOWN, ForceVector, GroupPlan
 from coursework.drawing.paper.board import COLUMN, EDGE, around, largest_scale, vector_scale
@@ -39,9 +40,7 @@ class Figure:
 
 def scale_of(plan: GroupPlan, row: int) -> float:
     """Return N per mm, the smallest of 1, 2, 5 · 10^k at which neither a force nor the whole polygon is longer than 80 mm."""
-    tips = [0j]
-    for vector in plan.vectors:
-        tips.append(tips[-1] + complex(vector.force[row]))
+    tips = accumulate((complex(vector.force[row]) for vector in plan.vectors), initial=0j)
     left, low, right, high = around((tip, 0.0) for tip in tips)
     longest = max([right - left, high - low, *(vector.size(row) for vector in plan.vectors)])
     return vector_scale(longest, LONGEST)
@@ -63,9 +62,7 @@ def draw_group(plan: GroupPlan, figure: Figure, number: int, written: Callable[[
 
     scale = largest_scale(room, LEFT_PART, HIGHEST)
     left, low, right, high = around(room(1000 / scale))
-    tips = [0j]
-    for vector in shown:
-        tips.append(tips[-1] + complex(vector.force[row]) / unit)
+    tips = [*accumulate((complex(vector.force[row]) / unit for vector in shown), initial=0j)]
     begin, under, end, over = around((tip, 8.0) for tip in tips)
     width = max(COLUMN, right - left + end - begin + 3 * EDGE)
     top = max(high - low, over - under)

@@ -9,13 +9,14 @@ part across j, then the two parts along the links, which close the polygon.  So 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from coursework.drawing.paper.symbols import name_word
 from coursework.effects.effects import Action
-from coursework.effects.force_scheme import ForceScheme, Unknown
+from coursework.effects.force_scheme import Unknown
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
@@ -66,6 +67,9 @@ class GroupPlan:
     inner: tuple[str, Complex] | None
 
 
+ByBody = Mapping[str, list[ForceVector]]
+
+
 def word_of(action: Action) -> tuple[str, str, str]:
     """Return how a drawing writes a known force: F with index in2, G with index 2, a load by its name."""
     if action.effect not in _LETTERS:
@@ -110,11 +114,9 @@ def _turned(name: str, unknown: Unknown) -> str:
 
 def _plan(found: ForceAnalysis, group: Sequence[str], before: set[str]) -> GroupPlan:
     later = {body.name for body in found.rows.scheme.bodies} - before - set(group)
-    known: dict[str, list[ForceVector]] = {body: [] for body in group}
-    outer: dict[str, list[ForceVector]] = {body: [] for body in group}
-    inner: dict[str, list[ForceVector]] = {body: [] for body in group}
+    known, outer, inner = (defaultdict[str, list[ForceVector]](list) for _ in range(3))
     for action in found.actions:
-        if action.body in known and action.force is not None and action.at is not None and np.any(action.force):
+        if action.body in group and action.force is not None and action.at is not None and np.any(action.force):
             word = word_of(action)
             known[action.body].append(ForceVector("".join(word), word, action.body, action.force, action.at, KNOWN))
     for body in group:
@@ -130,13 +132,9 @@ def _plan(found: ForceAnalysis, group: Sequence[str], before: set[str]) -> Group
     return GroupPlan(tuple(group), tuple(vectors), (), None)
 
 
-def _dyad(
-    found: ForceAnalysis, group: tuple[str, str], known: dict[str, list[ForceVector]], outer: dict[str, list[ForceVector]],
-    inner: dict[str, list[ForceVector]],
-) -> GroupPlan:  # fmt: skip
+def _dyad(found: ForceAnalysis, group: tuple[str, str], known: ByBody, outer: ByBody, inner: ByBody) -> GroupPlan:
     first, second = group
-    across: dict[str, list[ForceVector]] = {first: [], second: []}
-    along: dict[str, list[ForceVector]] = {first: [], second: []}
+    across, along = (defaultdict[str, list[ForceVector]](list) for _ in range(2))
     moments = []
     for body in group:
         pin = next((vector for vector in inner[body] if vector.name[0] == "R"), None)
@@ -144,9 +142,9 @@ def _dyad(
             if vector.name[0] != "R" or pin is None or len(outer[body]) > 1 or np.abs(pin.at - vector.at).min() == 0:
                 along[body].append(vector)
                 continue
-            parts, moment = _parted(found, vector, pin, known[body])
-            across[body].append(parts[0])
-            along[body].append(parts[1])
+            part_across, part_along, moment = _parted(found, vector, pin, known[body])
+            across[body].append(part_across)
+            along[body].append(part_along)
             moments.append(moment)
     vectors = (*across[first], *known[first], *known[second], *across[second], *along[second], *along[first])
     between = next((vector for vector in inner[second] if vector.name[0] in "RN"), None)
@@ -155,7 +153,7 @@ def _dyad(
 
 def _parted(
     found: ForceAnalysis, vector: ForceVector, pin: ForceVector, known: list[ForceVector]
-) -> tuple[tuple[ForceVector, ForceVector], Moment]:
+) -> tuple[ForceVector, ForceVector, Moment]:
     """Return the parts of an outer reaction across and along its link, and the moment equation that gives the part across."""
     way = pin.at - vector.at
     length, unit = np.abs(way), way / np.abs(way)
@@ -167,9 +165,8 @@ def _parted(
     about = sum(((np.conj(one.at - pin.at) * one.force).imag for one in known), np.zeros(found.rows.count))
     place = next(k for k, body in enumerate(found.rows.scheme.bodies) if body.name == vector.body)
     couples = found.reactions.wrench[:, place, 2] - _moment_of_forces(found, place)
-    point = point_at(found.rows.scheme, found, pin.at)
-    moment = Moment(vector.body, point, parts[0].name, np.asarray(about + couples), length, normal)
-    return (parts[0], parts[1]), moment
+    moment = Moment(vector.body, _point_at(found, pin.at), parts[0].name, np.asarray(about + couples), length, normal)
+    return parts[0], parts[1], moment
 
 
 def _moment_of_forces(found: ForceAnalysis, place: int) -> Array:
@@ -182,9 +179,7 @@ def _moment_of_forces(found: ForceAnalysis, place: int) -> Array:
     return total
 
 
-def point_at(scheme: ForceScheme, found: ForceAnalysis, at: Complex) -> str:
+def _point_at(found: ForceAnalysis, at: Complex) -> str:
     """Return the name of the joint at a place, "" if it has none."""
-    for unknown in scheme.unknowns:
-        if unknown.at is not None and unknown.at.op == "name" and np.array_equal(found.rows.vector(unknown.at), at):
-            return unknown.at.name
-    return ""
+    joints = (one.at for one in found.rows.scheme.unknowns if one.at is not None and one.at.op == "name")
+    return next((joint.name for joint in joints if np.array_equal(found.rows.vector(joint), at)), "")

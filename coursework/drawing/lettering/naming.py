@@ -141,7 +141,7 @@ def _unsaid(mechanism: Mechanism, known: Mapping[frozenset[str], Formula]) -> di
         part.name for _, formula in mechanism.points if formula.op == "pair" for arg in formula.args for part in terms(arg)
     }
     variant = mechanism.variant
-    sides = [side for one in mechanism.constraints if one.is_closure for side in (one.left, one.right)]
+    sides = [side for one in mechanism.constraints if one.is_closure for side in one.sides]
     laws = [formula for law in variant.functions for formula in law.formulas]
     used = {name for formula in (*dict(mechanism.points).values(), *sides, *variant.holds, *laws) for name in formula.names()}
     return {datum.name: datum.value for datum in variant.given if datum.si == "m" and datum.name in used - said}

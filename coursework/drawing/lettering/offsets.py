@@ -54,8 +54,5 @@ def _beside(painter: Painter, length: Formula, size: float, point: str, rider: s
 
 
 def _stub(painter: Painter, point: str, rider: str) -> Segment | None:
-    for slot in painter.outline.slots:
-        line = painter.slot_line(slot)
-        if slot.at == point and rider in slot.riders and len(line) > 2:
-            return line[2], line[1]
-    return None
+    slots = (slot for slot in painter.outline.slots if slot.at == point and rider in slot.riders)
+    return next(((line[2], line[1]) for line in map(painter.slot_line, slots) if len(line) > 2), None)

@@ -131,7 +131,7 @@ def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool, str]]:
     met = {formula: name for name, formula in mechanism.points}
     for one in mechanism.constraints:
         if one.is_closure:
-            pair = (one.left, one.right), (one.right, one.left)
+            pair = one.sides, one.sides[::-1]
             sides += [(side, other.name if other.op == "name" else met.get(other, "")) for side, other in pair]
     yield from ((list(signed(side)), False, name) for side, name in sides)
     yield from ((list(signed(hold.args[0])), True, "") for hold in mechanism.variant.holds if hold.op == "part")

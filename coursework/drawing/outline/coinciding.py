@@ -41,9 +41,8 @@ class _Part:
 
 def coincides(outline: Outline, poses: Poses) -> bool:
     """Return whether links lie on one line in the first row."""
-    return bool(
-        max((share[0] for share in _shares(outline, poses, np.arange(1), (FOLDED, STRETCHED, NEAR))), default=0.0) > ALIKE
-    )
+    shares = _shares(outline, poses, np.arange(1), (FOLDED, STRETCHED, NEAR))
+    return any(share[0] > ALIKE for share in shares)
 
 
 def clearest(outline: Outline, poses: Poses) -> int:
@@ -77,8 +76,7 @@ def _parts(outline: Outline, poses: Poses, rows: Rows) -> list[_Part]:
         for a, b in itertools.pairwise(bar.corners)
     ]
     for slot in outline.slots:
-        along = at[slot.toward] - at[slot.base]
-        along = along / np.where(along == 0, 1, np.abs(along))
+        along = poses.along(slot.base, slot.toward)[rows]
         for rider in slot.riders:
             foot = at[slot.at] + 1j * along * ((at[rider] - at[slot.at]) * along.conjugate()).imag
             found.append(_Part(slot.link, foot, at[rider], frozenset((slot.at, *slot.riders))))

@@ -26,7 +26,7 @@ def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:
     variant, points = mechanism.variant, dict(mechanism.points)
     taken = {*points, *variant.values, *(coordinate.name for coordinate in variant.coordinates)}
     free = (letter for letter in ascii_uppercase if letter not in taken)
-    sides = [(one.left, one.right) for one in mechanism.constraints if one.is_closure]
+    sides = [one.sides for one in mechanism.constraints if one.is_closure]
     arms = [both for both in sides if all([part.op for part in terms(side)] == ["name", "@"] for side in both)]
     return dict(zip(free, (both for both in arms if not {*both} & {*points.values()}), strict=False))
 

@@ -47,6 +47,12 @@ class Poses:
         beside = float(places[0][0].imag)
         return beside, float(min(np.min(p.real) for p in places)), float(max(np.max(p.real) for p in places))
 
+    def slot_ends(self, slot: Slot) -> tuple[Complex, Complex]:
+        """Return the ends (n,) of the line on which riders slide: from beside the slot's point to the farthest riders."""
+        along, (beside, low, high) = self.along(slot.base, slot.toward), self.line(slot)
+        start = self.at[slot.at] + 1j * along * beside
+        return np.asarray(start + along * min(low, 0.0)), np.asarray(start + along * max(high, 0.0))
+
     def travel(self, rail: Rail) -> tuple[complex, complex, float, float]:
         """Return a point on a rail, its direction, and the least and greatest distance of its rider from there along it (m)."""
         start, along = complex(self.at[rail.at][0]), complex(self.along(rail.base, rail.toward)[0])

@@ -46,7 +46,7 @@ class _Pencil:
     def __init__(self, mechanism: Mechanism) -> None:
         self.variant: Variant = mechanism.variant
         self.points = dict(mechanism.points) | {joint: sides[0] for joint, sides in unnamed_joints(mechanism).items()}
-        self.closures = [(one.left, one.right) for one in mechanism.constraints if one.is_closure]
+        self.closures = [one.sides for one in mechanism.constraints if one.is_closure]
         self.named = {formula: name for name, formula in reversed(self.points.items())}
         self.bars: list[Bar] = []
         self.slots: list[Slot] = []

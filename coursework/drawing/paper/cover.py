@@ -61,10 +61,6 @@ class Lines:
         self.plain = self.count if plain is None else plain
         self.free: Array = np.where(np.arange(self.count) < self.plain, 0.0, free)[:, None]
 
-    def parts(self, low: Array, high: Array) -> Array:
-        """Return the part (n, m), 0 to 1, of each segment that lies in each rectangle."""
-        return clipped(low, high, self.begin, self.step)
-
     def within(self, low: Array, high: Array) -> tuple[Array, Array, Array]:
         """Return for each rectangle (n,) how many plain segments it meets, their length in it, and how many others it meets."""
         (left, top), (right, bottom) = (low - CLOSE).T[:, :, None], (high + CLOSE).T[:, :, None]
@@ -94,7 +90,7 @@ class Lines:
         for end in (self.begin, self.end):
             beyond = np.maximum(np.maximum(low[:, None] - end, end - high[:, None]), 0.0)
             far = np.minimum(far, np.hypot(beyond[..., 0], beyond[..., 1]))
-        return np.asarray(np.where(self.parts(low, high) > 0, 0.0, far))
+        return np.asarray(np.where(clipped(low, high, self.begin, self.step) > 0, 0.0, far))
 
     def crossed(self, begin: Array, step: Array) -> Array:
         """Return how many segments each line from `begin` (n, 2) by `step` (n, 2) crosses, as (n,)."""

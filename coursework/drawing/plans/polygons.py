@@ -281,9 +281,8 @@ class _Plan:
     def base(self, bar: Bar) -> str:
         """Return the point of a link from which others are drawn: a fixed hinge, else its first image, else its special point."""
         there = [name for name in bar.corners if name in self.images]
-        return next(
-            (name for name in there if name in self.outline.hinges), there[0] if there else self.specials.get(bar.link, "")
-        )
+        first = there[0] if there else self.specials.get(bar.link, "")
+        return next((name for name in there if name in self.outline.hinges), first)
 
     def along(self, line: Line, name: str) -> Line:
         """Draw what leads along a line to the image of a point; return the line as drawn."""

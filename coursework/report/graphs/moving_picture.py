@@ -142,16 +142,14 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
 def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
     """Set the window so that both motions fit, and return its size (m)."""
     shown = [places for each in poses for name, places in each.at.items() if not name.startswith("~")]
-    circles = [(wheel.centre, wheel.contact) for wheel in outline.wheels] + [
-        (track.centre, track.rim) for track in outline.tracks
-    ]
+    circles = [(wheel.centre, wheel.contact) for wheel in outline.wheels]
+    circles += [(track.centre, track.rim) for track in outline.tracks]
     for each in poses:
         for centre, rim in circles:
             radius = np.abs(each.at[rim] - each.at[centre])
             shown += [each.at[centre] + radius * (1 + 1j), each.at[centre] - radius * (1 + 1j)]
         for slot in outline.slots:  # a lever reaches beyond the points of the file
-            (beside, low, high), along = each.line(slot), each.along(slot.base, slot.toward)
-            shown += [each.at[slot.at] + along * (1j * beside + end) for end in (min(low, 0.0), max(high, 0.0))]
+            shown += each.slot_ends(slot)
     every = np.concatenate(shown)
     size = float(max(np.ptp(every.real), np.ptp(every.imag))) or 1.0
     field.set_xlim(every.real.min() - 0.12 * size, every.real.max() + 0.12 * size)
@@ -235,9 +233,7 @@ class Shape:
         for bar in self.outline.bars:
             yield np.array([pose[name] for name in bar.corners])
         for slot in self.outline.slots:
-            beside, low, high = poses.line(slot)
-            along = poses.along(slot.base, slot.toward)[frame]
-            yield pose[slot.at] + along * (1j * beside + np.array([min(low, 0.0), max(high, 0.0)]))
+            yield np.array([end[frame] for end in poses.slot_ends(slot)])
         for rack in self.racks:
             _, low, high = poses.line(Slot(rack.link, rack.rail.rider, rack.rail.base, rack.rail.toward, (rack.contact,)))
             ends, deep = np.array([min(low - BLOCK * size, 0.0), max(high + BLOCK * size, 0.0)]), 1j * rack.side * ACROSS * size

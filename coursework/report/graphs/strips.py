@@ -41,17 +41,14 @@ def strip(values: Sequence[float], low: float, high: float, centre: float, ends:
     def x(value: float) -> float:
         return LEFT + (RIGHT - LEFT) * (value - least) / span if most > least else (LEFT + RIGHT) / 2
 
-    tops: list[list[float]] = []
+    lasts: list[float] = []  # of each level of marks: where its last mark stands
     placed: list[tuple[float, int]] = []
-    for value in sorted(values):
-        at = x(value)
-        level = next((k for k, row in enumerate(tops) if at - row[-1] >= 2 * MARK), len(tops))
-        if level == len(tops):
-            tops.append([])
-        tops[level].append(at)
+    for at in map(x, sorted(values)):
+        level = next((k for k, end in enumerate(lasts) if at - end >= 2 * MARK), len(lasts))
+        lasts[level : level + 1] = [at]
         placed.append((at, level))
-    pitch = min(2 * MARK, HIGHEST / max(1, len(tops)))
-    height = HEIGHT + pitch * max(0, len(tops) - 2)
+    pitch = min(2 * MARK, HIGHEST / max(1, len(lasts)))
+    height = HEIGHT + pitch * max(0, len(lasts) - 2)
     base = height - (HEIGHT - BASE)
     marks = tuple((f"{at:.1f}", f"{base - MARK - pitch * level:.1f}") for at, level in placed)
     return Strip((f"{x(low):.1f}", f"{x(high) - x(low):.1f}"), f"{x(centre):.1f}", middle, marks, *ends, f"{height:.0f}")

@@ -88,10 +88,9 @@ def moved_by(run: SceneRun, places: Sequence[Any]) -> Moved:
     if scene.variant.motor is not None:
         return _by_motor(scene, run.scheme, places)
     acting = ActingWriter(scene.equations, read_scheme(scene.mechanism)).acting()
-    velocities = [*scene.variant.rates, *(name for name, _ in scene.variant.unknowns)]
     own = Piece(
         "acting", [one for block in accelerated(scene.equations, scene.reduction) for one in block], acting.wanted,
-        {"u": [*map(private, velocities)]}, [*map(symbol, velocities)],
+        {"u": [*map(private, scene.variant.velocities)]}, [*map(symbol, scene.variant.velocities)],
     )  # fmt: skip
     return Moved(scene, live_functions(scene, places, [rates_of(scene), own]), {"forces": _told(acting, scene.variant)})
 
@@ -109,8 +108,7 @@ def _by_motor(scene: Scene, scheme: str, places: Sequence[Any]) -> Moved:
     slopes = [*map(symbol, variant.rates), *motor.solved, *map(symbol, unknowns)]
     slopes += [local(f"_det{index}") for index in range(len(scene.reduction.blocks))]
     # Forces depend on all velocities and their derivatives; derivatives that no row contains follow after the others.
-    velocities = [*variant.rates, *unknowns]
-    others = [name for name in velocities if name not in motor.rates]
+    others = [name for name in variant.velocities if name not in motor.rates]
     more = [*map(motor.acceleration_of, others)]
     u = [*map(private, variant.rates), *map(acceleration, motor.rates), *map(private, unknowns)]
     u += [f"_det{index}" for index in range(len(scene.reduction.blocks))] + [*map(acceleration, others)]
@@ -118,7 +116,7 @@ def _by_motor(scene: Scene, scheme: str, places: Sequence[Any]) -> Moved:
     deltas = [local(f"_step{place}") for place in motor.others]
     pieces = [
         Piece("slope", before, [*slopes, *more], v, free), Piece("held", [], held),
-        Piece("acting", [], acting.wanted, {"u": u}, [*map(symbol, velocities)]),
+        Piece("acting", [], acting.wanted, {"u": u}, [*map(symbol, variant.velocities)]),
         Piece("corrected", blocks, deltas, {"k": [f"_kept{k}" for k in range(len(kept))]}),
     ]  # fmt: skip
     functions = live_functions(scene, places, pieces)

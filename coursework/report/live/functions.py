@@ -57,9 +57,9 @@ class Piece:
 def rates_of(scene: Scene) -> Piece:
     """Return the function of velocities and block determinants of a scene that laws drive."""
     variant, blocks = scene.variant, scene.reduction.blocks
-    velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
     statements = [one for index, block in enumerate(blocks) for one in block_statements(block, index)]
-    return Piece("rates", statements, [*map(symbol, velocities), *(local(f"_det{index}") for index in range(len(blocks)))])
+    determinants = [local(f"_det{index}") for index in range(len(blocks))]
+    return Piece("rates", statements, [*map(symbol, variant.velocities), *determinants])
 
 
 def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] = ()) -> Functions:

@@ -156,9 +156,8 @@ def _said(
     variant = run.variant
     names = ["t", *variant.columns, *variant.values, *drawn.data["shown_points"]]
     units = {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)}
-    words = {key: marked(words) for key, words in _words(phrases, run).items()} | {
-        f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()
-    }
+    words = {key: marked(words) for key, words in _words(phrases, run).items()}
+    words |= {f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()}
     contacts = {wheel["contact"] for wheel in drawn.data["wheels"]}
     return drawn.data | {
         "centre": letter_of_centres(drawn.data["points"], contacts, [link["name"] for link in drawn.data["links"]]),
@@ -226,7 +225,7 @@ def live_numbers(run: SceneRun, functions: Functions) -> dict[str, Any]:
     constant = given_constants(variant, run.motion.names, run.motion.rows)
     return {
         "coordinates": [c.name for c in variant.coordinates],
-        "velocities": [*variant.rates, *(name for name, _ in variant.unknowns)],
+        "velocities": list(variant.velocities),
         "units": {name: variant.unit_of(name) for name in variant.columns},
         "shown": [name for name in run.motion.names if name not in constant],
         "start": scene.start,

@@ -131,9 +131,8 @@ def _of_link(outline: Outline, bar: Bar, seen: Scenery, weight: Array) -> _Choic
     if bar.corners and not spots:
         wheel = next((wheel for wheel in outline.wheels if wheel.link == bar.link), None)
         radius = abs(seen.at[wheel.contact][0] - seen.at[wheel.centre][0]) if wheel else 0.0
-        return _about(
-            seen.at[bar.corners[0]], half, (*BLOCK_GAPS, *([round(radius) + GAPS[0]] if radius > BLOCK_GAPS[0] else []))
-        )
+        beyond = [round(radius) + GAPS[0]] if radius > BLOCK_GAPS[0] else []
+        return _about(seen.at[bar.corners[0]], half, (*BLOCK_GAPS, *beyond))
     middles = [np.zeros((len(seen.begin), 0), complex)]
     for a, b in (sides[side] for side in order):
         part, off = np.array(ways).T

@@ -82,24 +82,17 @@ Shape = Chain | Circle | Arrow | Hatching | Words
 
 def shapes_of(svg: str, height: float) -> Iterator[Shape]:
     """Yield the shapes from the background to the foreground, without those that only a screen shows."""
-    open_chain: Chain | None = None
+    line: Chain | None = None  # an open chain, to which the next shape may be the head
     for shape in _read(ElementTree.fromstring(svg), height):
         if isinstance(shape, Chain) and _is_head(shape):
-            arrow, rest = _headed(open_chain, shape)
-            if rest is not None:
-                yield rest
-            yield arrow
-            open_chain = None
-            continue
-        if open_chain is not None:
-            yield open_chain
-            open_chain = None
-        if isinstance(shape, Chain) and not shape.closed:
-            open_chain = shape
-        else:
+            shape, line = _headed(line, shape)
+        if line is not None:
+            yield line
+        line = shape if isinstance(shape, Chain) and not shape.closed else None
+        if line is None:
             yield shape
-    if open_chain is not None:
-        yield open_chain
+    if line is not None:
+        yield line
 
 
 def _is_head(shape: Chain) -> bool:

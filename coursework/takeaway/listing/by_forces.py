@@ -31,21 +31,22 @@ CORRECTIONS = 8  # of a position near that of the step before: each error is abo
 
 @frozen
 class Moving:
-    """The parts of the program; `variant` has masses and loads as data, `states` are the free rates, which join the coordinates.
+    """The parts of the program; `outs` name the results of a slope, the rates of the states first.
 
-    `outs` name the results of a slope, the rates of the states first.  `numbers` are the data and what positions keep constant.
+    Under forces `variant` has masses and loads as data, `states` are the free rates, which join the coordinates, and `numbers`
+    are the data and what positions keep constant.
     """
 
     variant: Variant
     numbers: dict[str, float]
     known: tuple[Line, ...]
-    closing: tuple[Line, ...]
     lines: tuple[Line, ...]
     data: tuple[str, ...]
-    states: tuple[str, ...]
-    start: tuple[float, ...]
     outs: tuple[str, ...]
-    closed: tuple[tuple[str, str], ...]
+    closing: tuple[Line, ...] = ()
+    states: tuple[str, ...] = ()
+    start: tuple[float, ...] = ()
+    closed: tuple[tuple[str, str], ...] = ()
 
 
 def moving(run: SceneRun) -> Moving:
@@ -79,10 +80,10 @@ def moving(run: SceneRun) -> Moving:
     after = [Line((name,), f"{name} = {name} + _step{place}") for place, (name, _) in zip(own.others, closed, strict=True)]
     start = dict(variant.motor.start)
     return Moving(
-        variant, known, (*main.known, *_renamed(closing.known, taken)), (*_renamed(closing.lines, taken), *after),
-        _needed(main.lines, outs),
-        tuple(name for name in known if name in (*main.data, *closing.data)), tuple(map(private, own.rates)),
-        tuple(start.get(rate, 0.0) for rate in own.rates), tuple(outs) + tuple(name for _, name in closed), closed,
+        variant, known, (*main.known, *_renamed(closing.known, taken)), _needed(main.lines, outs),
+        tuple(name for name in known if name in (*main.data, *closing.data)), tuple(outs) + tuple(name for _, name in closed),
+        (*_renamed(closing.lines, taken), *after), tuple(map(private, own.rates)),
+        tuple(start.get(rate, 0.0) for rate in own.rates), closed,
     )  # fmt: skip
 
 

@@ -8,7 +8,8 @@ as a predefined process.  A block whose determinant can vanish is followed by a 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from textwrap import wrap
 from xml.sax.saxutils import escape
 
 from coursework.report.text.words import Words
@@ -62,8 +63,8 @@ def size_of(program: Program, words: Words) -> tuple[float, float]:
 
 
 def _columns(program: Program, words: Words) -> tuple[list[Placed], list[Placed]]:
-    main = list(_down(list(program.boxes.values()), EDGE + WIDTH / 2))
-    return main, list(_down(list(_velocities(program, words)), EDGE + WIDTH + APART + WIDTH / 2))
+    main = _down(program.boxes.values(), EDGE + WIDTH / 2)
+    return main, _down(_velocities(program, words), EDGE + WIDTH + APART + WIDTH / 2)
 
 
 def _velocities(program: Program, words: Words) -> Iterator[Box]:
@@ -77,9 +78,8 @@ def _velocities(program: Program, words: Words) -> Iterator[Box]:
     yield program.returned(words)
 
 
-def _down(boxes: list[Box], x: float) -> Iterator[Placed]:
-    for place, box in enumerate(boxes):
-        yield Placed(box, x, EDGE + place * (HEIGHT + GAP))
+def _down(boxes: Iterable[Box], x: float) -> list[Placed]:
+    return [Placed(box, x, EDGE + place * (HEIGHT + GAP)) for place, box in enumerate(boxes)]
 
 
 def _column(column: list[Placed]) -> Iterator[str]:
@@ -128,11 +128,7 @@ def _text(one: Placed) -> Iterator[str]:
 
 def _lines(text: str) -> list[str]:
     """Return a text as at most three lines of a box."""
-    found = [""]
-    for word in text.split(" "):
-        if found[-1] and len(found[-1]) + len(word) >= _LETTERS:
-            found.append("")
-        found[-1] = f"{found[-1]} {word}".strip()
+    found = wrap(text, _LETTERS, break_long_words=False, break_on_hyphens=False)
     return found if len(found) <= 3 else [*found[:2], f"{found[2]} …"]
 
 

@@ -41,8 +41,9 @@ class _Listing:
         """Yield the lines of the listing."""
         one, program = self.one, self.program
         inside = one.locals
-        later = [self._out(stage, rate) for stage in range(1, program.scheme.slopes) for rate in one.velocities]
+        later = [one.out(stage, rate) for stage in range(1, program.scheme.slopes) for rate in one.velocities]
         of_data = [one.names[name] for name in one.targets(program.known)]
+        known = [line for assigned in program.known for line in one.assigned(assigned)]
         size = one.largest
         in_velocities = self._perhaps("inside", names=", ".join([*inside, *one.velocities]), locals=", ".join(inside))
         arguments = (filled(self.texts.get("argument", "{name}"), name=name) for name in (one.t, *one.coordinates))
@@ -50,13 +51,13 @@ class _Listing:
         yield from self._laid("program", {
             "head": one.head(), "data": [*self._data()], "functions": functions(one), "limits": [*self._limits()],
             "blocks": one.blocks(), "rows": self._rows(),
-            "known": [filled(self.texts.get("of_data", "{line}"), line=line) for line in one.known()],
+            "known": [filled(self.texts.get("of_data", "{line}"), line=line) for line in known],
             "imports": self._perhaps("imports", calls=", ".join(sorted(program.calls & _IMPORTED))),
             "shared": self._perhaps("shared", names=" ".join(one.data)),
             "declared": self._perhaps("declared", names=", ".join(of_data)),
             "work": self._perhaps("work", work=size and one.names.own("_work", "work"), last=size - 1, size=size, more=size + 1),
             "inside": [line for text in in_velocities for line in one.wrapped(text)],
-            "counted": self._perhaps("counted", count=one.repeats and one.count),
+            "counted": self._perhaps("counted", count=any(block.repeats for block in program.blocks) and one.count),
         })  # fmt: skip
 
     def _laid(self, key: str, several: Mapping[str, Sequence[str]], **known: object) -> Iterator[str]:
@@ -88,7 +89,7 @@ class _Listing:
 
         yield from map(line, program.data)
         yield filled(text, name=one.h, value=repr(program.step))
-        yield f"{filled(self.texts.get('whole', text), name=one.steps, value=one.last)}  {one.say('rows')}"
+        yield f"{filled(self.texts.get('whole', text), name=one.steps, value=max(0, program.rows - 1))}  {one.say('rows')}"
         yield from map(line, program.start)
 
     def _limits(self) -> Iterator[str]:
@@ -106,11 +107,11 @@ class _Listing:
         """Return the line that prints the heads, and the loop over the rows."""
         one, syntax, program = self.one, self.one.syntax, self.program
         further = [line for stage in range(1, program.scheme.slopes) for line in one.wrapped(self._call(stage))]
-        step = [*further, one.box("step"), *one.steps_on(self._out)]
+        step = [*further, one.box("step"), *one.steps_on()]
         row = [
             one.box("time"), one.sets(f"{syntax.declares}{one.t}", f"{one.row}*{one.h}"),
-            one.box("rates"), self._call(0), *one.closed(self._out),
-            one.box("row"), *one.wrapped(self._show([one.t, *one.shown(self._out)])),
+            one.box("rates"), self._call(0), *one.closed(),
+            one.box("row"), *one.wrapped(self._show([one.t, *one.shown()])),
             one.box("more"), *held(syntax.test, step, holds=f"{one.row} < {one.steps}"),
         ]  # fmt: skip
         heads = filled(syntax.prints, heads=",".join(program.heads))
@@ -118,18 +119,9 @@ class _Listing:
 
     def _call(self, stage: int) -> str:
         """Return the line that computes the velocities of a slope."""
-        arguments = ", ".join(self.one.slope(stage, self._out))
-        outs = self._listed([self._out(stage, rate) for rate in self.one.velocities])
-        return filled(self.texts["call"], **{**self.known, "outs": outs, "arguments": arguments, "slope": self._slope(stage)})
-
-    def _slope(self, stage: int) -> str:
-        return self.one.names.own(f"_k{stage}", f"u{stage + 1}", f"slope{stage + 1}")
-
-    def _out(self, stage: int, rate: str) -> str:
-        """Return the name of a velocity in a slope of the step; in the first slope it is the plain name."""
-        if "out" in self.texts:
-            return filled(self.texts["out"], slope=self._slope(stage), rate=rate)
-        return self.one.names.own(f"_{rate}_{stage}", f"{rate}_{stage + 1}") if stage else rate
+        one, arguments = self.one, ", ".join(self.one.arguments(stage))
+        outs = self._listed([one.out(stage, rate) for rate in one.velocities])
+        return filled(self.texts["call"], **{**self.known, "outs": outs, "arguments": arguments, "slope": one.slope(stage)})
 
     def _show(self, values: Sequence[str]) -> str:
         """Return the line that prints the numbers of a row."""

@@ -8,11 +8,10 @@ Used by `writer.py`, `chart.py` and `commands/listing.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 from coursework.equations.codegen.names import private, public
 from coursework.equations.codegen.programs import Assign, Statement
-from coursework.equations.codegen.programs import Program as Lines
 from coursework.equations.codegen.straight_line import Line
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.statements import block_statements
@@ -123,58 +122,46 @@ def program_of(context: PageContext) -> Program:
     run, motion = context.run, rows_of(context.run)
     scene, variant = run.scene, run.variant
     scheme = scheme_of(motion.scheme, (SEMI_IMPLICIT.name,))
-    forced = moving(run) if variant.motor is not None else None
-    velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
-    shown = tuple(map(private, (*(c.name for c in variant.coordinates), *velocities)))
+    found = moving(run) if variant.motor is not None else _by_laws(run)
+    shown = tuple(map(private, variant.columns))
     boxes = _boxes(context)
-    numbers = forced.numbers if forced else constants(variant)
-    coordinates = [(private(one.name), one.unit) for one in variant.coordinates]
-    if forced:
-        known, lines, data, tables = forced.known, forced.lines, forced.data, scene.equations.tables
-        start = [*zip(coordinates, scene.start, strict=True)]
-        start += [
-            ((name, variant.unit_of(public(name, ()))), value) for name, value in zip(forced.states, forced.start, strict=True)
-        ]
-        outs = forced.outs
-    else:
-        found = _by_laws(run, velocities)
-        known, data, tables = found.known, found.data, found.tables
-        written = {f"_{private(name)}" for name in velocities}
-        lines = tuple(line for line in found.lines if not written & set(line.targets))
-        start, outs = [*zip(coordinates, scene.start, strict=True)], tuple(map(private, velocities))
-    units = {private(one.name): one.si for one in (forced.variant if forced else variant).given}
+    states = [(private(one.name), one.unit) for one in variant.coordinates]
+    states += [(name, variant.unit_of(public(name, ()))) for name in found.states]
+    start = zip(states, (*scene.start, *found.start), strict=True)
+    units = {private(one.name): one.si for one in found.variant.given}
     limits = tuple(
-        Limit(one.middle.time, AT_EVENT * one.middle.time, tuple(one.middle.velocities[name] for name in velocities))
+        Limit(one.middle.time, AT_EVENT * one.middle.time, tuple(one.middle.velocities[name] for name in variant.velocities))
         for one in scene.search.passages
     )
-    blocks = tuple(_blocks(context, lines, {name for line in known for name in line.targets}, len(boxes), forced))
+    blocks = tuple(_blocks(context, found, len(boxes)))
     title = context.words("listing.title", name=variant.name, title=context.variant.title)
     return Program(
         title, scheme, context.words.written(title_of(scheme)),
-        tuple(Datum(name, numbers[name], context.words.unit(units.get(name, "s"))) for name in data),
+        tuple(Datum(name, found.numbers[name], context.words.unit(units.get(name, "s"))) for name in found.data),
         tuple(Datum(name, value, context.words.unit(unit)) for (name, unit), value in start),
-        motion.step, len(motion.t), known, blocks, outs, tables,
-        scene.rates.breaks if scheme.slopes > 1 else (), limits, boxes,
-        (forced.variant if forced else variant).names, shown,
-        forced.closed if forced else (),
+        motion.step, len(motion.t), found.known, blocks, found.outs, scene.equations.tables,
+        scene.rates.breaks if scheme.slopes > 1 else (), limits, boxes, found.variant.names, shown, found.closed,
     )  # fmt: skip
 
 
-def _by_laws(run: SceneRun, velocities: Sequence[str]) -> Lines:
-    """Return the lines of a motion that is prescribed by the drive."""
+def _by_laws(run: SceneRun) -> Moving:
+    """Return the parts of the program of a motion that is prescribed by the drive."""
+    velocities = run.variant.velocities
     statements: list[Statement] = [
         one for index, block in enumerate(run.reduction.blocks) for one in block_statements(block, index)
     ]
     statements += [Assign(local(f"_{private(name)}"), symbol(name)) for name in velocities]
-    return scene_program(run.scene.equations, statements)
+    found = scene_program(run.scene.equations, statements)
+    written = {f"_{private(name)}" for name in velocities}
+    lines = tuple(line for line in found.lines if not written & set(line.targets))
+    return Moving(run.variant, constants(run.variant), found.known, lines, found.data, tuple(map(private, velocities)))
 
 
 def rows_of(run: SceneRun) -> Motion:
     """Return the rows that a listing prints: those of the run's scheme, or Euler's if the run's own table is the exact motion."""
     if run.settings.project or run.settings.gain:
         raise InputError(say("fault.C092"))
-    beside = run.scene.scheme_rows
-    motion = run.motion if beside is None else beside
+    motion = run.scene.scheme_rows or run.motion
     refuse_exact(motion.scheme)
     return motion
 
@@ -194,19 +181,18 @@ def _boxes(context: PageContext) -> dict[str, Box]:
     return {key: Box(number, kind, context.words(f"listing.box.{key}")) for number, (key, kind) in enumerate(kinds.items(), 1)}
 
 
-def _blocks(
-    context: PageContext, lines: Sequence[Line], known: set[str], taken: int, forced: Moving | None
-) -> Iterator[BlockOf]:  # fmt: skip
+def _blocks(context: PageContext, found: Moving, taken: int) -> Iterator[BlockOf]:
     """Yield the blocks of velocities, each with the lines that it needs first."""
-    blocks = context.run.reduction.blocks
-    number, waiting = taken + 2, list(lines)  # after the terminator of the velocities
-    if forced and forced.closed:
-        names = ", ".join(public(name, ()) for name, _ in forced.closed)
-        yield BlockOf(Box(number, "process", context.words("listing.closing", names=names)), forced.closing, "", CORRECTIONS)
+    blocks, is_forced = context.run.reduction.blocks, found.variant.motor is not None
+    known = {name for line in found.known for name in line.targets}
+    number, waiting = taken + 2, list(found.lines)  # after the terminator of the velocities
+    if found.closed:
+        names = ", ".join(public(name, ()) for name, _ in found.closed)
+        yield BlockOf(Box(number, "process", context.words("listing.closing", names=names)), found.closing, "", CORRECTIONS)
         number += 1
     for index, block in enumerate(blocks):
         left, own = set(map(private, block.unknowns)), list[Line]()
-        while waiting and (left or (index == len(blocks) - 1 and forced is None)):
+        while waiting and (left or (index == len(blocks) - 1 and not is_forced)):
             line = waiting.pop(0)
             own.append(line)
             left -= set(line.targets)
@@ -219,6 +205,6 @@ def _blocks(
         )  # fmt: skip
         yield BlockOf(Box(number, "process", told), tuple(own), "" if fixed else determinant)
         number += 1 if fixed else 2
-    if forced:
-        closed = tuple(Line((after,), f"{after} = {name}") for name, after in forced.closed)
+    if is_forced:
+        closed = tuple(Line((after,), f"{after} = {name}") for name, after in found.closed)
         yield BlockOf(Box(number, "process", context.words("listing.forces")), (*waiting, *closed), "")

@@ -78,15 +78,11 @@ class Names:
 
     syntax: Syntax
     declared: Collection[str]
-    _found: dict[str, str]
-    _taken: set[str]
+    _found: dict[str, str] = field(default_factory=dict)
+    _taken: set[str] = field(default_factory=set)
 
-    @classmethod
-    def of(cls, syntax: Syntax, declared: Collection[str]) -> Names:
-        """Return an object in which no name is given yet."""
-        found = cls(syntax, declared, {}, set())
-        found._taken = {found._key(word) for word in syntax.reserved}
-        return found
+    def __post_init__(self) -> None:
+        self._taken.update(map(self._key, self.syntax.reserved))
 
     def __getitem__(self, name: str) -> str:
         if name not in self._found:
@@ -134,7 +130,7 @@ class Names:
 def expression(text: str, syntax: Syntax, names: Mapping[str, str] | Names) -> str:
     """Return a generated expression in a language.
 
-    >>> names = Names.of(syntax_of("pascal"), ("t", "r", "R"))
+    >>> names = Names(syntax_of("pascal"), ("t", "r", "R"))
     >>> expression("-v_r*pow(v_R, 3.0)", syntax_of("pascal"), names)
     '-r*power(R_, 3.0)'
     """

@@ -5,7 +5,7 @@ Enters: a `Program`, a syntax, the words of the comments.  Leaves: lines.  Used 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from coursework.equations.codegen.straight_line import Line
@@ -23,7 +23,7 @@ class Writer:
 
     def __init__(self, program: Program, syntax: Syntax, words: Words) -> None:
         self.program, self.syntax, self.words = program, syntax, words
-        self.names = Names.of(syntax, program.declared)
+        self.names = Names(syntax, program.declared)
         for datum in (*program.data, *program.start):
             _ = self.names[datum.name]
         for name in program.velocities:
@@ -42,19 +42,24 @@ class Writer:
         """Return the names of the coordinates and, under forces, of the free rates."""
         return [self.names[name] for name in self.program.coordinates]
 
-    def shown(self, out: Callable[[int, str], str]) -> list[str]:
-        """Return the names printed beside the time; `out(slope, rate)` names an output of the velocities."""
+    def slope(self, stage: int) -> str:
+        """Return the name of a slope of the step."""
+        return self.names.own(f"_k{stage}", f"u{stage + 1}", f"slope{stage + 1}")
+
+    def out(self, stage: int, rate: str) -> str:
+        """Return the name of a velocity in a slope of the step; in the first slope it is the plain name."""
+        if "out" in self.syntax.texts:
+            return filled(self.syntax.texts["out"], slope=self.slope(stage), rate=rate)
+        return self.names.own(f"_{rate}_{stage}", f"{rate}_{stage + 1}") if stage else rate
+
+    def shown(self) -> list[str]:
+        """Return the names printed beside the time."""
         states = self.program.coordinates
-        return [self.names[one] if one in states else out(0, self.names[one]) for one in self.program.shown]
+        return [self.names[one] if one in states else self.out(0, self.names[one]) for one in self.program.shown]
 
-    def closed(self, out: Callable[[int, str], str]) -> list[str]:
+    def closed(self) -> list[str]:
         """Return the assignments that replace coordinates by their closed values."""
-        return [self.sets(self.names[name], out(0, self.names[after])) for name, after in self.program.closed]
-
-    @property
-    def repeats(self) -> bool:
-        """Return whether any block is repeated."""
-        return any(block.repeats for block in self.program.blocks)
+        return [self.sets(self.names[name], self.out(0, self.names[after])) for name, after in self.program.closed]
 
     @property
     def velocities(self) -> list[str]:
@@ -101,10 +106,6 @@ class Writer:
         """Return an assignment."""
         return f"{name}{self.syntax.assign}{value}{self.syntax.end}"
 
-    def known(self) -> list[str]:
-        """Return the lines of the values that follow from the data alone."""
-        return [line for one in self.program.known for line in self.assigned(one)]
-
     def assigned(self, line: Line) -> list[str]:
         """Return an assignment of the straight-line code in the language."""
         value = line.text.partition(" = ")[2]
@@ -113,9 +114,25 @@ class Writer:
         return self.wrapped(self.sets(self.names[line.targets[0]], expression(value, self.syntax, self.names)))
 
     def solved(self, line: Line, entries: list[str]) -> list[str]:
-        """Return the lines that solve a block by elimination, from its entries to its unknowns and the determinant."""
-        found, size = [self.names[name] for name in line.targets], len(line.targets) - 1
-        return _solved(self, found, size, entries)
+        """Return the lines that solve a block by elimination; `entries` are the matrix row by row, then the right side."""
+        syntax, found, size = self.syntax, [self.names[name] for name in line.targets], len(line.targets) - 1
+        rows = [[*entries[row * size : (row + 1) * size], entries[size * size + row]] for row in range(size)]
+        if syntax.unpacks:
+            listed = ", ".join(f"[{', '.join(row)}]" for row in rows)
+            return self.wrapped(f"{filled(syntax.unpacks, names=', '.join(found))}{self.gauss}([{listed}]){syntax.end}")
+        work = self.names.own("_work", "work")
+        if syntax.divides:
+            matrix = self.wrapped(f"{work} = [{'; '.join(', '.join(f'({one})' for one in row) for row in rows)}];")
+            return [
+                *matrix,
+                f"{found[size]} = det({work}(:, 1:{size}));",
+                f"{work} = {work}(:, 1:{size}) \\ {work}(:, {size + 1});",
+                *(f"{one} = {work}({place});" for place, one in enumerate(found[:size], 1)),
+            ]
+        cells = [(row, column, value) for row, values in enumerate(rows) for column, value in enumerate(values)]
+        cells_set = [line for row, column, value in cells for line in self.wrapped(self.sets(f"{work}[{row}][{column}]", value))]
+        read = [self.sets(one, f"{work}[{place}][{size}]") for place, one in enumerate(found[:size])]
+        return [*cells_set, self.sets(found[size], f"{self.gauss}({size})"), *read]
 
     def wrapped(self, line: str) -> list[str]:
         """Return a line, broken into several if it is too long."""
@@ -159,28 +176,28 @@ class Writer:
         """Return the value of a coordinate after one row of the tableau; `rates` are its rates in the slopes so far."""
         return f"{name} + {weighted(row, rates, self.h)}" if row.terms else name
 
-    def slope(self, stage: int, out: Callable[[int, str], str]) -> list[str]:
-        """Return the arguments of a slope: its time and position; `out(slope, rate)` names a velocity of an earlier slope."""
+    def arguments(self, stage: int) -> list[str]:
+        """Return the arguments of a slope: its time and position."""
         scheme = self.program.scheme
         node, inner = scheme.nodes[stage], scheme.inner[stage]
         time = f"{self.t} + {share(node, self.h)}" if node else self.t
         if stage and self.program.breaks:
             time = f"{self.look}({time}, ({self.row} + 1)*{self.h})"
-        return [time, *(self.moved(name, inner, rates) for name, rates in self.rates_of(out, stage))]
+        return [time, *(self.moved(name, inner, rates) for name, rates in self.rates_of(stage))]
 
-    def rates_of(self, out: Callable[[int, str], str], stages: int) -> list[tuple[str, list[str]]]:
+    def rates_of(self, stages: int) -> list[tuple[str, list[str]]]:
         """Return each coordinate with the names of its rate in the slopes so far."""
         pairs = zip(self.coordinates, self.velocities, strict=False)
-        return [(name, [out(stage, rate) for stage in range(stages)]) for name, rate in pairs]
+        return [(name, [self.out(stage, rate) for stage in range(stages)]) for name, rate in pairs]
 
-    def steps_on(self, out: Callable[[int, str], str]) -> list[str]:
+    def steps_on(self) -> list[str]:
         """Return the assignments of the new coordinates."""
         scheme = self.program.scheme
-        moved = [(name, self.moved(name, scheme.outer, rates)) for name, rates in self.rates_of(out, scheme.slopes)]
+        moved = [(name, self.moved(name, scheme.outer, rates)) for name, rates in self.rates_of(scheme.slopes)]
         if scheme is SEMI_IMPLICIT:  # the free rates first, then the coordinates by the new rates
             count = len(self.program.coordinates) - len(self.free)
             moved = [*moved[count:], *((name, f"{name} + {self.h}*{self.free.get(name, rates[0])}")
-                     for name, rates in self.rates_of(out, 1)[:count])]  # fmt: skip
+                     for name, rates in self.rates_of(1)[:count])]  # fmt: skip
         return [line for name, value in moved for line in self.wrapped(self.sets(name, value))]
 
     @property
@@ -188,11 +205,6 @@ class Writer:
         """Return the free rate of each coordinate that is moved by forces."""
         free = [name for name, out in zip(self.coordinates, self.program.velocities, strict=False) if out.startswith("_rate_")]
         return dict(zip(free, self.coordinates[len(self.coordinates) - len(free) :], strict=True))
-
-    @property
-    def last(self) -> int:
-        """Return the number of steps."""
-        return max(0, self.program.rows - 1)
 
 
 def share(part: Fraction | int, step: str) -> str:
@@ -208,33 +220,7 @@ def weighted(row: Sum, rates: Sequence[str], step: str, plus: str = " + ") -> st
     return f"{share(row.factor, step)}*{total}"
 
 
-def indented(lines: Iterable[str]) -> list[str]:
-    """Return lines indented by four spaces."""
-    return [f"    {line}" for line in lines]
-
-
 def held(around: tuple[str, str], lines: Iterable[str], **names: object) -> list[str]:
     """Return lines, indented, between the line that begins a block and the one that ends it, if the language has one."""
     begin, end = around
-    return [filled(begin, **names), *indented(lines), *([end] if end else [])]
-
-
-def _solved(writer: Writer, found: list[str], size: int, entries: list[str]) -> list[str]:
-    """Return the lines that solve a block; `entries` are the matrix row by row, then the right side; `found` the results."""
-    syntax, rows = writer.syntax, [[*entries[row * size : (row + 1) * size], entries[size * size + row]] for row in range(size)]
-    if syntax.unpacks:
-        listed = ", ".join(f"[{', '.join(row)}]" for row in rows)
-        return writer.wrapped(f"{filled(syntax.unpacks, names=', '.join(found))}{writer.gauss}([{listed}]){syntax.end}")
-    work = writer.names.own("_work", "work")
-    if syntax.divides:
-        matrix = writer.wrapped(f"{work} = [{'; '.join(', '.join(f'({one})' for one in row) for row in rows)}];")
-        return [
-            *matrix,
-            f"{found[size]} = det({work}(:, 1:{size}));",
-            f"{work} = {work}(:, 1:{size}) \\ {work}(:, {size + 1});",
-            *(f"{one} = {work}({place});" for place, one in enumerate(found[:size], 1)),
-        ]
-    cells = [(row, column, value) for row, values in enumerate(rows) for column, value in enumerate(values)]
-    cells_set = [line for row, column, value in cells for line in writer.wrapped(writer.sets(f"{work}[{row}][{column}]", value))]
-    read = [writer.sets(one, f"{work}[{place}][{size}]") for place, one in enumerate(found[:size])]
-    return [*cells_set, writer.sets(found[size], f"{writer.gauss}({size})"), *read]
+    return [filled(begin, **names), *(f"    {line}" for line in lines), *([end] if end else [])]

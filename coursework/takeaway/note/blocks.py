@@ -10,26 +10,8 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import singledispatchmethod
-from typing import Any
 
-from coursework.report.text.parts import (
-    Bullets,
-    Cell,
-    Checks,
-    Claims,
-    Code,
-    Display,
-    Equations,
-    Facts,
-    Figure,
-    Panels,
-    Paragraph,
-    Part,
-    Result,
-    Runs,
-    Table,
-    TitleBlock,
-)  # fmt: skip
+from coursework.report.text import parts
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note import tree
 from coursework.takeaway.note.dialects import Dialect
@@ -59,11 +41,11 @@ class Blocks:
 
     # sentences
 
-    def inlines(self, runs: Runs) -> list[Node]:
+    def inlines(self, runs: parts.Runs) -> list[Node]:
         """Return runs of text as inline nodes; the number of a formula becomes a reference to it."""
         return [node for run in runs for node in self._run(run)]
 
-    def cell(self, content: Cell) -> list[Node]:
+    def cell(self, content: parts.Cell) -> list[Node]:
         """Return the content of a cell."""
         return tree.text(content) if isinstance(content, str) else self.inlines(content)
 
@@ -89,49 +71,49 @@ class Blocks:
         """Return the mark of the formula with a number."""
         return f"eq_{sorted(self.named).index(name) + 1}"
 
-    def numbered(self, part: Part) -> tuple[str, str]:
+    def numbered(self, part: parts.Part) -> tuple[str, str]:
         """Return the mark of a drawing or a table, and its number."""
-        assert isinstance(part, (Figure, Panels, Table))
+        assert isinstance(part, (parts.Figure, parts.Panels, parts.Table))
         number = _NUMBER.findall(part.label)[0]
         return f"{kind_of(part)}_{number}", number
 
     # parts
 
     @singledispatchmethod
-    def of(self, part: Part) -> list[Node]:
+    def of(self, part: parts.Part) -> list[Node]:
         """Return the blocks of a part."""
         raise TypeError(type(part).__name__)
 
     @of.register
-    def _(self, part: Paragraph) -> list[Node]:
+    def _(self, part: parts.Paragraph) -> list[Node]:
         lead = [tree.strong(tree.text(part.lead)), {"t": "Space"}] if part.lead else []
         block = tree.paragraph([*lead, *self.inlines(part.text)])
         return [tree.styled("Remark", [block])] if part.style == "note" else [block]
 
     @of.register
-    def _(self, part: Code) -> list[Node]:
+    def _(self, part: parts.Code) -> list[Node]:
         return [tree.code(part.text)]
 
     @of.register
-    def _(self, part: Bullets) -> list[Node]:
+    def _(self, part: parts.Bullets) -> list[Node]:
         return [tree.bullets([self.inlines(item) for item in part.items])]
 
     @of.register
-    def _(self, part: Facts) -> list[Node]:
+    def _(self, part: parts.Facts) -> list[Node]:
         return [tree.paragraph([tree.strong(tree.text(f"{word}: ")), *self.inlines(said)]) for word, said in part.items]
 
     @of.register
-    def _(self, part: TitleBlock) -> list[Node]:
+    def _(self, part: parts.TitleBlock) -> list[Node]:
         rows = [tree.paragraph([*tree.text(f"{word}: "), *(self.inlines(said) or tree.text(BLANK))]) for word, said in part.items]
         return [tree.styled("Author", rows)]
 
     @of.register
-    def _(self, part: Result) -> list[Node]:
+    def _(self, part: parts.Result) -> list[Node]:
         head = tree.paragraph([tree.strong([*tree.text(f"{part.title}: "), *self.inlines(part.lead)])])
         return [head, *(tree.paragraph(self.inlines(item)) for item in part.items)]
 
     @of.register
-    def _(self, part: Claims) -> list[Node]:
+    def _(self, part: parts.Claims) -> list[Node]:
         rows = [
             [tree.text(f"{mark} {verdict}"), self.inlines(claim), self.cell(number), self.cell(limit)]
             for mark, verdict, claim, number, limit in part.items
@@ -139,7 +121,7 @@ class Blocks:
         return self._judged(part.title, part.heads, rows)
 
     @of.register
-    def _(self, part: Checks) -> list[Node]:
+    def _(self, part: parts.Checks) -> list[Node]:
         rows = []
         for item in part.items:
             said = [tree.strong(self.inlines(item.title)), *tree.text(f" {item.code}"), BREAK, *self.inlines(item.sentence)]
@@ -154,10 +136,10 @@ class Blocks:
         return [tree.styled("Table Title", [tree.paragraph([tree.strong(tree.text(title))])]), made]
 
     @of.register
-    def _(self, part: Equations) -> list[Node]:
+    def _(self, part: parts.Equations) -> list[Node]:
         return [block for item in part.items for block in self._display(item)]
 
-    def _display(self, item: Display) -> Iterator[Node]:
+    def _display(self, item: parts.Display) -> Iterator[Node]:
         if item.before:
             yield tree.paragraph(self.inlines(item.before))
         latex = self.latex[item.math]
@@ -172,7 +154,7 @@ class Blocks:
             yield tree.paragraph(self.inlines(item.after))
 
     @of.register
-    def _(self, part: Table) -> list[Node]:
+    def _(self, part: parts.Table) -> list[Node]:
         heads = [[*self.inlines(one.head), *(tree.text(f" {one.unit}") if one.unit else [])] for one in part.columns]
         rows = [
             [[tree.strong(self.cell(cell))] if number in part.strong else self.cell(cell) for cell in row]
@@ -184,7 +166,7 @@ class Blocks:
         return [*blocks, *([tree.styled("Remark", [tree.paragraph(self.inlines(part.note))])] if part.note else [])]
 
     @of.register
-    def _(self, part: Figure) -> list[Node]:
+    def _(self, part: parts.Figure) -> list[Node]:
         fits = 1.0 if part.exact else min(1.0, self.width / part.width)  # a picture true to scale is turned instead of shrunk
         picture = self.dialect.picture(self.place_of(part.svg), part.alt, (part.width * fits, part.height * fits))
         style = "Figure" if part.width * fits <= self.width else "Wide Figure"
@@ -192,7 +174,7 @@ class Blocks:
         return self.dialect.turned(shown) if part.width * fits > self.width + REACH else shown
 
     @of.register
-    def _(self, part: Panels) -> list[Node]:
+    def _(self, part: parts.Panels) -> list[Node]:
         legend: list[Node] = []
         for svg, words in part.legend:
             legend += [
@@ -208,7 +190,7 @@ class Blocks:
         rows = [tree.paragraph(pictures[first : first + abreast]) for first in range(0, len(pictures), abreast)]
         return [tree.styled("Figure", [tree.paragraph(legend), *rows]), *self._caption("figure", part.label, part.caption)]
 
-    def _caption(self, kind: str, label: str, caption: Runs) -> list[Node]:
+    def _caption(self, kind: str, label: str, caption: parts.Runs) -> list[Node]:
         if not caption:
             return []
         found = _NUMBER.search(label)
@@ -220,14 +202,14 @@ class Blocks:
         return self.dialect.caption(kind, (label[: found.start()], found[0], behind), mark, self.inlines(caption))
 
 
-def kind_of(part: Part) -> str:
+def kind_of(part: parts.Part) -> str:
     """Return "figure" or "table" for a part with a number, "" for any other."""
-    if not isinstance(part, (Figure, Panels, Table)) or not part.caption or not _NUMBER.search(part.label):
+    if not isinstance(part, (parts.Figure, parts.Panels, parts.Table)) or not part.caption or not _NUMBER.search(part.label):
         return ""
-    return "table" if isinstance(part, Table) else "figure"
+    return "table" if isinstance(part, parts.Table) else "figure"
 
 
-def _widths(part: Table, width: float) -> list[float]:
+def _widths(part: parts.Table, width: float) -> list[float]:
     """Return the widths of columns as parts of the text `width` (mm): by the longest cell; if there are many, in proportion."""
     heads = [
         1 + max(map(_letters, f"{_said(one.head)} {one.unit}".split()), default=0) for one in part.columns
@@ -240,7 +222,7 @@ def _widths(part: Table, width: float) -> list[float]:
     return [wide / (sum(found) if many else max(sum(found), width)) for wide in found]
 
 
-def _said(cell: Cell) -> str:
+def _said(cell: parts.Cell) -> str:
     return cell if isinstance(cell, str) else "".join(said for run in cell for key, said in run.items() if key != "lang")
 
 
@@ -255,11 +237,11 @@ MOST = 0.5  # most of the text width for a column of words
 WIDTHS = (0.14, 0.56, 0.16, 0.14)  # parts of the text width: verdict, claim, number, limit
 
 
-def pictures(parts: Iterable[Any], known: dict[str, Picture]) -> dict[str, Picture]:
+def pictures(shown: Iterable[parts.Part], known: dict[str, Picture]) -> dict[str, Picture]:
     """Return the pictures of parts by SVG: the drawings of the page, and the symbols of its legends."""
     found = {one.svg: one for one in known.values()}
-    for part in parts:
-        if isinstance(part, Panels):
+    for part in shown:
+        if isinstance(part, parts.Panels):
             for svg, words in part.legend:
                 said = "".join(run.get("t") or run.get("v") or run.get("c") or "" for run in words)
                 found.setdefault(svg, Picture(f"legend-{len(found)}", svg, *LEGEND, said))

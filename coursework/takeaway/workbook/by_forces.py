@@ -152,7 +152,7 @@ class _Writer:
         self.cells[name], self.values[name] = f"${place}{ROW}", values
 
     def _column(self, name: str, text: str, first: str | None = None) -> None:
-        column = next(column for column in self.table.columns if column.head == name)
+        column = self.table.columns[self.table.number(name)]
         column.formula, column.first = text, first
 
     def _elsewhere(self, tree: Formula) -> str:

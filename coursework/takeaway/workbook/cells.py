@@ -100,6 +100,10 @@ class StepTable:
         self.columns.append(column)
         return letters(len(self.columns) - 1)
 
+    def number(self, name: str) -> int:
+        """Return the number, from 0, of the column with the head `name`."""
+        return next(number for number, column in enumerate(self.columns) if column.head == name)
+
     def place(self, name: str) -> str:
         """Return the letters of the column with the head `name`."""
-        return letters(next(place for place, column in enumerate(self.columns) if column.head == name))
+        return letters(self.number(name))

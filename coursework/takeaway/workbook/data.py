@@ -49,7 +49,8 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables,
     variant = book.context.variant
     sheet.write_string(0, 0, plain(f"{variant.name}. {variant.title}"), book.bold)
     heads = [plain(book.context.words(key)) for key in COLUMNS]
-    book.heads(sheet, HEAD, heads)
+    for column, text in enumerate(heads):
+        sheet.write_string(HEAD, column, text, book.head)
     work = Work(tables.end + 1)
     sheet.write_string(HEAD, VALUE, heads[VALUE], book.right)
     sheet.write_string(HEAD, UNIT, heads[UNIT], book.unit_head)

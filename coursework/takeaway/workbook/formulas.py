@@ -39,8 +39,11 @@ def spreadsheet(tree: Formula, names: Mapping[str, str], table: Callable[[str, F
             case "call":
                 return called(node)
             case "neg":
-                text = inner(node.args[0], _PRODUCT)
-                return f"-{text}" if not _begins_with_power(node.args[0]) else f"-{_held(text, node.args[0], inner)}"
+                text, factor = inner(node.args[0], _PRODUCT), _first_factor(node.args[0])
+                if factor.op == "^":  # a spreadsheet would take the minus before it to the power too
+                    power = inner(factor, _POWER)
+                    text = f"({power}){text[len(power) :]}"
+                return f"-{text}"
         first, second = node.args
         level = _LEVELS[node.op]
         if node.op == "^":
@@ -52,11 +55,9 @@ def spreadsheet(tree: Formula, names: Mapping[str, str], table: Callable[[str, F
             assert table is not None
             return table(node.name, node.args[0])
         if node.name == "piecewise":
-            time, *parts = node.args
-            *pieces, last = zip(parts[::2], [*parts[1::2], None], strict=True)
-            text = inner(last[0])
-            for piece, end in reversed(pieces):
-                assert end is not None
+            time, *parts, last = node.args
+            text = inner(last)
+            for piece, end in zip(parts[-2::-2], parts[::-2], strict=True):
                 text = f"IF({inner(end)}>{inner(time)},{inner(piece)},{text})"
             return text
         args = node.args[::-1] if node.name == "atan2" else node.args
@@ -65,16 +66,7 @@ def spreadsheet(tree: Formula, names: Mapping[str, str], table: Callable[[str, F
     return inner(tree)
 
 
-def _begins_with_power(node: Formula) -> bool:
-    """Return whether the first factor is a power, whose value a minus before it would change in a spreadsheet."""
+def _first_factor(node: Formula) -> Formula:
     while node.op in {"*", "/"}:
         node = node.args[0]
-    return node.op == "^"
-
-
-def _held(text: str, node: Formula, inner: Callable[[Formula, int], str]) -> str:
-    """Return a product whose first factor, a power, is put in parentheses."""
-    while node.op in {"*", "/"}:
-        node = node.args[0]
-    power = inner(node, _POWER)
-    return f"({power}){text[len(power) :]}"
+    return node

@@ -9,7 +9,6 @@ from typing import Any
 
 from coursework.takeaway.workbook.cells import FIRST, SHEET, StepTable
 from coursework.takeaway.workbook.checks import EXACT
-from coursework.takeaway.workbook.names import number_of
 from coursework.takeaway.workbook.sheet import Book, plain
 
 COLOURS = ("#1F77B4", "#D62728", "#2CA02C", "#9467BD", "#FF7F0E", "#8C564B", "#17BECF", "#7F7F7F")
@@ -30,7 +29,7 @@ def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:
             colour = COLOURS[number % len(COLOURS)]
             symbol = plain(book.context.symbol(name).text)
             marker = {"type": "circle", "size": 4, "border": {"color": colour}, "fill": {"color": colour}}
-            own = number_of(table.place(name))
+            own = table.number(name)
             chart.add_series(_series(SHEET, own, table.last, symbol) | {"marker": marker, "line": {"none": True}})
             if name in exact:
                 column, last = 1 + exact.index(name), FIRST + len(run.scene.exact.t) - 1

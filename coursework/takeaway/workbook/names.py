@@ -64,11 +64,3 @@ def letters(column: int) -> str:
         column, rest = divmod(column - 1, 26)
         text = chr(65 + rest) + text
     return text
-
-
-def number_of(column: str) -> int:
-    """Return the number, from 0, of a column by its letters."""
-    number = 0
-    for letter in column:
-        number = 26 * number + ord(letter) - 64
-    return number - 1

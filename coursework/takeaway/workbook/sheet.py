@@ -55,11 +55,6 @@ class Book:
         """Return a sentence of the workbook in the language of the report."""
         return plain(self.context.words(f"workbook.{key}", **values))
 
-    def heads(self, sheet: Any, row: int, texts: list[str]) -> None:
-        """Write a row of heads."""
-        for place, text in enumerate(texts):
-            sheet.write_string(row, place, plain(text), self.head)
-
     def shown(self, values: Array, **look: object) -> Any:
         """Return the format of a column of numbers, with the decimals that its largest number needs."""
         largest = float(np.max(np.abs(values[np.isfinite(values)]), initial=0.0))

@@ -8,8 +8,7 @@ MMULT and MINVERSE over its coefficients, which are in hidden columns.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
-from functools import partial
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,7 +23,7 @@ from coursework.motion.schemes import scheme_of
 from coursework.system.arrays import Array
 from coursework.takeaway.workbook.cells import ROW, SHEET, TIME, Column, Matrix, StepTable
 from coursework.takeaway.workbook.formulas import spreadsheet
-from coursework.takeaway.workbook.names import letters, number_of
+from coursework.takeaway.workbook.names import letters
 from coursework.variant.formula.tree import Formula, mapped
 
 if TYPE_CHECKING:
@@ -52,12 +51,9 @@ class Stage:
 
     def __init__(self, writer: Maker, number: int, places: dict[str, str], t: Array, q: Array) -> None:
         self.writer, self.number, self.places, self.t, self.q = writer, number, {TIME: TIMES, **places}, t, q
+        self.until = int(number > 0)  # the last row has no further slopes
         self.matrices: dict[int, Matrix] = {}
         self.velocities = writer.table.motion.velocities if number == 0 else writer.rates.table(t, q)[0]
-
-    @property
-    def _until(self) -> int:
-        return int(self.number > 0)
 
     def write(self, blocks: Iterable[int]) -> None:
         """Write the velocities of some blocks, and laws that are velocities."""
@@ -88,10 +84,10 @@ class Stage:
         """Write a velocity into its column of the table, or into a new one."""
         table, names = self.writer.table, self.writer.table.motion.velocity_names
         if name in self.places:
-            table.columns[number_of(self.places[name])].formula = formula
+            table.columns[table.number(self._head(name))].formula = formula
             return
         values = self.velocities[:, names.index(name)] if name in names else self.values([symbol(name)])[:, 0]
-        self.places[name] = table.add(Column(self._head(name), formula, values, until=self._until))
+        self.places[name] = table.add(Column(self._head(name), formula, values, until=self.until))
 
     def _head(self, name: str) -> str:
         return name + "′" * self.number
@@ -103,12 +99,12 @@ class Stage:
         rows = [[*row, side] for row, side in zip(block.coefficients, block.sides, strict=True)]
         entries = [entry for row in rows for entry in row]
         texts = tuple(self.text(as_formula(entry, order)) for entry in entries)
-        made = Matrix(0, size, texts, self.values(entries), self._until)
+        made = Matrix(0, size, texts, self.values(entries), self.until)
         self.matrices[index] = made
         table.matrices.append(made)
         for place, name in enumerate(block.unknowns):
             self._set(name, "")
-            table.solved[number_of(self.places[name])] = (made, place)
+            table.solved[table.number(self._head(name))] = (made, place)
 
     def values(self, wanted: Sequence[Expression]) -> Array:
         """Return the numbers (n, k) of k expressions in the n rows."""
@@ -117,9 +113,8 @@ class Stage:
         for index, coordinate in enumerate(variant.coordinates):
             if coordinate.name in writer.rates.coordinates:
                 q[:, index] = self.q[:, writer.rates.coordinates.index(coordinate.name)]
-        velocities = [*variant.rates, *(name for name, _ in variant.unknowns)]
-        u = np.zeros((len(self.t), len(velocities)))
-        for index, name in enumerate(velocities):
+        u = np.zeros((len(self.t), len(variant.velocities)))
+        for index, name in enumerate(variant.velocities):
             if name in writer.table.motion.velocity_names:
                 u[:, index] = self.velocities[:, writer.table.motion.velocity_names.index(name)]
         return compile_rows(writer.equations, wanted, 1)(self.t, q, u)
@@ -131,7 +126,7 @@ class Stage:
             if name not in self.places and name not in self.writer.table.names and name != "pi":
                 expression = self._expression(name)
                 values = self.values([expression])[:, 0]
-                column = Column(self._head(name), self.law_text(name), values, until=self._until)
+                column = Column(self._head(name), self.law_text(name), values, until=self.until)
                 self.places[name] = self.writer.table.add(column)
         return spreadsheet(opened, self._cells(opened), self._table)
 
@@ -146,8 +141,7 @@ class Stage:
             self.places = own
 
     def _table(self, called: str, argument: Formula) -> str:
-        value: Callable[[str], str] = partial(self.writer.table.tables.value, called)
-        return value(self.text(argument))
+        return self.writer.table.tables.value(called, self.text(argument))
 
     def law_text(self, name: str) -> str:
         """Return the formula of a law, or of its derivative."""

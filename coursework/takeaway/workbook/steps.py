@@ -29,7 +29,6 @@ def write_steps(book: Book, sheet: Any, table: StepTable) -> None:
     for matrix in table.matrices:
         matrix.column = after
         after += matrix.size + 1
-    for matrix in table.matrices:
         cells = [(text, *divmod(place, matrix.size + 1)) for place, text in enumerate(matrix.entries)]
         for step in range(table.rows - matrix.until):
             for place, (text, down, across) in enumerate(cells):
