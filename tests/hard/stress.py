@@ -56,7 +56,7 @@ def _judged(case: Case) -> tuple[str, str]:
         exact = run.exact
     except InputError as error:
         told = str(error)
-        return "refused", "" if not case.closes and told.endswith(".") else f"refused although it closes: {told}"
+        return "refused", "" if not case.closes and told.endswith((".", "?")) else f"refused although it closes: {told}"
     if not case.closes:
         return "table", "a start that does not close was not refused"
     impossible, lowest = first_impossible(case)
