@@ -160,14 +160,26 @@ class TableUnderTest:
             close = np.abs(self.student.values[:, self.m :] - found) <= tolerance
         return bool(there.any()) and float(close[there].mean()) >= _NEARLY
 
+    @property
+    def with_turns(self) -> Array:
+        """Return the coordinates (n, m) as they were handed in, before whole turns were taken off."""
+        turns = self.student.turns
+        return self.q if turns is None else self.q + 2 * np.pi * turns[:, : self.m]
+
     def velocity_claim(
-        self, code: str, at: Callable[[Array, Array], Array], found: Array | None = None, names: tuple[str, ...] = ()
+        self,
+        code: str,
+        at: Callable[[Array, Array], Array],
+        found: Array | None = None,
+        names: tuple[str, ...] = (),
+        q: Array | None = None,
     ) -> Iterator[Claim]:
-        """Yield the claim that the velocities are `at` (t, q) with the printed angles, if they are near enough."""
+        """Yield the claim that the velocities are `at` (t, q) with the printed angles or `q`, if they are near enough."""
         stacked = self.stacked(at)
-        found = stacked(self.q) if found is None else found
+        q = self.q if q is None else q
+        found = stacked(q) if found is None else found
         if self.nearly(found):
-            claim = self.claim(code, None, self.velocities(found, self.spread(stacked)), names)
+            claim = self.claim(code, None, self.velocities(found, self.spread(stacked, q)), names)
             yield replace(claim, table=self.marched(at), velocities_at=at)
 
     def marched(

@@ -1,16 +1,20 @@
 """Misconceptions named with ground only, from tables that students' own formulas made."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import coursework
 from coursework.grading.marking.key.key import key_of
+from coursework.grading.marking.table.causes.claims import TableUnderTest
+from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import explanations, indistinct, looked_for
 from coursework.grading.marking.table.cells import mark_cells
 from coursework.grading.marking.table.explained import euler_cells
 from tests.grading.marking import students
+from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.test_cells import printed
 
 
@@ -29,6 +33,15 @@ def test_each_is_named_or_tied(key, code, decimals):
     assert code in (found.code, *found.ties)
     assert found.share >= 0.93
     assert found.share > found.euler_share + 0.02
+
+
+def test_whole_turns_that_were_taken_off_are_none_for_a_calculator_in_degrees(key):
+    made = printed(Machine(key.variant, degrees=("drive", "geometry")).table(), 4)
+    turns = np.zeros(made.values.shape)
+    turns[5:22, :3] = 1  # as where a row between was put right
+    for handed_in in (made, replace(made, values=made.values - 2 * np.pi * turns, turns=turns)):
+        claim = next(one for one in claims(TableUnderTest(key, handed_in), {}, {}) if one.code == "degree_mode")
+        assert (np.abs(handed_in.values - claim.expected) <= claim.tolerance)[:, 3:].all()
 
 
 def test_a_declared_confusion_is_named(key):
