@@ -164,9 +164,12 @@ def test_a_full_disk_leaves_the_file_as_it_was_and_says_so(tmp_path):
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
 
-    # -B: Python would leave the first kilobyte of a compiled module for every other test.
-    command = [sys.executable, "-B", "-m", "coursework", "edit", "--no-browser", "--port", "0"]
-    process = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=small)
+    # Python, in the workers of the desk too, would leave the first kilobyte of a compiled module for every other test.
+    known = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, "-m", "coursework", "edit", "--no-browser", "--port", "0"]
+    process = subprocess.Popen(
+        command, cwd=tmp_path, env=known, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=small
+    )
     try:
         server = Server(process, process.stdout.readline().strip())
         version = server.ask("GET", "/api/file/mine")[1]["etag"]
