@@ -161,10 +161,10 @@ class TableUnderTest:
         return bool(there.any()) and float(close[there].mean()) >= _NEARLY
 
     @property
-    def with_turns(self) -> Array:
-        """Return the coordinates (n, m) as they were handed in, before whole turns were taken off."""
+    def with_turns(self) -> Array | None:
+        """Return the coordinates (n, m) as they were handed in, None if no whole turn was taken off."""
         turns = self.student.turns
-        return self.q if turns is None else self.q + 2 * np.pi * turns[:, : self.m]
+        return None if turns is None or not turns[:, : self.m].any() else self.q + 2 * np.pi * turns[:, : self.m]
 
     def velocity_claim(
         self,

@@ -285,7 +285,9 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
     found, tolerance = printed.true_velocities
     for code in MISREAD:
         if code not in apart and (velocities := key.misread(code)):
-            yield from printed.velocity_claim(code, velocities, q=printed.with_turns)  # a whole turn is none in degrees
+            yield from printed.velocity_claim(code, velocities)
+            if (handed_in := printed.with_turns) is not None:  # a whole turn is none in degrees
+                yield from printed.velocity_claim(code, velocities, q=handed_in)
             if code == "radian_mode" and printed.nearly(misread := printed.stacked(velocities)(printed.q)):
                 # Students who take degrees for radians also add rad/s to them.
                 spread = printed.spread(printed.stacked(velocities))

@@ -40,8 +40,8 @@ def test_whole_turns_that_were_taken_off_are_none_for_a_calculator_in_degrees(ke
     turns = np.zeros(made.values.shape)
     turns[5:22, :3] = 1  # as where a row between was put right
     for handed_in in (made, replace(made, values=made.values - 2 * np.pi * turns, turns=turns)):
-        claim = next(one for one in claims(TableUnderTest(key, handed_in), {}, {}) if one.code == "degree_mode")
-        assert (np.abs(handed_in.values - claim.expected) <= claim.tolerance)[:, 3:].all()
+        told = [one for one in claims(TableUnderTest(key, handed_in), {}, {}) if one.code == "degree_mode"]
+        assert any((np.abs(handed_in.values - one.expected) <= one.tolerance)[:, 3:].all() for one in told)
 
 
 def test_a_declared_confusion_is_named(key):
