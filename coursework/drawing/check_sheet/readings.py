@@ -209,12 +209,10 @@ class _Ruler:
         under = one.lines[-1].link if one.rule == "slide" else ""
         if under and one.rider not in fixed and (under, one.rider) not in self.sketch.pose.driven_lengths:
             self.vector(point, one.rider)
-        for line in one.lines if one.rule == "lines" else ():
-            if line.kind == "slot":
-                self.vector(line.base, point)
         steps = self.plan.polygons.found if self.plan else ()
-        for line in (line for found in steps if found.rule == "special" for line in found.lines):
-            if line.kind == "slot" and line.at == point:
+        specials = [line for found in steps if found.rule == "special" for line in found.lines if line.at == point]
+        for line in (*(one.lines if one.rule == "lines" else ()), *specials):
+            if line.kind == "slot":
                 self.vector(line.base, point)
         for body in self.sketch.pose.bodies:
             if point in body.points or body.name == under:

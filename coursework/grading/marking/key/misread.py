@@ -28,16 +28,13 @@ def misread(variant: Variant, equations: VelocityEquations, code: str) -> Varian
     "sign_drive" turns the sign of the drive, "cosine_drive" exchanges sine and cosine in it.  Degrees are taken for radians in
     all formulas ("degree_mode"), in functions of time ("degree_drive") or of position ("degree_geometry").  "radian_mode" puts
     positions in degrees where radians are expected, as in a spreadsheet.  "pi_rounded" takes π as 3.14 in formulas and units.
-    `equations` are the variant's velocity equations:
-    a student who derives them from the geometry puts positions into these, not into the geometry.
+    `equations` are the variant's velocity equations: a student who derives them from the geometry puts positions into these, not
+    into the geometry.
     """
     if code == "sign_drive":
         return _with_drive_turned(variant)
-    if code == "cosine_drive":
-        changed = replace(variant, drive=tuple(law.rewritten(_exchanged) for law in variant.drive))
-        return None if changed == variant else changed
-    if code == "pi_rounded":
-        changed = _with_pi_rounded(variant)
+    if code in {"cosine_drive", "pi_rounded"}:
+        changed = _with_sines_exchanged(variant) if code == "cosine_drive" else _with_pi_rounded(variant)
         return None if changed == variant else changed
     if code == "degree_geometry" and _in_degrees(variant, drive=True, geometry=False) == variant:
         return None  # without a sine in the drive this is the same as "degree_mode"
@@ -56,6 +53,10 @@ def _written_out(variant: Variant, equations: VelocityEquations) -> Variant | No
     begun = tuple(replace(one, start=one.start or 0.0) for one in variant.coordinates)  # the start does not change velocities
     lines = tuple(Constraint(name, "", *both) for name, both in sides)
     return replace(variant, constraints=lines, coordinates=begun, groups=(), points=(), links=(), holds=(), driven=None)
+
+
+def _with_sines_exchanged(variant: Variant) -> Variant:
+    return replace(variant, drive=tuple(law.rewritten(_exchanged) for law in variant.drive))
 
 
 def _exchanged(tree: Formula) -> Formula:

@@ -22,8 +22,8 @@ from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
 
 _SLIPS = ("equation_", "sign_drive", "cosine_drive")
-# Worth of a cell in a table that was worked out with fewer digits: with velocities rounded before each step, or π as 3.14.
-ROUNDED = 0.98
+# Causes of a table that was worked out with fewer digits: velocities rounded before each step, π as 3.14; the worth of its cells.
+_COARSER, ROUNDED = (ROUNDED_OMEGA, PI_ROUNDED), 0.98
 
 
 def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found: Found, others: Mapping[str, Array]) -> Earned:
@@ -68,7 +68,7 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
         if fit.code == OWN:
             yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
         elif not fit.code.startswith("variant_") and (
-            fit.share >= max(NAMED, most - TIE) or not fit.code.startswith((ROUNDED_OMEGA, PI_ROUNDED, causes.ORIGIN))
+            fit.share >= max(NAMED, most - TIE) or not fit.code.startswith((*_COARSER, causes.ORIGIN))
         ):
             yield _earned("misconception", points, fit.share, _worth(rubric, fit.code), fit.code)
 
@@ -82,7 +82,7 @@ def _worth(rubric: Rubric, code: str) -> float:
     """
     if code in {*causes.OTHER_STEPS, causes.ROWS_SHIFTED}:
         return 1.0
-    if code.startswith((ROUNDED_OMEGA, PI_ROUNDED)):
+    if code.startswith(_COARSER):
         return ROUNDED
     if code.startswith(causes.ORIGIN):
         return rubric.start_floor

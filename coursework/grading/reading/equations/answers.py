@@ -12,7 +12,7 @@ from typing import Literal
 
 from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.student_work import AnswerLine
-from coursework.grading.reading.table.headers import PRINTED
+from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import fold, unit_of
 from coursework.variant.formula.units import UnitFault, read_mass
 
@@ -20,7 +20,6 @@ _LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*(?:=|:|≈)(?P<rest>.*)")
 _VALUE = re.compile(
     r"(?P<number>[-+−–]?\s?[0-9.,０-９]+(?:[eEеЕ][-+−]?[0-9]+)?)(?:\s*/\s*(?P<below>[0-9]{1,6}))?(?P<unit>\D.*|\s*1/.*)?"
 )
-_FACTORS = {unit: factor for units in PRINTED.values() for unit, factor in units.items()}
 _BLANK = {"", "-", "—", "–", "?", "…", "...", "_", "__", "___"}
 
 
@@ -66,7 +65,7 @@ def _in_si(value: float, unit: str) -> float | None:
     if not unit:
         return value
     if known := unit_of(unit):
-        return value * _FACTORS.get(known, 1.0)
+        return value * FACTORS.get(known, 1.0)
     try:
         return value * read_mass(f"1 {unit}").value
     except UnitFault:

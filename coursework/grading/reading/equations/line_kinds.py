@@ -24,7 +24,7 @@ from coursework.grading.reading.equations.plain_text import plain
 from coursework.grading.reading.equations.repair import is_name
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.files.printed import PAIR
-from coursework.grading.reading.table.headers import PRINTED
+from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula import reader
 from coursework.variant.formula.tree import Formula
@@ -76,8 +76,7 @@ def in_si(quantity: str) -> str:
     ('(700)*0.001', '0,7', '2*r1')
     """
     found = _MEASURED.fullmatch(quantity)
-    unit = unit_of(found[2]) if found else ""
-    factor = next((units[unit] for units in PRINTED.values() if unit in units), None)
+    factor = FACTORS.get(unit_of(found[2])) if found else None
     if found is None or factor is None:
         return quantity
     return found[1] if factor == 1 else f"({found[1]})*{factor:.12g}"

@@ -28,6 +28,7 @@ PRINTED: dict[str, dict[str, float]] = {
     "N": {"N": 1.0, "kN": 1000.0},
     "N·m": {"N·m": 1.0, "kN·m": 1000.0},
 }
+FACTORS = {unit: factor for units in PRINTED.values() for unit, factor in units.items()}
 _OF_FORCE = re.compile(r"(.+?)[\s,/(\[]+(k?)[nh]([·*]?m)?[)\]]?\s*")  # N or kN after a name; `fold` turns the Cyrillic Н into h
 _LONGEST = 80  # most characters of a head that are read
 _SYMBOLS, _QUANTITIES = WORDS["symbols"], WORDS["quantities"]

@@ -42,7 +42,7 @@ def turned(key: Key, student: StudentTable) -> StudentTable | None:
     if against.sum() <= 0:
         return None
     back = _turned(key, student, mirrored=True)
-    return back if _explained(key, mark_cells(key, back)) >= _by_drive(key, student) else None
+    return back if _explained(key, mark_cells(key, back)) >= _by_drive(key, mark_cells(key, student)) else None
 
 
 def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
@@ -52,20 +52,19 @@ def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
         return None
     plain, cells = mark_cells(key, student), mark_cells(key, back)
     follows = _explained(key, cells)
-    is_told = follows >= _EXPLAINED and follows >= _by_drive(key, student)
+    is_told = follows >= _EXPLAINED and follows >= _by_drive(key, plain)
     return back if is_told and cells.wrong.sum() < plain.wrong.sum() else None
 
 
-def _by_drive(key: Key, student: StudentTable) -> float:
+def _by_drive(key: Key, cells: Cells) -> float:
     """Return the part of the velocities that a drive with the opposite sign explains, 0 if an angle begins mirrored.
 
     Such a drive explains its own table better than the convention does.  If both give the same numbers, as in a train of wheels,
     they cannot be told apart, and the convention is believed.
     """
-    m, other = len(key.coordinates), key.misread("sign_drive")
+    m, student, other = len(key.coordinates), cells.student, key.misread("sign_drive")
     if other is None or _begins_mirrored(key, student):
         return 0.0
-    cells = mark_cells(key, student)
     allowed = np.fmax.reduce([way.tolerance[:, m:] for way in cells.ways])
     with np.errstate(invalid="ignore"):
         return _part(np.abs(student.values[:, m:] - other(key.t, student.values[:, :m])) <= allowed, ~cells.missing[:, m:])
