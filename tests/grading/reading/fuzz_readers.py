@@ -26,7 +26,8 @@ from coursework.system.plain_lines import plain_of, record_of
 from tests.grading.reading.dialects import DIALECTS, STYLES, archive, written
 from tests.grading.scenes import expected, times
 
-SLOWEST = 5.0  # seconds of processor time for one case, or a MiB of one piece, far beyond the fraction of one that is usual
+SLOWEST = 5.0  # seconds of processor time for one case, far beyond the fraction of one that is usual
+GROWTH = 8  # times as long for four times the size: between 4 of a line and 16 of a square
 TOKENS = [
     b";", b",", b"\t", b"\n", b"\r", b"\0", b'"', b"'", b"=", b"#", b"1e999", b"nan", "#ДЕЛ/0!".encode("cp1251"), b"(" * 80,
     b"[" * 40, b"**", b"9" * 400, b"1,234", b"0,05", "φ1".encode(), "ω".encode("utf-16-le"), b"\xff\xfe", b"\xef\xbb\xbf",
@@ -158,16 +159,23 @@ def run(cases: int, seed: int = 0) -> Counter[str]:
 
 
 def run_repeated(size: int) -> Counter[str]:
-    """Read files of one piece repeated up to `size` bytes, alone and behind a good table."""
+    """Read files of one piece repeated up to `size` bytes, alone and behind a good table; the time grows with the size alone."""
     scene = expected("31", ("wAB",))
     counts: Counter[str] = Counter()
+
+    def spent(name: str, content: bytes) -> float:
+        began = time.process_time()
+        counts[outcome(read_submission(Submission("x", None, (submitted_file(name, content),)), scene))] += 1
+        return time.process_time() - began
+
+    good = seeds()[0]
+    least = min(spent("table.csv", good) for _ in range(3))
+    counts.clear()
     for piece in REPEATED:
         for start in (b"", b"t;phi1;w1\n0;1;2\n0.02;1;2\n0.04;1;2\n"):
             content = (start + piece * (size // len(piece) + 1))[:size]
-            began = time.process_time()
-            counts[outcome(read_submission(Submission("x", None, (submitted_file("table.csv", content),)), scene))] += 1
-            spent = time.process_time() - began
-            assert spent < SLOWEST * max(size, 2**18) / 2**20, f"{piece[:20]!r} took {spent:.1f} s"
+            quarter, whole = (spent("table.csv", content[:length]) for length in (size // 4, size))
+            assert whole < GROWTH * max(quarter, least), f"{piece[:20]!r} took {quarter:.2f} s for a quarter of {whole:.2f} s"
     return counts
 
 

@@ -41,7 +41,9 @@ from coursework.variant.formula.tree import Formula
 
 _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur in equations
 _WORD = re.compile(r"[^\W\d]\w*")
-_BLANKS = re.compile(r"(?<=[^\S\n]{40})[^\S\n]+")  # longer than anybody types; on such blanks patterns would be slow
+# Rows of empty cells, of which a spreadsheet may leave a million, and blanks longer than anybody types: patterns would be slow.
+_BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)
+_ROW = re.compile(r"^[-+−]?\d[^;\t ,\n]*+(?:[;\t ]|,[^,\n]*+,)[-+−\d.,eE;\t ]*+$", re.MULTILINE)  # of a table, with nothing but numbers
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
@@ -231,7 +233,7 @@ def _pieces(text: str, names: Names) -> Iterator[tuple[int, str]]:
 
 def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, str]]:
     """Yield the lines with a name and "=" that may be equations or answers; skip table rows, which contain `sign`."""
-    for number, line in _written(text, names):
+    for number, line in _written(_ROW.sub("", text), names):
         bare = line.strip(_EDGES)
         if "=" in bare and not (sign and sign in bare) and _WORD.search(bare):
             yield number, bare
