@@ -73,7 +73,9 @@ def test(python: Path, wanted: list[str]) -> int:
     marked = ["-m", ""] if LONG in wanted else []
     wanted = [word for word in wanted if word != LONG]
     workers = str(1 + (os.cpu_count() or 1))  # one waits for a browser or a process while the others work
-    everywhere = ["-n", workers, "--dist", "worksteal", "--benchmark-disable", "--ignore", MEASURED]
+    # A file stays with one worker: what its tests share is made once.
+    spread = ["-n", workers, "--dist", "loadfile", "--no-loadscope-reorder"]
+    everywhere = [*spread, "--benchmark-disable", "--ignore", MEASURED]
     runs = [wanted] if wanted else [everywhere, [MEASURED]]
     return max(subprocess.run([str(python), "-m", "pytest", *marked, *chosen], cwd=ROOT).returncode for chosen in runs)
 

@@ -86,12 +86,12 @@ class Model:
         given, start = sets.of(0, self.variant)
         return scene_of(self.variant.with_data(given, start) if given or start else self.variant, settings or Settings())
 
-    @property
+    @cached_property
     def coordinates(self) -> tuple[str, ...]:
         """Return the names of the coordinates, in the order of q."""
         return tuple(coordinate.name for coordinate in self.variant.coordinates)
 
-    @property
+    @cached_property
     def velocities(self) -> tuple[str, ...]:
         """Return the names of the velocities: rates in file order, then unknowns."""
         return (*self.variant.rates, *(name for name, _ in self.variant.unknowns))
@@ -221,6 +221,11 @@ class Model:
         return [*(column.reshape(-1, *[1] * beside) for column in columns), *self._ends]
 
     @cached_property
+    def _of_file(self) -> Data:
+        """Return the data of the file: made once, as most calls have no others."""
+        return read_data(self.variant)
+
+    @cached_property
     def _ends(self) -> list[float]:
         """Return the times (s) at which laws change: they follow the data in the arguments of a program."""
         return list(constants(self.variant).values())[len(self.variant.given) :]
@@ -233,7 +238,7 @@ class Model:
         if positions.shape[-1:] != (len(self.coordinates),):
             told = {"m": len(self.coordinates), "t": str(times.shape), "q": str(positions.shape)}
             raise InputError(say("fault.D036", **told))
-        sets = self.data(data)
+        sets = self._of_file if data is None else self.data(data)
         if row is not None and positions.size == len(self.coordinates) and times.size == sets.count == 1:
             with suppress(ArithmeticError, ValueError, OutsideTable):  # one row in numbers takes a tenth of the time
                 found = np.array(row(times.item(), *positions.ravel().tolist(), *self.numbers(sets)), dtype=float)
