@@ -224,6 +224,18 @@ def test_an_angle_put_right_in_the_table_of_another_method_takes_nothing_of_what
         assert earned(desk, better)[0].share >= before.share - 1e-9, cell
 
 
+def test_a_velocity_put_right_in_a_table_with_times_of_its_own_takes_nothing():
+    for desk in variants()[::2]:
+        machine, half = desk.machine, desk.machine.h / 2
+        made_with_half = machine.table(step=half)
+        times = np.arange(len(made_with_half)) * half
+        before, _ = desk.marked(made_with_half, times=times)
+        for place in range(machine.m, made_with_half.shape[1]):
+            better = made_with_half.copy()
+            better[12, place] = desk.key.table[6, place]
+            assert desk.marked(better, times=times)[0] >= before
+
+
 def lines(desk, wrong):
     texts = {c.name: f"{spelled(c.left)} - ({spelled(c.right)})" for c in desk.variant.constraints} | wrong
     return [

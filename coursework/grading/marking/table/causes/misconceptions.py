@@ -247,10 +247,11 @@ def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
     """Return two shares that are right on the table's own times: of all cells, of velocities; None if these are the task's."""
-    own = on_own_rows(key, cells.student)
+    own = on_own_rows(key, cells)
     if own is None:
         return None
     right, says = euler_cells(own.key, own.cells)
+    right |= own.put_right & says
     return share_of(right, says), own.filled * Explained(own.key, own.cells).share(right, only_velocities=True)
 
 

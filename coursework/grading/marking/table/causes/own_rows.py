@@ -1,30 +1,38 @@
 """A table made with another step, marked on all its own rows, whichever of them are on the task's grid.
 
-Enters: a `Key`, a student's table.  Leaves: that table marked as if its own step were the task's.  Used by `misconceptions.py`.
+Enters: a `Key`, the table marked by it.  Leaves: that table marked as if its own step were the task's.
+Used by `misconceptions.py`.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from coursework.grading.marking.key.key import Key, key_of
 from coursework.grading.marking.table.cells import Cells, mark_cells
-from coursework.grading.marking.table.ways import StudentTable
+from coursework.grading.marking.table.ways import KEY, StudentTable
+from coursework.system.arrays import Flags
 from coursework.words.errors import CourseworkError
 
 
 @dataclass(frozen=True)
 class OnOwnRows:
-    """The `key` for the student's own step, the `cells` marked by it, and the part (0 to 1) of the task's rows they fill."""
+    """The `key` for the student's own step, the `cells` marked by it, and the part (0 to 1) of the task's rows they fill.
+
+    `put_right` (n, m + r) are the velocities that have the task's number.
+    """
 
     key: Key
     cells: Cells
     filled: float
+    put_right: Flags
 
 
-def on_own_rows(key: Key, student: StudentTable) -> OnOwnRows | None:
+def on_own_rows(key: Key, cells: Cells) -> OnOwnRows | None:
     """Return a table marked on its own rows, None if its times are the task's or a motion with its step cannot be computed."""
-    own = student.own
+    own = cells.student.own
     if own is None:
         return None
     rows = len(own.values)
@@ -33,5 +41,9 @@ def on_own_rows(key: Key, student: StudentTable) -> OnOwnRows | None:
     except CourseworkError:
         return None
     rows = min(rows, len(made.table))
-    cells = mark_cells(made, StudentTable(own.values[:rows], own.units[:rows]))
-    return OnOwnRows(made, cells, min(1.0, rows / len(key.table)))
+    marked = mark_cells(made, StudentTable(own.values[:rows], own.units[:rows]))
+    put_right = np.zeros_like(marked.wrong)
+    at = np.rint(key.t / own.step).astype(int)
+    on_grid = (at < rows) & np.isclose(at * own.step, key.t)
+    put_right[at[on_grid], len(key.coordinates) :] = (cells.marks == KEY)[on_grid, len(key.coordinates) :]
+    return OnOwnRows(made, marked, min(1.0, rows / len(key.table)), put_right)
