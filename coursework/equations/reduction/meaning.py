@@ -147,7 +147,8 @@ def _sides(hold: Formula) -> list[tuple[Formula, str]]:
     """Return the terms of a sum that stand beside components of points, such as r*cos(phi) in A.x - r*cos(phi), and the axis."""
     summands = list(terms(on_axes(hold)))
     axes = {node.name for term in summands for node in term.walk() if node.op == "part"}
-    return [(term, *axes) for term in summands if len(axes) == 1 and not any(node.op == "part" for node in term.walk())]
+    beside = [term for term in summands if all(node.op != "part" for node in term.walk())]
+    return [(term, axis) for term in beside for axis in axes if len(axes) == 1]
 
 
 def _from_sides(sides: Sequence[tuple[Formula, str]], angle: str, variant: Variant) -> set[str]:
