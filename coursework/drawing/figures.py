@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.drawing.lettering.angles import angle_names, draw_angles, room_of_angles, segments_of
+from coursework.drawing.lettering.angles import angle_names, clockwise_rates, draw_angles, room_of_angles, segments_of
 from coursework.drawing.lettering.dimensions import ORIGIN, SEVERAL, crowded_hinges, dimension_names, draw_dimensions
 from coursework.drawing.lettering.naming import link_names, link_owner, part_lengths, point_names, rate_places
 from coursework.drawing.outline.coinciding import clearest, coincides
@@ -129,11 +129,12 @@ def _mechanism(
     dimension_names(painter, dimensions)
     part_lengths(painter, mechanism, [*(line for _, line in dimensions), *segments_of(arcs)])
     angle_names(painter, arcs)
+    clockwise = clockwise_rates(painter, mechanism)
     for bar in outline.bars:
         for rate, hinge in outline.cranks:
             if bar.rate == rate and hinge in bar.corners:
                 law = poses.drive[rate]
-                sense = int(np.sign(law[np.argmax(np.abs(law) > 0)])) or 1
+                sense = (int(np.sign(law[np.argmax(np.abs(law) > 0)])) or 1) * (-1 if rate in clockwise else 1)
                 owner = replace(link_owner(painter, bar), lost=AT_HINGE)
                 sheet.label(rate_word(rate), rate_places(painter, bar, hinge), ITALIC, turn=sense, owner=owner)
     sheet.axes(highest=highest)
