@@ -143,3 +143,9 @@ def test_a_start_that_closes_all_loops_still_tells_what_it_alone_gives():
     assert str(kept.sentence).startswith("The start values close the loops of the mechanism. What the motion keeps constant")
     assert "E.x - s = 0.05." in str(kept.sentence)
     assert str(none.sentence) == "The start values close the mechanism."
+
+
+def test_the_angle_between_two_gears_is_no_length_that_should_be_zero():
+    geared = ("[time]", 'g = { start = "1 rad", rate = "w4" }\n[time]')
+    found = _start(mechanism("four-bar-by-its-points", geared, holds=LOOP[:-1] + ', "2*phi1 + g"]'))
+    assert str(found.sentence) == "The start values close the mechanism."

@@ -69,10 +69,13 @@ def start_of(given: Closure | None) -> Finding:
 
 
 def _kept(closure: Closure | None) -> Sentence | None:
-    """Return which sums keep a value that only the start gives; None if all are zero or not written as sums."""
+    """Return which lengths written as sums keep a value that only the start gives; None if all are zero.
+
+    A sum of angles, such as that of two gears, keeps any value.
+    """
     rows = [] if closure is None else zip(closure.equations.positions, closure.origin.tolist(), strict=True)
     limit = START_LIMIT * closure.scale if closure is not None else 0.0
-    kept = [(one.told, value) for one, value in rows if one.written and abs(value) > limit]
+    kept = [(one.told, value) for one, value in rows if one.written and one.unit == "m" and abs(value) > limit]
     listed = [say("check.START.value", name=name, value=value) for name, value in kept[:_MOST_KEPT]]
     more = ["…"] if len(kept) > _MOST_KEPT else []
     return say("check.START.kept", values=joined([*listed, *more], "join.numbers")) if kept else None
