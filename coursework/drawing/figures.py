@@ -12,9 +12,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.drawing.lettering.angles import angle_names, clockwise_rates, draw_angles, room_of_angles, segments_of
+from coursework.drawing.lettering.angles import angle_names, draw_angles, room_of_angles, segments_of
 from coursework.drawing.lettering.dimensions import ORIGIN, SEVERAL, crowded_hinges, dimension_names, draw_dimensions
 from coursework.drawing.lettering.naming import link_names, link_owner, part_lengths, point_names, rate_places
+from coursework.drawing.lettering.turns import clockwise_rates
 from coursework.drawing.outline.coinciding import clearest, coincides
 from coursework.drawing.outline.lengths import is_origin
 from coursework.drawing.outline.outline import Outline
@@ -129,7 +130,7 @@ def _mechanism(
     dimension_names(painter, dimensions)
     part_lengths(painter, mechanism, [*(line for _, line in dimensions), *segments_of(arcs)])
     angle_names(painter, arcs)
-    clockwise = clockwise_rates(painter, mechanism)
+    clockwise = clockwise_rates(mechanism, painter.place)
     for bar in outline.bars:
         for rate, hinge in outline.cranks:
             if bar.rate == rate and hinge in bar.corners:

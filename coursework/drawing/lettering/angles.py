@@ -93,12 +93,6 @@ def room_of_angles(painter: Painter, mechanism: Mechanism, values: Mapping[str, 
         yield from ((at, AROUND[1] + PAST) for at in turn.at[:1])
 
 
-def clockwise_rates(painter: Painter, mechanism: Mechanism) -> set[str]:
-    """Return the rates of coordinates that the file counts clockwise; in which position does not matter."""
-    rates = {coordinate.name: coordinate.rate for coordinate in mechanism.variant.coordinates}
-    return {rates[turn.coordinate] for turn in _turns(painter, mechanism, dict.fromkeys(rates, 1.0)) if turn.sense < 0}
-
-
 def _coordinates(painter: Painter, mechanism: Mechanism, values: Mapping[str, float]) -> Iterator[Angle]:
     """Yield the coordinates that are angles as they appear on the sheet, whose y points down."""
     for turn in _turns(painter, mechanism, values):

@@ -1,7 +1,7 @@
 """Coordinates that are angles: the points of the drawing about which each turns, from which direction, in which sense.
 
 Enters: a `Mechanism`, and the values of its names in one position.  Leaves: `Turn`.
-Used by `angles.py` and `assigning/senses.py`.
+Used by `angles.py`, `figures.py`, `check_sheet/sketch.py` and `assigning/senses.py`.
 """
 
 from __future__ import annotations
@@ -91,6 +91,13 @@ def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
         axis = cmath.exp(1j * sum(sign * evaluate_any(part, values).real for part, sign in arm.rest)) if counts else 1 + 0j
         beside, places = arm.rest if counts else (), tuple(dict.fromkeys(one.begin for one in same))
         yield Turn(name, places, axis, value % math.tau, arm.part, beside, line if counts or not arm.rest else "")
+
+
+def clockwise_rates(mechanism: Mechanism, places: Values) -> set[str]:
+    """Return the rates of the coordinates that the file counts clockwise; `places` are its points, in any position."""
+    rates = {coordinate.name: coordinate.rate for coordinate in mechanism.variant.coordinates}
+    values = {**mechanism.variant.values, "pi": math.pi, **dict.fromkeys(rates, 1.0), **places}
+    return {rates[turn.coordinate] for turn in turns(mechanism, values) if turn.sense < 0}
 
 
 def _rank(arm: _Arm, moving: set[str]) -> tuple[int, bool]:
