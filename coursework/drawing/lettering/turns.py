@@ -1,7 +1,7 @@
 """Coordinates that are angles: the points of the drawing about which each turns, from which direction, in which sense.
 
 Enters: a `Mechanism`, and the values of its names in one position.  Leaves: `Turn`.
-Used by `angles.py`, `figures.py`, `check_sheet/sketch.py` and `assigning/senses.py`.
+Used by `angles.py`, `figures.py`, `sketch.py` and `assigning/senses.py`.
 """
 
 from __future__ import annotations
