@@ -15,6 +15,7 @@ import numpy as np
 from coursework.drawing.lettering.angles import angle_names, draw_angles, room_of_angles, segments_of
 from coursework.drawing.lettering.dimensions import ORIGIN, SEVERAL, crowded_hinges, dimension_names, draw_dimensions
 from coursework.drawing.lettering.naming import link_names, link_owner, part_lengths, point_names, rate_places
+from coursework.drawing.lettering.turns import clockwise_rates
 from coursework.drawing.outline.coinciding import clearest, coincides
 from coursework.drawing.outline.lengths import is_origin
 from coursework.drawing.outline.outline import Outline
@@ -129,11 +130,12 @@ def _mechanism(
     dimension_names(painter, dimensions)
     part_lengths(painter, mechanism, [*(line for _, line in dimensions), *segments_of(arcs)])
     angle_names(painter, arcs)
+    clockwise = clockwise_rates(mechanism, painter.place)
     for bar in outline.bars:
         for rate, hinge in outline.cranks:
             if bar.rate == rate and hinge in bar.corners:
                 law = poses.drive[rate]
-                sense = int(np.sign(law[np.argmax(np.abs(law) > 0)])) or 1
+                sense = (int(np.sign(law[np.argmax(np.abs(law) > 0)])) or 1) * (-1 if rate in clockwise else 1)
                 owner = replace(link_owner(painter, bar), lost=AT_HINGE)
                 sheet.label(rate_word(rate), rate_places(painter, bar, hinge), ITALIC, turn=sense, owner=owner)
     sheet.axes(highest=highest)

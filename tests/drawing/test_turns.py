@@ -6,6 +6,7 @@ import cmath
 import math
 import re
 from types import SimpleNamespace
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
@@ -16,7 +17,7 @@ from coursework.drawing.lettering.turns import _Arm, _begin, _gap_begin, _line, 
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse
-from coursework.variant.formula.tree import Formula, signed
+from coursework.variant.formula.tree import Formula, evaluate_any, signed
 from tests.drawing import measured
 from tests.drawing.test_angles import arc_of, turned
 from tests.drawing.test_mechanism import drawing_of, run_of
@@ -176,3 +177,52 @@ def test_an_arm_shows_a_coordinate_best_by_itself_then_beside_a_constant_then_be
         arm(1, "gamma - phi1", is_named=False)]  # fmt: skip
     ranks = [_rank(one, {"phi1", "phi2"}) for one in arms]
     assert ranks == [(0, False), (0, True), (1, False), (1, False), (1, True), (2, False), (2, True)]
+
+
+# By hand: the arm lies along this axis (degrees) where phi3 is 0, and turns from there in this sense.
+ARMS = {
+    "(r3*cos(phi3), r3*sin(phi3))": (0, 1), "(r3*cos(phi3), -r3*sin(phi3))": (0, -1),
+    "(-r3*cos(phi3), r3*sin(phi3))": (180, -1), "(-r3*cos(phi3), -r3*sin(phi3))": (180, 1),
+    "(r3*sin(phi3), r3*cos(phi3))": (90, -1), "(-r3*sin(phi3), r3*cos(phi3))": (90, 1),
+    "(r3*sin(phi3), -cos(phi3)*r3)": (-90, 1), "(-r3*sin(phi3), -r3*cos(phi3))": (-90, -1), "r3 @ (phi3 - pi/2)": (-90, 1),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("arm", ARMS)
+def test_an_arm_by_components_is_counted_as_they_say(arm: str) -> None:
+    built, values = placed(mechanism("crank-and-driven-point", ("r3 @ phi3", arm)), phi3=0.4)
+    (found,) = [turn for turn in turns(built, values) if turn.coordinate == "phi3"]
+    assert found.axis == pytest.approx(cmath.exp(1j * math.radians(ARMS[arm][0])))
+    assert (found.sense, found.size, found.line) == (ARMS[arm][1], pytest.approx(0.4), "CM")
+    assert found.at == (values["C"],)
+    assert values["M"] - values["C"] == pytest.approx(0.3 * found.axis * cmath.exp(1j * found.sense * 0.4))
+
+
+def placed(text: str, **given: float) -> tuple[Any, dict[str, complex]]:
+    variant = parse_variant(text)
+    values: dict[str, complex] = {**variant.values, "pi": math.pi, "phi1": 1.0, "phi2": 0.8, **given}
+    for name, formula in variant.points:
+        values[name] = evaluate_any(formula, values)
+    return build(variant), values
+
+
+def test_an_angle_that_nothing_counts_is_drawn_only_where_its_link_lies_along_it() -> None:
+    """The last link is held by components: from x it is the angle of CM, otherwise the file does not tell where it begins."""
+    held = mechanism("crank-and-driven-point", ("C + r3 @ phi3", "(0.5, 0.1)"))
+    built, values = placed(held)
+    along = cmath.phase(values["M"] - values["C"])
+    for angle, at in ((along, [(values["C"],)]), (along + math.pi, [(values["M"],)]), (along + 0.5, [])):
+        assert [turn.at for turn in turns(built, {**values, "phi3": angle}) if turn.coordinate == "phi3"] == at
+
+
+@pytest.mark.parametrize(("file", "arm", "sense"), [
+    ("clockwise-four-bar", "(a*cos(f1), -a*sin(f1))", -1), ("clockwise-four-bar", "a @ (-f1)", -1),
+    ("four-bar-by-its-points", "", 1),
+])  # fmt: skip
+def test_the_arrow_of_a_crank_turns_as_its_angle_is_counted(file: str, arm: str, sense: int) -> None:
+    hinged = ("[closure]", '[links]\n1 = { points = ["O", "P"], rate = "w1" }\n[frame]\nhinges = ["O"]\n[closure]')
+    svg = svg_of(mechanism(file, ("(a*cos(f1), -a*sin(f1))", arm) if arm else hinged))
+    (arrow,) = [
+        measured.points(node.get("d", "")) for node in ElementTree.fromstring(svg).iter() if node.get("stroke-width") == "0.3"
+    ]
+    assert math.copysign(1, turned(arrow)) == sense

@@ -28,6 +28,8 @@ SLIPS = [
         {"V053": "It is the velocity of A along y: where it is given, write its law"},
     ),
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "w1 + w2"', {"V078": "set it equal to w1 + w2 in a [[constraint]]"}),
+    ('["A", "M"], rate = "w2"', '["A", "M"], rate = "-w2"', {"V078": "Write w2 alone: [points] show that the link turns"}),
+    ('["A", "M"], rate = "w2"', '["A", "M"], rate = "− w2"', {"V078": "Write w2 alone: [points] show that the link turns"}),
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "w2 "', {"V078": 'Did you mean "w2"?'}),
     ('"0.02 s"', '"1/50 rad"', {"V160": 'Write "0.02 s".'}),
     ('["A", "M"]', '["A", "A"]', {"V157": "A stands twice in this list."}),

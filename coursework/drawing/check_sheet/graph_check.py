@@ -124,7 +124,7 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     rigid = [set(bar.corners) for bar in outline.bars]
     if sides := tuple("".join(sorted(pair)) for pair in stretching(mechanism) if any(pair <= corners for corners in rigid)):
         raise _refused(variant, say("fault.V525", sides=sides))
-    read = read_sketch(outline, equations, driven_lengths(outline, equations, exact))
+    read = read_sketch(mechanism, outline, equations, driven_lengths(outline, equations, exact))
     sketch = read(motion, row - 1)
     findings = construct(sketch.pose)
     measured = _measured(sketch, findings)
@@ -196,7 +196,9 @@ def _drawn_centres(sketch: Sketch, findings: Findings) -> dict[str, tuple[str, c
 
 def _measured(sketch: Sketch, findings: Findings) -> dict[str, tuple[float, str]]:
     """Return what is read off the drawing: name -> (value, unit)."""
-    found = {omega_name(body): (findings.omegas[body.name], "rad/s") for body in _sought(sketch, findings)}
+    found = {
+        omega_name(body): (sketch.as_counted(body, findings.omegas[body.name]), "rad/s") for body in _sought(sketch, findings)
+    }
     for name in sketch.moving:
         if name in findings.velocities and name not in sketch.pose.velocities:
             found[f"V_{name}"] = (abs(findings.velocities[name]), "m/s")
@@ -220,7 +222,7 @@ def _tabled(equations: VelocityEquations, here: Motion, sketch: Sketch, findings
         found[omega_name(body)] = omega
         carried = next((name for name in body.points if name in velocities), None)
         if body.name in centres and carried and omega:
-            centre = sketch.pose.positions[carried] + 1j * velocities[carried] / omega
+            centre = sketch.pose.positions[carried] + 1j * velocities[carried] / sketch.as_counted(body, omega)
             name, _ = centres[body.name]
             found[f"{name}.x"], found[f"{name}.y"] = centre.real, centre.imag
     return found

@@ -7,23 +7,24 @@ is no slider.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from coursework.drawing.check_sheet.pose import Body, Pose, Slide
+from coursework.drawing.lettering.turns import clockwise_rates
 from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.outline import Bar, Outline
 from coursework.drawing.outline.poses import Poses, read_poses
 from coursework.drawing.plans.given import DrivenLengths, given_points
 from coursework.equations.reduction.equations import VelocityEquations
+from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
 from coursework.system.angles import cross
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
-from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
 # Relative to the mechanism: a contact this near to a rail or circle at the start touches it; task sheets have rounded data.
@@ -40,6 +41,7 @@ class Sketch:
     `off_rails` and `off_tracks` are points that slide or roll on fixed guides, with their distance from these (m).
     `start` holds the positions of row 1; `wheels` maps link -> (centre, contact); `racks` maps link -> contact with its gear;
     `moving` are the points of links, without contacts, that are not at rest; `outline`, `poses` and `row` (from 0) are painted.
+    Rates named in `clockwise` are counted clockwise by the file; those of `pose` are counter-clockwise like all of the drawing.
     """
 
     pose: Pose
@@ -54,9 +56,16 @@ class Sketch:
     outline: Outline
     poses: Poses
     row: int
+    clockwise: Collection[str] = ()
+
+    def as_counted(self, body: Body, omega: float) -> float:
+        """Return a counter-clockwise angular velocity of a link as the file counts it, or the reverse."""
+        return -omega if body.rate in self.clockwise else omega
 
 
-def read_sketch(outline: Outline, equations: VelocityEquations, lengths: DrivenLengths) -> Callable[[Motion, int], Sketch]:
+def read_sketch(
+    mechanism: Mechanism, outline: Outline, equations: VelocityEquations, lengths: DrivenLengths
+) -> Callable[[Motion, int], Sketch]:
     """Return `read(motion, row)` (row from 0), compiled once for all rows; `lengths` are the driven lengths."""
     variant, posed = equations.variant, read_poses(outline, equations)
     pushed = [name for name in given_points(outline, variant) if name not in outline.driven]
@@ -67,14 +76,15 @@ def read_sketch(outline: Outline, equations: VelocityEquations, lengths: DrivenL
         columns = rates(motion.t, motion.coordinates, motion.velocities).T if rates else np.zeros((0, 1))
         parts = [_seen(column, row) for column in columns]
         given = {name: complex(x, y) for name, x, y in zip(pushed, parts[::2], parts[1::2], strict=True)}
-        return _sketch(outline, posed(motion.t, motion.coordinates), row, variant, given, lengths)
+        return _sketch(mechanism, outline, posed(motion.t, motion.coordinates), row, given, lengths)
 
     return read
 
 
 def _sketch(
-    outline: Outline, poses: Poses, row: int, variant: Variant, given: Mapping[str, complex], lengths: DrivenLengths
+    mechanism: Mechanism, outline: Outline, poses: Poses, row: int, given: Mapping[str, complex], lengths: DrivenLengths
 ) -> Sketch:  # fmt: skip
+    variant = mechanism.variant
     start, here = ({name: at for name, at in poses.pose(k).items() if not name.startswith("~")} for k in (0, row))
     wheels = {wheel.link: (wheel.centre, wheel.contact) for wheel in outline.wheels}
     contacts = {contact for _, contact in wheels.values()}
@@ -114,8 +124,12 @@ def _sketch(
         *(say("drawing.empty_rail", rail=k) for k, rail in enumerate(outline.rails, start=1) if variant.links and not rail.rider),
         *(say("drawing.drives", link=link, wheel=gears[at], contact=at) for link, at in driven_racks.items()),
     )
-    pose = Pose(here, tuple(bodies), fixed, guided, driven, {rate: drive[rate] for rate in variant.known_rates}, slides)
-    return Sketch(pose, off_rails, off_tracks, hinges, start, wheels, driven_racks, tuple(moving), notes, outline, poses, row)
+    clockwise = clockwise_rates(mechanism, here)
+    rates = {rate: -drive[rate] if rate in clockwise else drive[rate] for rate in variant.known_rates}
+    pose = Pose(here, tuple(bodies), fixed, guided, driven, rates, slides)
+    return Sketch(
+        pose, off_rails, off_tracks, hinges, start, wheels, driven_racks, tuple(moving), notes, outline, poses, row, clockwise
+    )
 
 
 def _body(bar: Bar, wheels: Mapping[str, tuple[str, str]]) -> Body:

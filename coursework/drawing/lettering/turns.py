@@ -1,7 +1,7 @@
 """Coordinates that are angles: the points of the drawing about which each turns, from which direction, in which sense.
 
 Enters: a `Mechanism`, and the values of its names in one position.  Leaves: `Turn`.
-Used by `angles.py` and `assigning/senses.py`.
+Used by `angles.py`, `figures.py`, `sketch.py` and `assigning/senses.py`.
 """
 
 from __future__ import annotations
@@ -9,16 +9,30 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from itertools import permutations
 
 from coursework.drawing.outline.lengths import is_origin
+from coursework.mechanism.groups.kind import summed
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, signed
+from coursework.variant.formula.tree import (
+    Formula,
+    FormulaFault,
+    evaluate_any,
+    factors,
+    named,
+    on_axes,
+    part_of_pi,
+    product_of,
+    signed,
+)
 
 Values = Mapping[str, complex]
 Sum = list[tuple[Formula, int]]  # terms with their signs
 Signed = tuple[tuple[Formula, int], ...]  # the same, as a field of a record
 SAME = 1e-9  # m: places this near to each other are one
+NEAR = 0.01  # rad: a link this near to the direction of an angle from x shows that the angle is counted from there
 
 
 @frozen
@@ -40,8 +54,9 @@ class Turn:
 
 @frozen
 class _Arm:
-    """A term "L @ angle" that begins at a place; its angle is `part` (1 or -1) times the coordinate, plus the `rest`.
+    """A term "L @ angle", or its components, that begins at a place.
 
+    Its angle is `part` (1 or -1) times the coordinate, plus the `rest`.
     `is_named`: a point of the file lies there; `line` names both ends of the arm if the file writes it so, else "".
     """
 
@@ -63,18 +78,26 @@ def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
         ranked = sorted((_rank(arm, moving), place, arm) for place, arm in enumerate(_arms(mechanism, values, name)))
         value = values[name].real
         if not ranked:
-            at = _centre(mechanism, coordinate.rate, values)
+            at = _centre(mechanism, coordinate.rate, values, cmath.exp(1j * value))
             if at is not None:
                 yield Turn(name, (at,), 1 + 0j, value % math.tau, 1)
             continue
         least, _, arm = ranked[0]
         same = [one for rank, _, one in ranked if rank == least and (one.part, one.rest) == (arm.part, arm.rest)]
         line = next((one.line for one in same if one.line), "")
-        # A constant added to the coordinate does not change the axis from which the coordinate itself is measured.
-        counts = arm.part < 0 or any(moving & {*part.names()} for part, _ in arm.rest)
+        # A given angle added to the coordinate is a bend of the link: the coordinate itself is measured from x, to another arm.
+        bent = any(variant.values.keys() & {*part.names()} for part, _ in arm.rest)
+        counts = arm.part < 0 or not bent or any(moving & {*part.names()} for part, _ in arm.rest)
         axis = cmath.exp(1j * sum(sign * evaluate_any(part, values).real for part, sign in arm.rest)) if counts else 1 + 0j
         beside, places = arm.rest if counts else (), tuple(dict.fromkeys(one.begin for one in same))
         yield Turn(name, places, axis, value % math.tau, arm.part, beside, line if counts or not arm.rest else "")
+
+
+def clockwise_rates(mechanism: Mechanism, places: Values) -> set[str]:
+    """Return the rates of the coordinates that the file counts clockwise; `places` are its points, in any position."""
+    rates = {coordinate.name: coordinate.rate for coordinate in mechanism.variant.coordinates}
+    values = {**mechanism.variant.values, "pi": math.pi, **dict.fromkeys(rates, 1.0), **places}
+    return {rates[turn.coordinate] for turn in turns(mechanism, values) if turn.sense < 0}
 
 
 def _rank(arm: _Arm, moving: set[str]) -> tuple[int, bool]:
@@ -133,14 +156,48 @@ def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool, str]]:
         if one.is_closure:
             pair = one.sides, one.sides[::-1]
             sides += [(side, other.name if other.op == "name" else met.get(other, "")) for side, other in pair]
-    yield from ((list(signed(side)), False, name) for side, name in sides)
+    yield from (([(_polar(part), sign) for part, sign in signed(side)], False, name) for side, name in sides)
     yield from ((list(signed(hold.args[0])), True, "") for hold in mechanism.variant.holds if hold.op == "part")
 
 
-def _centre(mechanism: Mechanism, rate: str, values: Values) -> complex | None:
-    """Return the centre of the wheel, or the first point of the link, that has a rate; None if no link has it."""
+def _polar(part: Formula) -> Formula:
+    """Return (r*sin(phi), r*cos(phi)) as r @ (pi/2 - phi), and other arms by components likewise; else the part itself."""
+    if part.op != "pair":
+        return part
+    (x, kind, angle, length), (y, other, same, too) = map(_component, part.args)
+    if {kind, other} != {"cos", "sin"} or (angle, length) != (same, too):
+        return part
+    if kind == "cos":
+        sense, axis = x * y, [] if x > 0 else [(named("pi"), 1)]
+    else:
+        sense, axis = -x * y, [(part_of_pi(Fraction(1, 2)), y)]
+    turned = [(term, sign * sense) for term, sign in signed(angle)]
+    return Formula("@", (product_of(length), summed([*axis, *turned])))
+
+
+def _component(side: Formula) -> tuple[int, str, Formula, list[Formula]]:
+    """Return sign, function, argument and length of a component such as -r*sin(phi); the function is "" for any other formula."""
+    ((term, sign), *more) = signed(on_axes(side))
+    parts = [*factors(term, "*")]
+    turned = [part for part, _ in parts if part.op == "call" and part.name in {"cos", "sin"}]
+    if more or len(turned) != 1:
+        return sign, "", side, []
+    return sign, turned[0].name, turned[0].args[0], [part for part, _ in parts if part is not turned[0]]
+
+
+def _centre(mechanism: Mechanism, rate: str, values: Values, way: complex) -> complex | None:
+    """Return the centre of the wheel that has a rate, or the point from which a link that has it leads this `way`, else None."""
     for link in mechanism.variant.links:
-        first = link.wheel or next(iter(link.points), "")
-        if link.rate == rate and first in values:
-            return complex(values[first])
+        if link.rate != rate:
+            continue
+        if link.wheel and link.wheel in values:
+            return complex(values[link.wheel])
+        places = [complex(values[name]) for name in link.points if name in values]
+        if len(places) == 1:
+            return places[0]
+        leads = (
+            one for one, other in permutations(places, 2) if abs(other - one - abs(other - one) * way) < NEAR * abs(other - one)
+        )
+        if (begin := next(leads, None)) is not None:
+            return begin
     return None

@@ -5,12 +5,23 @@ Enters: the determinant as shown.  Leaves: a sentence.  Used by `blocks.py`.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import link_names, linkage
-from coursework.variant.formula.tree import Formula, FormulaFault, constant, evaluate, factors, product_of, spelled, terms
+from coursework.variant.formula.tree import (
+    Formula,
+    FormulaFault,
+    constant,
+    evaluate,
+    factors,
+    on_axes,
+    product_of,
+    spelled,
+    terms,
+)
 from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say
@@ -24,6 +35,8 @@ _NAMED = ("determinant.link", "determinant.link_at")
 _OF = ("determinant.of_link", "determinant.of_link_at")
 # The sine of an angle given with all digits of pi may still differ from zero by this much.
 _ROUNDING = 1e-12
+# Stands for a coordinate whose value does not matter.
+_ANY = 0.7
 
 
 def meaning(determinant: Formula, variant: Variant, unknowns: Sequence[str], at: Mapping[str, float] | None = None) -> str:
@@ -118,15 +131,47 @@ def _counted_from(angle: str, variant: Variant) -> str:
 
 
 def _axes(angle: str, variant: Variant) -> set[str]:
-    """Return how the points of a file count an angle: L @ phi from x, as groups do, L @ (phi - pi/2) from the vertical."""
-    found = {
-        re.sub(rf"\b{angle}\b", _FROM_X, spelled(part.args[1]))
-        for _, formula in variant.points
-        for part in formula.walk()
-        if part.op == "@" and angle in part.args[1].names()
-    }
+    """Return how a file counts an angle: L @ phi from x, as groups do, L @ (phi - pi/2) and (L*sin(phi), …) from the vertical."""
+    parts = [part for _, formula in variant.points for part in formula.walk()]
+    ways = [part.args[1] for part in parts if part.op == "@" and angle in part.args[1].names()]
+    after = [way for way in ways if {c.name for c in variant.coordinates if c.name != angle} & {*way.names()}]
+    sides = [(Formula("call", (way,), "cos"), "x") for way in ways if way not in after]
+    sides += [(side, axis) for part in parts if part.op == "pair" for side, axis in zip(part.args, "xy", strict=True)]
+    sides += [side for hold in variant.holds for side in _sides(hold)]
+    found = {re.sub(rf"\b{angle}\b", _FROM_X, spelled(way)) for way in after} | _from_sides(sides, angle, variant)
     grouped = any(angle in group.coordinates for group in variant.groups)
     return found | {_FROM_X} if grouped or not found else found
+
+
+def _sides(hold: Formula) -> list[tuple[Formula, str]]:
+    """Return the terms of a sum that stand beside components of points, such as r*cos(phi) in A.x - r*cos(phi), and the axis."""
+    summands = list(terms(on_axes(hold)))
+    axes = {node.name for term in summands for node in term.walk() if node.op == "part"}
+    beside = [term for term in summands if all(node.op != "part" for node in term.walk())]
+    return [(term, axis) for term in beside for axis in axes if len(axes) == 1]
+
+
+def _from_sides(sides: Sequence[tuple[Formula, str]], angle: str, variant: Variant) -> set[str]:
+    """Return how components along x and y count an angle: L*cos(phi) along x and L*sin(phi) along y from x."""
+    found = set()
+    for side, axis in sides:
+        others = dict.fromkeys(side.names(), _ANY) | {"pi": math.pi, **variant.values}
+        try:
+            # Of K cos(phi + turn) + c, the sum of two neighbours less twice the middle is a multiple of K cos(phi + turn).
+            across, along = (
+                sum(
+                    weight * evaluate(side, {**others, angle: at + step})
+                    for step, weight in ((-1.0, 1.0), (0.0, -2.0), (1.0, 1.0))
+                )
+                for at in (math.pi / 2, 0.0)
+            )
+        except FormulaFault:
+            continue
+        if max(abs(across), abs(along)) > _ROUNDING:
+            turn = (math.atan2(across, -along) + (math.pi / 2 if axis == "y" else 0.0)) / math.pi
+            off = turn - round(turn)
+            found.add(_FROM_X if abs(off) < _SMALL else f"{abs(off):.6f}")
+    return found
 
 
 def _distance(name: str, variant: Variant) -> str:

@@ -1,13 +1,14 @@
 """Whether [links] and [frame] agree with the points of a file: links keep their shape, hinges rest, guides lie along the motion.
 
 Enters: velocity equations and their closure.  Leaves: hinges with two names.  Raises `InputError` naming each link, rail, circle.
-Used by `unseen_signs.py` and `commands/check.py`.
+Used by `unseen_signs.py`, `beginning.py` and `commands/check.py`.
 A guide across the motion of its slider changes no column of the table, but drawings, plans and forces depend on it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_values
-from coursework.motion.geometry.closed_start import OPEN
+from coursework.motion.geometry.closed_start import OPEN, closed_start
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.open_loops import with_closed_loops
 from coursework.system.arrays import Array
@@ -46,6 +47,20 @@ def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
         near = with_closed_loops(closure)[0] or with_closed_loops(closure, OPEN * closure.scale)[0]
         if near is not None and _faults(equations, near):
             raise InputError(faults)
+
+
+def bent_by_start(equations: VelocityEquations, closure: Closure) -> set[int]:
+    """Return which held quantities have to be zero: with the value of the start, a link or the frame changes its shape."""
+    if not equations.variant.links or len(closure.names) > len(closure.free) or not _faults(equations, closure):
+        return set()
+    sums = [one.target == "start" and bool(one.written) for one in equations.positions]
+
+    def bends(kept: int | None) -> bool:
+        near = closure.at_zero([held and place != kept for place, held in enumerate(sums)])
+        start = closed_start(near)[1]
+        return start is None or bool(_faults(equations, replace(near, start=start, asked={})))
+
+    return set() if bends(None) else {place for place, held in enumerate(sums) if held and bends(place)}
 
 
 def _may_move(point: str, variant: Variant) -> bool:

@@ -148,8 +148,13 @@ def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> L
     wheel, contact = (parts.known_point(("links", key, role), name) if name else None for role, name in roles)
     if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
         is_formula = any(sign in entry.rate for sign in "+-*/(")
+        minus, negated = entry.rate.strip()[:1], entry.rate.strip()[1:].strip()
+        clockwise = minus in {"-", "−"} and parts.names.canonical(negated) in parts.names.velocities
+        one_name = "hint.one_name_clockwise" if clockwise else "hint.one_name"
         hint = parts.names.meant(entry.rate.partition("/")[0]) or (
-            say("hint.one_name", formula=entry.rate) if is_formula else closest(entry.rate.strip(), parts.names.velocities)
+            say(one_name, rate=negated, formula=entry.rate)
+            if is_formula or clockwise
+            else closest(entry.rate.strip(), parts.names.velocities)
         )
         text = say("fault.V078", rate=entry.rate, hint=hint)
         parts.undeclared(("links", key, "rate"), {"rate", "unknown", "drive"}, text)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from coursework import load, solve
+from coursework import load, parse_variant, solve
 from coursework.drawing.check_sheet.instant_centres import construct
 from coursework.drawing.check_sheet.pose import Body, Pose, Slide
 from coursework.drawing.check_sheet.sketch import read_sketch
@@ -19,6 +19,7 @@ from coursework.report.output.record import record
 from coursework.words.errors import InputError
 from tests.drawing import measured
 from tests.drawing.check_sheet.checked import DRAWABLE, at_row, check_of, run_of, sketch_of, svg_of
+from tests.mechanisms.library import mechanism
 
 REFERENCE = Path(__file__).parents[2] / "reference" / "variants"
 DIGITS_OF_THE_REFERENCE = 1e-9
@@ -99,7 +100,9 @@ def test_where_a_wheel_rolls_on_a_rail_it_rests(name: str, angle: float) -> None
 def test_centres_of_the_exact_row(name: str) -> None:
     reference = json.loads((REFERENCE / f"{name}.json").read_text())["icv_at_check_row_exact"]
     run = run_of(name.lower())
-    sketch = read_sketch(read_outline(run.scene.mechanism), run.scene.equations, {})(run.exact, run.variant.time.check_row - 1)
+    sketch = read_sketch(run.scene.mechanism, read_outline(run.scene.mechanism), run.scene.equations, {})(
+        run.exact, run.variant.time.check_row - 1
+    )
     findings = construct(sketch.pose)
     assert findings.missing == ()
     for link, expected in reference.items():
@@ -298,3 +301,16 @@ def test_a_velocity_is_read_from_the_pole_and_a_relative_one_between_two_images(
     wanted = {"V_A": f"{pole}a", "V_AB": "ba", "V_B": f"{pole}b", "V_O′": f"{pole}o′", "V_O′M": "mo′", "V_E": f"{pole}e"}
     wanted |= {"V_BB′": "b′b", "V_CC′": "c′c"}
     assert {name: read[name] for name in wanted} == wanted
+
+
+def test_a_crank_whose_angle_counts_clockwise_is_constructed_as_it_turns() -> None:
+    """By hand: the pin goes round clockwise at 40 pi/60 rad/s; rates are told as the file counts them."""
+    text = mechanism("clockwise-four-bar", ('["table"]', '["table", "graph_check"]'))
+    run = solve(parse_variant(text.replace("[[constraint]]", "check_row = 3\n[[constraint]]", 1)), "exact")
+    check = run.graph_check
+    turned = math.radians(30) + math.tau / 3 * 0.1
+    assert check.findings.velocities["B"] == pytest.approx(-1j * 0.1 * math.tau / 3 * cmath.exp(-1j * turned), abs=1e-9)
+    assert check.findings.omegas["1"] == pytest.approx(-math.tau / 3)
+    assert {name for name, *_ in check.rows} >= {"ω₂", "ω₃", "V_C"}
+    for name, drawn, tabled, off, _ in check.rows:
+        assert off == pytest.approx(0.0, abs=1e-6), (name, drawn, tabled)

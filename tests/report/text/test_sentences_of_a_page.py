@@ -164,7 +164,7 @@ def test_what_counts_is_said_in_the_form_of_its_number(real: ModuleType) -> None
     assert "1 of 2 equations agree; 2 is not judged: nothing in the geometry gives u." in told
     assert "ψ2 made −1 whole turn, subtracted" in told
     assert "1 of φ1; −1 of ψ2" in told
-    assert "its geometry confirms the signs of (1). Nothing here checks the signs of (2)." in told
+    assert "these equations; the geometry of the file confirms the signs of (1). Nothing here checks the signs of (2)." in told
     assert "differs most" not in told, "nothing differs"
     assert load_words("en").count("unit.equations", 1) == "equation"
     assert load_words("ru").count("unit.equations", 3) == "уравнения"

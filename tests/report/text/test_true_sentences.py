@@ -162,6 +162,30 @@ def test_an_angle_counted_from_the_vertical_makes_no_link_vertical() -> None:
     assert told == ["cos(phi2) is zero", "sin(phi2 - phi3) is zero", "link 1 and link 3 lie on one line (stretched or folded)"]
 
 
+def test_an_angle_whose_arm_is_written_by_components_is_counted_as_they_say() -> None:
+    arms = {"(r2*sin(phi2), -r2*cos(phi2))": False, "(-r2*cos(phi2), -r2*sin(phi2))": True, "r2 @ (pi/2 - phi2)": False}
+    for arm, vertical in arms.items():  # at cos(phi2) = 0, the first and the third lie along x
+        placed = parse_variant(FIVE_BAR.replace("r2 @ phi2", arm))
+        told = meaning(parse_formula("cos(phi2)"), placed, ())
+        assert told == ("link 2 is vertical" if vertical else "cos(phi2) is zero"), arm
+    both = FIVE_BAR.replace("r2 @ phi2", "(r2*sin(phi2), r2*cos(phi2))").replace("r3 @ phi3", "r3 @ (pi/2 - phi3)")
+    told = meaning(parse_formula("sin(phi2 - phi3)"), parse_variant(both), ())
+    assert told == "link 2 and link 3 lie on one line (stretched or folded)"
+
+
+def test_an_angle_that_only_the_closure_counts_is_counted_as_it_says() -> None:
+    held = 'holds = ["M.x - B.x - r2*sin(phi2) - r3*cos(phi3)", "M.y - B.y + r2*cos(phi2) - r3*sin(phi3)"]'
+    upright = (
+        FIVE_BAR.replace('C = "B + r2 @ phi2"', "")
+        .replace("C + r3 @ phi3", "(0.5, 0.1)")
+        .replace('"B", "C"', '"B", "M"')
+        .replace('"C", "M"', '"M"')
+    )
+    variant = parse_variant(upright.replace('driven = "M"', held).replace("VMx", "ux").replace("VMy", "uy"))
+    assert meaning(parse_formula("cos(phi2)"), variant, ()) == "cos(phi2) is zero"
+    assert meaning(parse_formula("cos(phi3)"), variant, ()) == "link 3 is vertical"
+
+
 def _parsed(text: str) -> Any:
     return parse_variant(
         text.replace("r2*w2*sin(phi2)", "r2*w2*sin(phi2 - pi/2)").replace("r2*w2*cos(phi2)", "r2*w2*cos(phi2 - pi/2)")

@@ -112,3 +112,40 @@ def test_a_start_that_keeps_more_than_the_sentence_lists_says_that_there_is_more
     for more, ending in ([], "R.x - S.x + d = 0.37. If"), (["R.y - S.y + d"], "R.x - S.x + d = 0.37, …. If"):
         _, start = solved(str([*held, *more]).replace("'", '"'))
         assert ending in str(start.sentence)
+
+
+def test_a_joint_that_starts_beside_the_end_of_its_rod_leaves_the_mechanism_open():
+    """Sides of 0.5, 0.5 and 0.4 m: the joint is above the middle of the base.  From where s is counted, only the start says."""
+    found = [_start(jack(beside, counted)) for beside, counted in ((0.0, 0.15), (0.01, 0.15), (0.01, 0.2))]
+    assert [one.verdict for one in found] == ["SKIP", "FAIL", "FAIL"]
+    assert "E.x - s = 0.05." in str(found[0].sentence)
+    for wrong in found[1:]:
+        assert wrong.value == pytest.approx(0.01, rel=1e-9)
+        nearest = dict(re.findall(r"(\w+) = ([\d.]+)", str(wrong.sentence)))
+        assert math.hypot(float(nearest["x"]), float(nearest["y"])) == pytest.approx(0.5, abs=1e-10)
+        assert math.hypot(float(nearest["x"]) - 0.4, float(nearest["y"])) == pytest.approx(float(nearest["l"]), abs=1e-10)
+        assert float(nearest["x"]) == pytest.approx(0.5 * math.cos(float(nearest["phi1"])), abs=1e-10)
+    assert float(nearest["s"]) != pytest.approx(float(nearest["x"]), abs=1e-3)  # not a length of any link, so left as it is
+
+
+def jack(beside, counted):
+    return mechanism("jack", ('"0.2 m"', f'"{0.2 + beside!r} m"'), ('"0.15 m"', f'"{counted!r} m"'))
+
+
+def _start(text):
+    return next(one for one in coursework.solve(coursework.parse_variant(text, "own.toml")).checks if one.code == "START")
+
+
+def test_a_start_that_closes_all_loops_still_tells_what_it_alone_gives():
+    loops = [f"({arm}).{axis}" for arm in ("E - P - r @ phi1", "E - Q - l @ phi2") for axis in "xy"]
+    kept, none = (_start(changed(jack(0.0, s), holds=str([*loops, "E.x - s"]).replace("'", '"'))) for s in (0.15, 0.2))
+    assert kept.verdict == none.verdict == "PASS"
+    assert str(kept.sentence).startswith("The start values close the loops of the mechanism. What the motion keeps constant")
+    assert "E.x - s = 0.05." in str(kept.sentence)
+    assert str(none.sentence) == "The start values close the mechanism."
+
+
+def test_the_angle_between_two_gears_is_no_length_that_should_be_zero():
+    geared = ("[time]", 'g = { start = "1 rad", rate = "w4" }\n[time]')
+    found = _start(mechanism("four-bar-by-its-points", geared, holds=LOOP[:-1] + ', "2*phi1 + g"]'))
+    assert str(found.sentence) == "The start values close the mechanism."

@@ -19,6 +19,7 @@ from coursework.variant.record.variant import Coordinate
 
 DIGITS = 6  # of a stroke or an extreme: more than in the table, which has no row there
 ANGLE_DIGITS = 5
+NOISE = 9  # decimals of an angle in degrees that mean something
 RATIO_DIGITS = 4
 EVEN = 1e-6  # a ratio that differs less from 1 means that both strokes take equally long
 
@@ -90,7 +91,7 @@ def _amount(context: PageContext, value: float, unit: str) -> str:
 
 
 def _degrees(context: PageContext, angle: float) -> str:
-    return context.with_unit(context.numbers.scalar(math.degrees(angle), ANGLE_DIGITS), "°")
+    return context.with_unit(context.numbers.scalar(round(math.degrees(angle), NOISE) % 360.0, ANGLE_DIGITS), "°")
 
 
 def _error(context: PageContext) -> list[str]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from coursework.motion.geometry.closed_start import closed_start, typed_start
 from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.rigid import bent_by_start
 from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped
@@ -57,7 +58,9 @@ def start_of(given: Closure | None) -> Finding:
     value, name = float(np.abs(residual[worst])), closure.names[worst]
     limit = START_LIMIT * closure.scale
     if value <= limit:
-        return Finding("PASS", say("check.START.pass"), value, limit, "m", name, 1)
+        kept = _kept(given)
+        told = say("check.START.pass_kept", kept=kept) if kept is not None else say("check.START.pass")
+        return Finding("PASS", told, value, limit, "m", name, 1)
     sentence = say("check.START.none", value=value)
     if closed is not None:
         key = "check.START.nearest_held" if abs(given.origin[worst]) > limit else "check.START.nearest"
@@ -66,10 +69,13 @@ def start_of(given: Closure | None) -> Finding:
 
 
 def _kept(closure: Closure | None) -> Sentence | None:
-    """Return which sums keep a value that only the start gives; None if all are zero or not written as sums."""
+    """Return which lengths written as sums keep a value that only the start gives; None if all are zero.
+
+    A sum of angles, such as that of two gears, keeps any value.
+    """
     rows = [] if closure is None else zip(closure.equations.positions, closure.origin.tolist(), strict=True)
     limit = START_LIMIT * closure.scale if closure is not None else 0.0
-    kept = [(one.told, value) for one, value in rows if one.written and abs(value) > limit]
+    kept = [(one.told, value) for one, value in rows if one.written and one.unit == "m" and abs(value) > limit]
     listed = [say("check.START.value", name=name, value=value) for name, value in kept[:_MOST_KEPT]]
     more = ["…"] if len(kept) > _MOST_KEPT else []
     return say("check.START.kept", values=joined([*listed, *more], "join.numbers")) if kept else None
@@ -79,7 +85,7 @@ def _with_loops(closure: Closure) -> Closure | None:
     """Return the closure with its closed loops of [closure] held at zero, not at the start; None if nothing has to be zero.
 
     C.y keeps a height that only the start gives; (C - O - r @ phi).x says that a link reaches from O to C; (C - C1).x together
-    with (C - C1).y says that both links reach one hinge.
+    with (C - C1).y says that both links reach one hinge; x - r*cos(phi) is a link if A(x, y) would not keep its distance else.
     """
     positions = closure.equations.positions
     written = [on_axes(hold) for hold in closure.equations.variant.holds]
@@ -87,7 +93,15 @@ def _with_loops(closure: Closure) -> Closure | None:
     hinged = [bool(pair) and {pair + axis for axis in "xy"} <= {*map("".join, apart)} for pair, _ in apart]
     loops = iter([_is_loop(formula) or one for formula, one in zip(written, hinged, strict=True)])
     zero = [one.target == "zero" or (one.target == "start" and next(loops)) for one in positions]
+    if not any(zero) or not _is_open(closure.at_zero(zero)):
+        bent = bent_by_start(closure.equations, closure)
+        zero = [one or place in bent for place, one in enumerate(zero)]
     return closure.at_zero(zero) if any(zero) else None
+
+
+def _is_open(closure: Closure) -> bool:
+    residual = closure.residual(0.0, closure.start, closure.origin)[0]
+    return bool(np.max(np.abs(residual)) > START_LIMIT * closure.scale)
 
 
 def _apart(formula: Formula) -> tuple[str, str]:

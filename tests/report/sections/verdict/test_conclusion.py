@@ -10,6 +10,7 @@ import pytest
 
 import coursework
 from coursework.scene.scene_run import SceneRun
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, page_of
 from tests.report.own import FIVE_BAR, SHAPER
 
@@ -46,6 +47,13 @@ def test_the_shaper_teaches_the_ratio_of_its_stroke_times() -> None:
     (lever,) = (row for row in rows if row[0].startswith("φ3"))
     assert lever[1] == f"{math.pi / 2 - math.asin(0.4):.5f}" and lever[4] == f"{math.pi / 2 + math.asin(0.4):.5f}"
     assert [row[0] for row in rows] == ["φ3, rad", "s, m", "φ4, rad", "x, m"], "the crank turns round and has no extremes"
+
+
+def test_an_extreme_where_the_crank_lies_along_x_has_no_rounding_error_for_an_angle() -> None:
+    """In a third of a turn about the guide, the rod is stretched in the middle; without offset, that is at 0°."""
+    swing = mechanism("slider-crank", ('"0 deg"', '"-60 deg"'), e="0 m", end="2*pi/(3*n)", period=None)
+    (slider,) = (row for row in conclusion(solved(swing))[1] if row[0].startswith("s"))
+    assert slider[4:] == [f"{0.12 + 0.41:.6f}", "0.11111", "0°"]
 
 
 def test_two_drives_have_extremes_and_no_stroke() -> None:
