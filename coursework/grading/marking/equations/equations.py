@@ -15,6 +15,7 @@ from typing import Any, Literal
 import numpy as np
 
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
+from coursework.grading.marking.equations.dashes import as_lists_or_minus
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
 from coursework.grading.marking.equations.lacks import lack_of
 from coursework.grading.marking.equations.linear import Linear, differing, linear, rank, says_more
@@ -146,6 +147,10 @@ class Judge:
 
     def mark(self, lines: Sequence[EquationLine], *, turning: bool = False) -> EquationMarks:
         """Return the marks of all lines; with `turning`, angular velocities may count clockwise in all of them."""
+        found = [self._marked(meant, turning) for meant in as_lists_or_minus(lines)]
+        return max(found, key=lambda marks: sum(mark.verdict in COUNTED for mark in marks.marks))
+
+    def _marked(self, lines: Sequence[EquationLine], turning: bool) -> EquationMarks:
         alone = tuple(map(self._mark, lines))
         meant = as_others_of_their_kind(lines, alone, COUNTED)
         found = tuple(mark if one is line else self._mark(one) for one, line, mark in zip(meant, lines, alone, strict=True))
