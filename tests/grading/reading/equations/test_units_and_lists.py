@@ -11,6 +11,7 @@ WRONG = [*LINES[:3], LINES[3].replace("- r1", "+ r1")]
 BRACES = {
     "semicolons": lambda e: "{" + "; ".join(e) + "}",
     "blanks inside": lambda e: "{ " + "; ".join(e) + " };",
+    "parentheses": lambda e: "(" + "; ".join(e) + ")",
     "and": lambda e: "{" + " and ".join(e) + "}",
     "a system": lambda e: "System: {" + ", ".join(e) + "}",
     "two systems": lambda e: "; ".join("{" + "; ".join(pair) + "}" for pair in (e[:2], e[2:])),

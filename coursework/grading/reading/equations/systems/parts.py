@@ -32,6 +32,7 @@ _BLANK = re.compile(r"(?<![-+*/,\s])\s+(?![*/\s]|[-+]\s)")  # between two cells 
 _NEXT_LINE = re.compile(r"\.{3}[^\n]*\n?")  # in MATLAB: the row continues, or ends with a semicolon
 _COMMA = re.compile(",")
 LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*|[^\W\d]\w{0,20}:\s*)?([A-Za-z.]{1,20}\s*[(\[]\s*)?(?:\\left)?\s*\\?[\[{]")
+_ENCLOSED = re.compile(r"\s*()\(")
 # A call that solves equations for unknowns, as on a TI calculator or in Mathematica.
 _SOLVED = re.compile(r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+),\s*[\[{][\w\s,]+[\]}]\s*[)\]];?")
 _LONGEST = 4000
@@ -141,7 +142,7 @@ def _split(sign: re.Pattern[str], text: str) -> list[str]:
 
 def _listed(line: str) -> list[str]:
     """Return the equations of a list: "solve([a = b, c = d], [x, y])", "eqs := {a = b, c = d}", "{a = b; c = d}"; [] if none."""
-    found = LIST.match(line)
+    found = LIST.match(line) or _ENCLOSED.match(line)
     inside = depths(line[found.end() :]) if found else []
     if found is None or -1 not in inside or max(inside) > MAX_DEPTH:
         return []
