@@ -195,7 +195,7 @@ class Marker:
             hidden = self._hidden(judged.student)
             found = self._explained(judged, equations)
             points = points_of(self.key, judged, self.rubric.carried, found.untold)
-        points = untold_points(cells, points, judged) if made else points
+        points = untold_points(cells, points, judged, self.rubric.carried) if made else points
         earned = best_rule(self.key, self.rubric, judged, points, found, self.others)
         first = first_wrong(self.key, cells, table)
         named = (made.named or self._explained(cells, equations).named) if made else found.named

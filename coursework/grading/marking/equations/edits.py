@@ -17,6 +17,7 @@ from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number, replaced
 
 Kind = Literal["sign", "function", "name", "factor"]
+_LIKELIEST = ("sign", "function", "removed", "name", "factor")
 _OTHER = {"sin": "cos", "cos": "sin"}
 _OPPOSITE = {"+": "-", "-": "+"}
 
@@ -131,3 +132,14 @@ class Values:
 def applied(tree: Formula, edit: Edit) -> Formula:
     """Return the tree after an edit."""
     return replaced(tree, edit.path, edit.replacement)
+
+
+def unlikeliness(tree: Formula, edit: Edit, *, is_new_sign: bool) -> tuple[int, ...]:
+    """Return numbers by which the likelier of two edits is less; `is_new_sign` tells that no sign was written in its place.
+
+    A sign that was written is likelier wrong than one left out; a 2 is likelier one too many than a length is another of half
+    its size; and a ½ is likelier missing than a length that has 0.5 m.
+    """
+    after = [node.op for node in applied(tree, edit).walk()] if edit.kind == "factor" else []
+    kind = "removed" if after and len(after) < sum(1 for _ in tree.walk()) else edit.kind
+    return _LIKELIEST.index(kind), is_new_sign, after.count("name"), len(after), edit.column

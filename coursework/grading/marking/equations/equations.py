@@ -7,6 +7,7 @@ order, sides and solved forms need no care.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -15,7 +16,8 @@ from typing import Any, Literal
 import numpy as np
 
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
-from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
+from coursework.grading.marking.equations.dashes import as_lists_or_minus
+from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, unlikeliness
 from coursework.grading.marking.equations.lacks import lack_of
 from coursework.grading.marking.equations.linear import Linear, differing, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
@@ -146,6 +148,10 @@ class Judge:
 
     def mark(self, lines: Sequence[EquationLine], *, turning: bool = False) -> EquationMarks:
         """Return the marks of all lines; with `turning`, angular velocities may count clockwise in all of them."""
+        found = [self._marked(meant, turning) for meant in as_lists_or_minus(lines)]
+        return max(found, key=lambda marks: sum(mark.verdict in COUNTED for mark in marks.marks))
+
+    def _marked(self, lines: Sequence[EquationLine], turning: bool) -> EquationMarks:
         alone = tuple(map(self._mark, lines))
         meant = as_others_of_their_kind(lines, alone, COUNTED)
         found = tuple(mark if one is line else self._mark(one) for one, line, mark in zip(meant, lines, alone, strict=True))
@@ -270,9 +276,8 @@ class Judge:
             if self._verdict(mended) in {"right", "rounded"} and np.any(linear(mended, self.off_closure).directions):
                 found.append(edit)
 
-        def rank(edit: Edit) -> tuple[int, bool, int]:
-            is_new = edit.kind == "sign" and not has_sign(read, edit.column)  # likelier, a written sign is wrong
-            return _PREFERRED.index(edit.kind), is_new, edit.column
+        def rank(edit: Edit) -> tuple[int, ...]:
+            return unlikeliness(tree, edit, is_new_sign=edit.kind == "sign" and not has_sign(read, edit.column))
 
         return sorted(found, key=rank)
 
@@ -281,11 +286,10 @@ def _trees(marks: Sequence[EquationMark]) -> list[Formula]:
     return [mark.line.difference for mark in marks]
 
 
-_PREFERRED = ("sign", "function", "name", "factor")
+_BEGINS_MINUS = re.compile(r"^\(-([\w.]+)\)(?=[*/])")
 
 
 def _written(tree: Formula) -> str:
-    """Return `left - right` written as an equation."""
-    if tree.op == "-" and len(tree.args) == 2:
-        return f"{spelled(tree.args[0])} = {spelled(tree.args[1])}"
-    return f"{spelled(tree)} = {spelled(number(0))}"
+    """Return `left - right` written as an equation, with -r1*w1 at the beginning of a side as people write it."""
+    sides = tree.args if tree.op == "-" and len(tree.args) == 2 else (tree, number(0))
+    return " = ".join(_BEGINS_MINUS.sub(r"-\1", spelled(side)) for side in sides)

@@ -12,7 +12,7 @@ from dataclasses import field, replace
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.meanings import Meanings, in_smaller_units, meaning_of, put_in
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
-from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_radians, plain
+from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_radians, of_units, plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
 from coursework.grading.reading.equations.signs import relates_two_sides
 from coursework.grading.reading.expected import Expected
@@ -57,6 +57,9 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     for meant, in_degrees in meanings:
         read = _readings(meant, names)[0] if meant != text else []
         found += [replace(one, text=one.text or meant, is_loose=True, in_degrees=in_degrees) for one in read]
+    if (in_si := of_units(text)) != text:
+        is_loose = any(not reading.is_loose for reading in found)  # 0.4 m may also be a product with a datum m
+        found += [replace(one, text=one.text or in_si, is_loose=is_loose) for one in _readings(in_si, names)[0]]
     firm = [reading for reading in found if not reading.is_loose]
     for tree in in_smaller_units(firm[0].tree, variant) if firm else ():
         found.append(EquationReading(tree, " = ".join(map(spelled, tree.args)), is_loose=True))

@@ -20,20 +20,16 @@ from coursework.grading.reading.equations.equations import (
 )
 from coursework.grading.reading.equations.labels import without_labels, without_words
 from coursework.grading.reading.equations.names_in_text import Spellings, plain_name
-from coursework.grading.reading.equations.plain_text import plain
+from coursework.grading.reading.equations.plain_text import in_si, of_minutes, plain
 from coursework.grading.reading.equations.repair import is_name
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.files.printed import PAIR
-from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula import reader
 from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 
 _QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*(?:[^\d\s=*+()]{0,8}(?:[-^]?\d)?|(.{1,12}?))\s*[.,;]?\s*")
-_MEASURED = re.compile(
-    r"\s*([-+−]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?)\s*[\[(]?\s*([^\W\d]\w*|[^\W\d]\w*/\w+|1/\w+|°)\s*[\])]?\s*[.,;]?\s*"
-)
 _AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
 _SHORT = 80  # most characters of a name with its number
 _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # in V_Cy = … = 0, which also defines V_Cy
@@ -67,19 +63,6 @@ def definition(text: str, names: Names) -> tuple[str, Formula] | None:
         return None
     read = read_as_one(f"0 = {in_si(formula)}", names)
     return None if isinstance(read, Fault) else (plain_name(name), read.tree.args[1])
-
-
-def in_si(quantity: str) -> str:
-    """Return a number with a unit as a number in SI, and any other text as it is.
-
-    >>> in_si(" 700 мм"), in_si("0,7 [m]"), in_si("2*r1")
-    ('(700)*0.001', '0,7', '2*r1')
-    """
-    found = _MEASURED.fullmatch(quantity)
-    factor = FACTORS.get(unit_of(found[2])) if found else None
-    if found is None or factor is None:
-        return quantity
-    return found[1] if factor == 1 else f"({found[1]})*{factor:.12g}"
 
 
 def no_velocity(text: str, names: Names) -> bool:
@@ -182,7 +165,9 @@ def is_datum(text: str, names: Names) -> bool:
     """Return whether a line only gives the number of a datum or a start value: "r1 = 0.953 m", "w1(0) = 2"."""
     if len(text) > _SHORT:
         return False
-    bare = without_words(without_labels(_AT_START.sub("@", plain_signs(text))), lambda word: is_name(word, names.spellings))
+    bare = without_words(
+        without_labels(_AT_START.sub("@", of_minutes(plain_signs(text)))), lambda word: is_name(word, names.spellings)
+    )
     name, sign, value = bare.partition("=")
     name, begins, _ = re.sub(r"[{}\\$\s]", "", name).partition("@")
     meant = names.spellings.canonical(name)

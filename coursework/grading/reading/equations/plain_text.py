@@ -11,6 +11,8 @@ import re
 from coursework.grading.reading.equations.latex import without_latex
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings
 from coursework.grading.reading.equations.signs import plain_signs
+from coursework.grading.reading.table.headers import FACTORS
+from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.tree import constant
 from coursework.variant.record.variant import Variant
 
@@ -56,7 +58,15 @@ _IN_DEGREES = re.compile(
     rf"|\s*[*·⋅]\s*{_PI}\s*/\s*180\b|\s*/\s*180\s*[*·⋅]\s*{_PI}(?!\w)|(?<![\w.]){_PI}\s*/\s*180\s*[*·⋅]\s*",
     re.IGNORECASE,
 )
-_DEGREES = re.compile(r"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{1,3}(?:[.,]\d{1,9})?)\s*(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)")
+_DEGREE = r"(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)"
+_DEGREES = re.compile(rf"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{{1,3}}(?:[.,]\d{{1,9}})?)\s*{_DEGREE}")
+_MINUTES = re.compile(rf"(\d{{1,3}})\s*{_DEGREE}\s*(\d{{1,2}})\s*'(?!')(?:\s*(\d{{1,2}}(?:[.,]\d+)?)\s*(?:''|\"|″|$))?")
+_MEASURED = re.compile(
+    r"\s*([-+−]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?)\s*[\[(]?\s*([^\W\d]\w*|[^\W\d]\w*/\w+|1/\w+|°)\s*[\])]?\s*[.,;]?\s*"
+)
+_UNIT = r"(?:[^\W\d_]{1,4}|1)(?:\s?/\s?[^\W\d_]{1,3})?(?:\^?-1)?"
+_OF_A_NUMBER = re.compile(rf"(?<![\w.,])\d+(?:[.,]\d+)?(?:\s*[·⋅*]?\s*{_UNIT}(?![\w(\[.])|\s*[\[(]\s*{_UNIT}\s*[\])])")
+_OF_A_NAME = re.compile(rf"(?<=[\w)])\s*\[\s*({_UNIT})\s*\]")
 _ROOT = re.compile(r"√\s*(\d+(?:[.,]\d+)?|[^\W\d]\w*)")
 _OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # in StarMath; TeX's \over divides the whole group
 _EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # an equation in SymPy
@@ -71,7 +81,7 @@ def plain(text: str, spellings: Spellings) -> str:
     """
     text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
     text = _METHOD.sub(r"\2(\1)", text)
-    text = _DEGREES.sub(r"\1(\2*pi/180)", text)
+    text = _DEGREES.sub(r"\1(\2*pi/180)", of_minutes(text))
     text = _LAMBDA.sub("= ", _ROOT.sub(r"sqrt(\1)", text).replace("√", "sqrt"))
     text = _OF_ROW.sub(lambda found: _of_row(found, spellings), text)
     for sign, fraction in _FRACTIONS.items():
@@ -102,6 +112,26 @@ def _pointed(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
     return f"{before}*" if before == ")" or before.isdigit() or spellings.canonical(before) else found[0]
 
 
+def _number_in_si(found: re.Match[str]) -> str:
+    quantity = re.sub("[·⋅*]", " ", found[0])
+    number = in_si(quantity)
+    return found[0] if number == quantity else f"({number})" if "*" in number else number
+
+
+def of_minutes(text: str) -> str:
+    """Return a line whose angles in degrees, minutes and seconds are degrees with decimals.
+
+    >>> of_minutes("cos(12°30') + sin(0°0'36'')")
+    'cos(12.500000000°) + sin(0.010000000°)'
+    """
+    return _MINUTES.sub(_with_minutes, text)
+
+
+def _with_minutes(found: re.Match[str]) -> str:
+    seconds = float((found[3] or "0").replace(",", "."))
+    return f"{int(found[1]) + int(found[2]) / 60 + seconds / 3600:.9f}°"
+
+
 def _double(found: re.Match[str], spellings: Spellings) -> str:
     """Return the digits of a double with e for d; leave 0.5d1 unchanged if the task has a d1, as it is a product."""
     return found[0] if spellings.canonical(f"d{found[2]}") else f"{found[1]}e"
@@ -110,6 +140,29 @@ def _double(found: re.Match[str], spellings: Spellings) -> str:
 def of_radians(text: str) -> str:
     """Return a line without its conversions of degrees to radians: sin(phi3) for SIN(phi3*PI()/180)."""
     return _IN_DEGREES.sub("", text)
+
+
+def in_si(quantity: str) -> str:
+    """Return a number with a unit as a number in SI, and any other text as it is.
+
+    >>> in_si(" 700 мм"), in_si("0,7 [m]"), in_si("2*r1")
+    ('(700)*0.001', '0,7', '2*r1')
+    """
+    found = _MEASURED.fullmatch(quantity)
+    factor = FACTORS.get(unit_of(found[2])) if found else None
+    if found is None or factor is None:
+        return quantity
+    return found[1] if factor == 1 else f"({found[1]})*{factor:.12g}"
+
+
+def of_units(text: str) -> str:
+    """Return a line whose quantities are numbers in SI, and without the units in brackets behind its names.
+
+    >>> of_units("457 mm*w3 - 0,8 [м]·ω2 + r1 [m]*w1 = 0")
+    '((457)*0.001)*w3 - 0,8·ω2 + r1*w1 = 0'
+    """
+    bare = _OF_A_NAME.sub(lambda found: "" if unit_of(found[1]) else found[0], text)
+    return _OF_A_NUMBER.sub(_number_in_si, bare)
 
 
 def of_products(text: str, spellings: Spellings) -> str:

@@ -51,7 +51,7 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
         sizes = [abs(ratio) for column in turning for ratio in _ratios(column.values, values[column.name]) if ratio]
         known = {unit: factor for unit, factor in PRINTED["1/s"].items() if _is_about(sizes, factor)}
         for column in there:
-            if column.rate in named and (not found[column.rate] or (not heads[column.rate] and not is_sure)):
+            if named.get(column.rate) in turning and (not found[column.rate] or (not heads[column.rate] and not is_sure)):
                 factor = factor_of(column, found[column.name] or "")
                 moves = [factor * (later - before) for before, later in pairwise(values[column.name])]
                 made_with = [grid.step * rate for rate in values[column.rate][:-1]]

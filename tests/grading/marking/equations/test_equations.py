@@ -3,7 +3,7 @@
 import pytest
 
 import coursework
-from coursework.grading.marking.equations.edits import applied, edits
+from coursework.grading.marking.equations.edits import applied, edits, unlikeliness
 from coursework.grading.marking.equations.equations import ROUNDED, Judge
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.reading.student_work import EquationLine
@@ -188,3 +188,20 @@ def test_what_is_no_velocity_equation_costs_nothing_beside_them(judge):
     assert (found.share, found.different, len(found.marks)) == (1.0, 0, 4)
     assert judge.mark([*right[:3], *beside]).share == 0.75
     assert judge.mark([*right, line("w1 = 3*w2", 5)]).share == 0.8
+
+
+def test_a_number_too_many_is_likelier_than_another_length_and_that_than_one_left_out():
+    """With r1 = 0.5 m and r3 = r2/2 all of these make the line right."""
+    tree = Formula("-", (parse("2*r2*w2"), parse("0")))
+    found = sorted(
+        edits(tree, {"r1": "m", "r2": "m", "r3": "m", "w2": "1/s"}),
+        key=lambda edit: unlikeliness(tree, edit, is_new_sign=False),
+    )
+    texts = [spelled(applied(tree, edit)) for edit in found]
+    ranks = [texts.index(text) for text in ("r2*w2 - 0", "2*r3*w2 - 0", "2*r2*w2/2 - 0", "r1*2*r2*w2 - 0")]
+    assert ranks == sorted(ranks)
+
+
+def test_a_hint_writes_a_minus_as_people_do(judge):
+    wrong = RIGHT[2].replace("+ r3", "- r3")
+    assert judge.mark([line(wrong)]).marks[0].hint.text == RIGHT[2]

@@ -115,6 +115,15 @@ def test_cells_put_right_are_none_against_what_made_the_table_as_a_whole():
     assert min(np.diff(points)) >= 0 and points[0] > 15, points
 
 
+def test_no_wrong_table_earns_more_than_the_right_one_with_the_same_digits():
+    """Two decimals of v102 do not show the angles; with the sign of one velocity turned they were counted."""
+    desk = Desk(coursework.load("v102"))
+    turned = desk.machine.table()
+    turned[:, desk.key.names.index("u")] *= -1
+    right, wrong, fine = (desk.marked(t, digits=d)[0] for t, d in ((desk.machine.table(), 2), (turned, 2), (turned, 5)))
+    assert wrong < right < fine < 60
+
+
 @pytest.mark.parametrize(("step", "named"), [(0.0203, False), (0.021, True)])
 def test_a_step_is_another_from_its_second_digit_on(step, named):
     desk = of(0)

@@ -10,6 +10,7 @@ from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.table.columns import Places, find_columns
 from coursework.grading.reading.table.headers import read_head
 from coursework.grading.reading.table.layout import Layout
+from coursework.grading.reading.table.units import units_of_columns
 
 UNITS = {"phi1": "rad", "phi2": "rad", "w1": "1/s", "w2": "1/s"}
 TIMES = "0 0.1 0.2 0.3"
@@ -135,3 +136,16 @@ def test_a_column_without_a_head_is_asked_about_by_its_number() -> None:
     found = find("t phi1 phi2 - q", numbers(TIMES, *"abcd"))
     assert found.asked is not None and found.asked.values["heads"] == ("(4)", "q")
     assert placed(found).endswith("w1:3p w2:4p")
+
+
+@pytest.mark.parametrize(("factor", "unit"), [(1.0, "m/s"), (1000.0, "mm/s")])
+def test_the_speed_of_a_slider_is_no_angular_velocity_whatever_its_steps_say(factor: float, unit: str) -> None:
+    """In a wrong table the unit of a slider's speed was said to be rad/s."""
+    task = {
+        "s": ("m", "u", (0.5, 0.52, 0.57, 0.6)),
+        "u": ("m/s", "", (0.2, 0.5, 0.3, 0.1)),
+        "w": ("1/s", "", (2.0, 3.0, 4.0, 5.0)),
+    }
+    grid = Grid(0.1, 4, tuple(GridColumn(name, of, values, rate) for name, (of, rate, values) in task.items()))
+    own = {"s": (0.5, 0.52, 0.57, 0.6), "u": tuple(factor * v for v in task["u"][2]), "w": (2.6, 1.1, 7.0, 3.3)}
+    assert units_of_columns(grid, dict.fromkeys(task, ""), own)["u"] == unit

@@ -184,6 +184,8 @@ def explanations(
     best = max(share for share, _, _ in named.values())
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
     tied = [code for code in tied if code not in read_off and is_one_thing(code, named[code][2])] or tied
+    if equations is not None and equations.wrong:  # what stands in the equations, too, is likelier than what does not
+        tied.sort(key=lambda code: not code.startswith("equation_"))
     share, against, names = named[tied[0]]
     return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began, untold)
 

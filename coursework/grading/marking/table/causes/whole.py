@@ -68,12 +68,18 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     return AsMade(replace(cells.student, values=values, units=units), named)
 
 
-def untold_points(cells: Cells, points: TablePoints, made: Cells) -> TablePoints:
-    """Return the points of a table `made` with all digits; what is right only in print is among what does not count."""
+def untold_points(cells: Cells, points: TablePoints, made: Cells, carried: float) -> TablePoints:
+    """Return the points of a table `made` with all digits; what is right only in print is among what does not count.
+
+    A cell too coarse to be shown earns nothing in a right table, so it earns nothing here; `carried` is as in `table_points`.
+    """
     right, fine = (~one.wrong & ~one.missing & one.counted for one in (cells, made))
     assert points.uncounted is not None
-    uncounted = right & ~(fine & ~points.uncounted)
-    return replace(points, shut={"untold": int(uncounted.sum())} if uncounted.any() else {}, uncounted=uncounted)
+    counts = fine & ~points.uncounted
+    lost = np.where(made.carried, carried, 1.0)[counts & cells.missing].sum() / max(points.cells, 1)
+    uncounted = right & ~counts
+    shut = {"untold": int(uncounted.sum())} if uncounted.any() else {}
+    return replace(points, share=max(points.share - float(lost), 0.0), shut=shut, uncounted=uncounted)
 
 
 def _may_be(cells: Cells, claim: Claim, spoken: Flags, right: Flags) -> bool:

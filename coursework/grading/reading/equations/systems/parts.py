@@ -10,7 +10,7 @@ import re
 from itertools import pairwise
 
 from coursework.grading.reading.equations.signs import ARROWS, depths, relates_two_sides
-from coursework.variant.formula.reader import MAX_CHARACTERS
+from coursework.variant.formula.reader import MAX_CHARACTERS, MAX_DEPTH
 
 _BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s(?:and|und|et|y|и|та|і|且|和)\s")
 # Another equation begins after "= 0": nothing multiplies or adds to a zero.
@@ -31,7 +31,8 @@ _GROUPS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]")  # around a matrix that h
 _BLANK = re.compile(r"(?<![-+*/,\s])\s+(?![*/\s]|[-+]\s)")  # between two cells without a comma
 _NEXT_LINE = re.compile(r"\.{3}[^\n]*\n?")  # in MATLAB: the row continues, or ends with a semicolon
 _COMMA = re.compile(",")
-LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*)?(?:[A-Za-z.]{1,20}\s*[(\[]\s*)?[\[{]")
+LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*|[^\W\d]\w{0,20}:\s*)?([A-Za-z.]{1,20}\s*[(\[]\s*)?(?:\\left)?\s*\\?[\[{]")
+_ENCLOSED = re.compile(r"\s*()\(")
 # A call that solves equations for unknowns, as on a TI calculator or in Mathematica.
 _SOLVED = re.compile(r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+),\s*[\[{][\w\s,]+[\]}]\s*[)\]];?")
 _LONGEST = 4000
@@ -140,13 +141,17 @@ def _split(sign: re.Pattern[str], text: str) -> list[str]:
 
 
 def _listed(line: str) -> list[str]:
-    """Return the equations of a list in a program: "solve([a = b, c = d], [x, y])", "eqs := {a = b, c = d}"; [] if none."""
-    found = LIST.match(line)
+    """Return the equations of a list: "solve([a = b, c = d], [x, y])", "eqs := {a = b, c = d}", "{a = b; c = d}"; [] if none."""
+    found = LIST.match(line) or _ENCLOSED.match(line)
     inside = depths(line[found.end() :]) if found else []
-    if found is None or -1 not in inside:
+    if found is None or -1 not in inside or max(inside) > MAX_DEPTH:
         return []
-    pieces = [piece.strip() for piece in at_commas(line[found.end() : found.end() + inside.index(-1)])]
-    return pieces if len(pieces) > 1 and all(map(relates_two_sides, pieces)) else []
+    end = found.end() + inside.index(-1)
+    pieces = parts_of(line[found.end() : end].rstrip("\\ "))
+    if len(pieces) < 2:
+        return []
+    behind = line[end + 1 :][:MAX_CHARACTERS].lstrip(" ;,")  # of a call: the unknowns
+    return pieces + (parts_of(behind) if not found[1] and relates_two_sides(behind) else [])
 
 
 def at_commas(row: str) -> list[str]:

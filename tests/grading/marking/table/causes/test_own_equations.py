@@ -13,6 +13,7 @@ from coursework.variant.formula.reader import parse
 from tests.grading.marking import students
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.test_cells import printed
+from tests.grading.marking.table.test_equal_faults import Desk, codes
 
 LINES = {  # of variant 31, left - right
     "11": "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)", "12": "2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4",
@@ -100,3 +101,13 @@ def test_a_right_table_has_no_slip_and_lines_that_are_wrong_are_told_of(key):
     assert claims(made, *own[:3], mark("18", wrong, "wrong", None)) == []  # nobody knows what is wrong with it
     assert claims(made, *own[:3], mark("18", wrong, "unreadable")) == []
     assert claims(made, *(mark(name, text) for name, text in LINES.items())) == [("own_equations", ("18",))]
+
+
+def test_what_stands_in_the_equations_too_is_named_before_what_does_not():
+    """A slider's speed of the other sign, as a habit and as a slip in the equation that gives it, makes the same table."""
+    desk = Desk(coursework.load("v102"))
+    table = desk.machine.table()
+    table[:, desk.key.names.index("u")] *= -1
+    for equations, code in (("right", "sign_u"), ({"2": "VMy - a*w3*cos(phi3) + c*w3*sin(phi3) + u = 0"}, "equation_2")):
+        found = codes(desk.marked(table, equations)[1])
+        assert found[0] == code and {*found} == {"sign_u", "equation_2"}

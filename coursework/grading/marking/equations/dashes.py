@@ -1,0 +1,49 @@
+"""Lines that begin with a dash: it is the mark of a list in all of them, or a minus in all of them.
+
+Enters: lines, each with its possible readings.  Leaves: the lines as they may be meant together.  Used by `equations.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from coursework.grading.reading.student_work import EquationLine, EquationReading
+
+_DASHED = re.compile(r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—−]\s)")
+_SIGNS = re.compile(r"[\s\-–—−(]*")
+
+
+def as_lists_or_minus(lines: Sequence[EquationLine]) -> Iterator[Sequence[EquationLine]]:
+    """Yield the lines with their dashes as marks of a list, if all lines have one, and as minus signs; else as they are."""
+    read = [line for line in lines if line.tree is not None]
+    dashed = [_DASHED.match(line.text) is not None for line in read]
+    if len(read) < 2 or not any(dashed):
+        yield lines
+        return
+    for is_minus in (False, True) if all(dashed) else (True,):
+        yield [_meant(line, is_minus) for line in lines]
+
+
+def _meant(line: EquationLine, is_minus: bool) -> EquationLine:
+    """Return a line with those of its readings alone that keep its dash as a minus, or that leave it out; if any do."""
+    begun = _DASHED.match(line.text)
+    if begun is None or line.tree is None:
+        return line
+    handed_in = _signs(line.text[begun.end() :])
+    written = [(one, one.text or line.text) for one in (EquationReading(line.tree, line.repaired, line.guessed), *line.others)]
+    kept = [
+        one
+        for one, text in written
+        if (_signs(text) == handed_in) == is_minus and not ((found := _DASHED.match(text)) and found[0].strip())
+    ]
+    if not kept:
+        return line
+    return replace(line, tree=kept[0].tree, repaired=kept[0].text, guessed=kept[0].guessed, others=tuple(kept[1:]))
+
+
+def _signs(text: str) -> int:
+    """Return how many minus signs a formula begins with."""
+    begun = _SIGNS.match(text)
+    return sum(sign in "-–—−" for sign in begun[0]) if begun else 0

@@ -1,0 +1,94 @@
+"""Equations in braces on one line, with units inside, in degrees and minutes, and behind the dashes of a list."""
+
+import pytest
+
+from coursework.grading.reading.equations.plain_text import of_units
+from coursework.grading.reading.equations.systems.parts import parts_of
+from tests.grading.reading.test_notations import PLAIN, marked
+
+LINES = PLAIN.split("\n")
+WRONG = [*LINES[:3], LINES[3].replace("- r1", "+ r1")]
+BRACES = {
+    "semicolons": lambda e: "{" + "; ".join(e) + "}",
+    "blanks inside": lambda e: "{ " + "; ".join(e) + " };",
+    "parentheses": lambda e: "(" + "; ".join(e) + ")",
+    "and": lambda e: "{" + " and ".join(e) + "}",
+    "a system": lambda e: "System: {" + ", ".join(e) + "}",
+    "two systems": lambda e: "; ".join("{" + "; ".join(pair) + "}" for pair in (e[:2], e[2:])),
+    "named": lambda e: "eqs = [" + "; ".join(e) + "]",
+    "latex": lambda e: r"\left\{" + r"; ".join(e) + r"\right\}",
+}
+METRES, BRACKETS = (
+    {"r1": "0,953 м", "r2": "0.847 m", "r3": "457 mm"},
+    {"r1": "r1[m]", "r2": "r2 [м]", "r3": "r3[m]", "w1": "w1 [1/s]"},
+)
+MINUTES = ("90°0'", "89°60'0\"", r"90^\circ 0'", "90° 00′ 00″")
+
+
+def other(line, names):
+    for old, new in names.items():
+        line = line.replace(old, new)
+    return line
+
+
+@pytest.mark.parametrize("form", BRACES)
+def test_each_equation_of_a_system_in_braces_counts(form):
+    assert marked(BRACES[form](LINES)).share == 1.0
+    found = marked(BRACES[form](WRONG))
+    assert (found.independent, [mark.line.text.partition(" ")[0] for mark in found.wrong]) == (3, ["r3*w3*sin(phi3)"])
+
+
+def test_braces_without_end_are_no_system_and_are_bounded():
+    deep = "{" * 9000 + "w1 = w2; w3 = w4" + "}" * 9000
+    assert parts_of(deep) == [deep]
+    assert len(parts_of("{w1 = w2; w3 = w4};" * 900)) > 2
+    assert parts_of("fsolve({w1 = w2, w3 = w4}, {w1 = 0..5})") == ["w1 = w2", "w3 = w4"]
+
+
+@pytest.mark.parametrize("units", [METRES, BRACKETS])
+def test_units_inside_an_equation_are_no_names(units):
+    found = marked("\n".join(other(line, units) for line in LINES))
+    assert found.share == 1.0, [(mark.line.text, mark.verdict) for mark in found.marks]
+    wrong = other(WRONG[3], units)
+    mark = marked("\n".join([*(other(line, units) for line in LINES[:3]), wrong])).marks[3]
+    assert (mark.verdict, mark.hint.kind, mark.hint.column) == ("wrong", "sign", wrong.index("+") + 1)
+
+
+def test_a_number_with_a_unit_is_one_number_in_si():
+    assert of_units("VMy/457 mm + 2*0.5 [m/s] + 3·рад") == "VMy/((457)*0.001) + 2*0.5 + 3"
+    assert of_units("2 m1 + 0.5 cos(w3) + 3*w2 + r3[k]") == "2 m1 + 0.5 cos(w3) + 3*w2 + r3[k]"
+    assert marked("w3 = VMy/457 mm/(2*cos(phi3) + sin(phi3))").marks[0].verdict == "right"
+
+
+@pytest.mark.parametrize("angle", MINUTES)
+def test_angles_may_be_in_degrees_and_minutes(angle):
+    line = f"VMy - 2*r3*w3*cos(phi3) + r3*w3*cos(phi3 + {angle}) = 0"
+    assert marked(line).marks[0].verdict in {"right", "rounded"}
+    assert marked(line.replace("+ r3", "- r3")).marks[0].verdict == "wrong"
+    assert len(marked(f"alpha = {angle}\n{PLAIN}").marks) == 4
+
+
+@pytest.mark.parametrize("mark", ["- {e}", "– {e}", "{i} - {e}", "{i} – {e}", "({i}) - {e}"])
+def test_a_dash_means_the_same_in_all_lines(mark):
+    """A wrong first sign is not read away by taking the dash of its line alone for a minus."""
+
+    def written(lines):
+        return "\n".join(mark.format(i=place, e=line) for place, line in enumerate(lines, start=1))
+
+    assert marked(written(LINES)).share == 1.0
+    turned = [line[1:] if line.startswith("-") else f"-{line}" for line in LINES]
+    for place, line in enumerate(turned):
+        found = marked(written([*LINES[:place], line, *LINES[place + 1 :]]))
+        assert (found.independent, found.different) == (3, 1), line
+
+
+def test_a_dash_before_every_line_may_be_its_minus():
+    signs = str.maketrans("+-", "-+")
+    minus = [f"- {line.translate(signs)}" for line in (LINES[0], LINES[1], LINES[3])]
+    found = marked("\n".join([*minus, "- 0.5*r3*w4 + r3*w3*cos(phi3) + r2*w2*sin(phi2) + r1*w1*sin(phi1) = 0"]))
+    assert found.share == 1.0
+
+
+def test_where_other_lines_have_no_dash_it_is_a_minus():
+    found = marked("\n".join([*LINES[:3], f"- {LINES[3]}"]))
+    assert [mark.verdict for mark in found.marks] == ["right"] * 3 + ["wrong"]
