@@ -18,4 +18,4 @@ def test_hundreds_of_broken_files() -> None:
 
 @pytest.mark.parametrize("size", [2**15, pytest.param(2**20, marks=pytest.mark.long)])
 def test_files_of_one_piece_repeated(size: int) -> None:
-    assert run_repeated(size).total() == 4 * len(REPEATED)
+    assert run_repeated(size).total() == 2 * len(REPEATED)
