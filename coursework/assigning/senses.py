@@ -14,14 +14,14 @@ from fractions import Fraction
 from coursework.assigning.handout import Handout
 from coursework.assigning.page_words import lettered, rates_of, symbol_runs
 from coursework.drawing.lettering.turns import Signed, Turn, turns
-from coursework.mechanism.groups.kind import summed
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.formulas.display import marked_text
 from coursework.report.formulas.typst_math import Setter
 from coursework.report.text.numbers import POINT
 from coursework.report.text.parts import Runs
 from coursework.report.text.words import Words
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, part_of_pi, signed
+from coursework.variant.formula.made import part_of_pi, summed
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, signed
 from coursework.variant.record.entries import Binding, Coordinate
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean

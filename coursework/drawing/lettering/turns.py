@@ -9,24 +9,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 from itertools import permutations
 
 from coursework.drawing.outline.lengths import is_origin
-from coursework.mechanism.groups.kind import summed
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import (
-    Formula,
-    FormulaFault,
-    evaluate_any,
-    factors,
-    named,
-    on_axes,
-    part_of_pi,
-    product_of,
-    signed,
-)
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, signed
 
 Values = Mapping[str, complex]
 Sum = list[tuple[Formula, int]]  # terms with their signs
@@ -54,7 +42,7 @@ class Turn:
 
 @frozen
 class _Arm:
-    """A term "L @ angle", or its components, that begins at a place.
+    """A term "L @ angle" that begins at a place.
 
     Its angle is `part` (1 or -1) times the coordinate, plus the `rest`.
     `is_named`: a point of the file lies there; `line` names both ends of the arm if the file writes it so, else "".
@@ -156,33 +144,8 @@ def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool, str]]:
         if one.is_closure:
             pair = one.sides, one.sides[::-1]
             sides += [(side, other.name if other.op == "name" else met.get(other, "")) for side, other in pair]
-    yield from (([(_polar(part), sign) for part, sign in signed(side)], False, name) for side, name in sides)
+    yield from (([*signed(side)], False, name) for side, name in sides)
     yield from ((list(signed(hold.args[0])), True, "") for hold in mechanism.variant.holds if hold.op == "part")
-
-
-def _polar(part: Formula) -> Formula:
-    """Return (r*sin(phi), r*cos(phi)) as r @ (pi/2 - phi), and other arms by components likewise; else the part itself."""
-    if part.op != "pair":
-        return part
-    (x, kind, angle, length), (y, other, same, too) = map(_component, part.args)
-    if {kind, other} != {"cos", "sin"} or (angle, length) != (same, too):
-        return part
-    if kind == "cos":
-        sense, axis = x * y, [] if x > 0 else [(named("pi"), 1)]
-    else:
-        sense, axis = -x * y, [(part_of_pi(Fraction(1, 2)), y)]
-    turned = [(term, sign * sense) for term, sign in signed(angle)]
-    return Formula("@", (product_of(length), summed([*axis, *turned])))
-
-
-def _component(side: Formula) -> tuple[int, str, Formula, list[Formula]]:
-    """Return sign, function, argument and length of a component such as -r*sin(phi); the function is "" for any other formula."""
-    ((term, sign), *more) = signed(on_axes(side))
-    parts = [*factors(term, "*")]
-    turned = [part for part, _ in parts if part.op == "call" and part.name in {"cos", "sin"}]
-    if more or len(turned) != 1:
-        return sign, "", side, []
-    return sign, turned[0].name, turned[0].args[0], [part for part, _ in parts if part is not turned[0]]
 
 
 def _centre(mechanism: Mechanism, rate: str, values: Values, way: complex) -> complex | None:

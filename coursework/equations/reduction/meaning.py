@@ -11,17 +11,8 @@ from collections.abc import Mapping, Sequence
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import link_names, linkage
-from coursework.variant.formula.tree import (
-    Formula,
-    FormulaFault,
-    constant,
-    evaluate,
-    factors,
-    on_axes,
-    product_of,
-    spelled,
-    terms,
-)
+from coursework.variant.formula.made import product_of
+from coursework.variant.formula.tree import Formula, FormulaFault, constant, evaluate, factors, on_axes, spelled, terms
 from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say

@@ -17,9 +17,9 @@ from coursework.equations.codegen.names import private, public
 from coursework.equations.reduction.addition_theorems import common, pair_angles
 from coursework.equations.reduction.sums import gathered, written_sums
 from coursework.equations.reduction.symbolic import expanded
-from coursework.mechanism.groups.kind import summed
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, named, product_of
+from coursework.variant.formula.made import product_of, summed
+from coursework.variant.formula.tree import Formula, named
 from coursework.variant.formula.tree import number as in_digits
 from coursework.variant.record.variant import Variant
 

@@ -6,12 +6,14 @@ Enters: a `Mechanism`.  Leaves: `PointGraph`, in formulas.  Used by `paths.py` a
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from operator import itemgetter
 
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, named, number
+from coursework.variant.formula.tree import Formula, named, number, signed
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Link, Variant
 
@@ -107,24 +109,28 @@ def point_graph(mechanism: Mechanism) -> PointGraph:
 
 def _drawn(mechanism: Mechanism, fixed: set[str]) -> Iterator[tuple[str, str, Formula]]:
     """Yield (start, end, vector from start to end) for points, for closures written as a vector, and for held expressions."""
-    for name, formula in mechanism.points:
-        if name not in fixed and formula.op in {"+", "-"} and formula.args[0].op == "name":
-            vector = formula.args[1]
-            yield formula.args[0].name, name, vector if formula.op == "+" else Formula("neg", (vector,))
-    for constraint in mechanism.constraints:
-        left, right = constraint.left, constraint.right
-        if constraint.is_closure and right.op == "name" and left.op == "+" and left.args[0].op == "name":
-            yield left.args[0].name, right.name, left.args[1]
+    minus = [Formula("-", (named(name), formula)) for name, formula in mechanism.points if name not in fixed]
+    minus += [Formula("-", constraint.sides) for constraint in mechanism.constraints if constraint.is_closure]
+    holds = [hold for hold in mechanism.variant.holds if hold.op == "part"]
+    axes = Counter(hold.args[0] for hold in dict.fromkeys(holds))
+    minus += [formula for formula, count in axes.items() if count == len("xy")]  # held along one axis it is no vector
+    for formula in minus:
+        yield from _between_points(formula)
+    centres = [centre.name for centre, _ in mechanism.variant.frame.circles if centre.op == "name"]
     for hold in mechanism.variant.holds:
         inner = hold.args[0] if hold.op == "part" else hold
-        if inner.op != "-":
-            continue
-        begin, vector = inner.args
-        if begin.op == "-" and begin.args[0].op == begin.args[1].op == "name":
-            yield begin.args[1].name, begin.args[0].name, vector
-        elif begin.op == "name":
-            centres = [centre.name for centre, _ in mechanism.variant.frame.circles if centre.op == "name"]
-            yield from ((centre, begin.name, vector) for centre in centres[:1])
+        if inner.op == "-" and inner.args[0].op == "name":
+            yield from ((centre, inner.args[0].name, inner.args[1]) for centre in centres[:1])
+
+
+def _between_points(minus: Formula) -> Iterator[tuple[str, str, Formula]]:
+    """Yield (start, end, vector) of a sum that stays zero: two points, one with a minus, and the vector between them."""
+    parts = [*signed(minus)]
+    ends = [(part.name, sign) for part, sign in parts if part.op == "name"]
+    vectors = [(part, sign) for part, sign in parts if part.op != "name"]
+    if len(vectors) == 1 and len(ends) == 2 and ends[0][1] != ends[1][1]:
+        (vector, sign), (start, end) = vectors[0], sorted(ends, key=itemgetter(1))
+        yield start[0], end[0], vector if sign < 0 else Formula("neg", (vector,))
 
 
 def _segment(start: str, end: str, vector: Formula, variant: Variant, rates: Mapping[str, str]) -> Segment | None:

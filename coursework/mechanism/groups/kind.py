@@ -6,13 +6,14 @@ Used by the files of the kinds and `motion/geometry/chain.py`; other code meets 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
+from coursework.variant.formula.made import summed
 from coursework.variant.formula.tree import Formula, named, number
 from coursework.variant.record.variant import Group
 from coursework.variant.record.vocabulary import Shape
@@ -85,21 +86,6 @@ def unknowns(group: Group) -> list[Formula]:
 def plus(*terms: Formula) -> Formula:
     """Return the sum of formulas."""
     return summed((term, 1) for term in terms)
-
-
-def summed(terms: Iterable[tuple[Formula, int]]) -> Formula:
-    """Return the sum of terms with their signs, 0 for no terms.
-
-    >>> summed([(named("a"), -1), (named("b"), 1)]) == Formula("+", (Formula("neg", (named("a"),)), named("b")))
-    True
-    """
-    total: Formula | None = None
-    for term, sign in terms:
-        if total is None:
-            total = term if sign > 0 else Formula("neg", (term,))
-        else:
-            total = Formula("+" if sign > 0 else "-", (total, term))
-    return number(0) if total is None else total
 
 
 def along(length: Formula, angle: Formula) -> Formula:

@@ -15,7 +15,8 @@ import numpy as np
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import caching
-from coursework.variant.formula.tree import Formula, factors, product_of
+from coursework.variant.formula.made import product_of
+from coursework.variant.formula.tree import Formula, factors
 from coursework.variant.record.variant import Law
 
 # Radius of the disc about a stretch, in half lengths of the stretch.

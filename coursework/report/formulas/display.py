@@ -16,7 +16,8 @@ from coursework.report.formulas.typst_math import Setter, text_equation
 from coursework.report.text.numbers import POINT
 from coursework.report.text.parts import Display, Runs
 from coursework.report.text.symbols import NO_RATES, Rates
-from coursework.variant.formula.tree import Formula, factors, product_of
+from coursework.variant.formula.made import product_of
+from coursework.variant.formula.tree import Formula, factors
 from coursework.words.templates import clean
 
 LINE = 64  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page

@@ -12,7 +12,6 @@ import operator
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import field
 from fractions import Fraction
-from functools import reduce
 from typing import Any
 
 from coursework.system.frozen import frozen
@@ -114,24 +113,6 @@ def factors(tree: Formula, within: Collection[str] = "*", power: int = 1) -> Ite
         return
     for place, arg in enumerate(tree.args):
         yield from factors(arg, within, -power if tree.op == "/" and place else power)
-
-
-def product_of(parts: Sequence[Formula]) -> Formula:
-    """Return the product of formulas, 1 if there are none."""
-    return reduce(lambda first, second: Formula("*", (first, second)), parts) if parts else number(1)
-
-
-def part_of_pi(part: Fraction) -> Formula:
-    """Return pi, 3*pi/2 … for a nonnegative multiple of pi.
-
-    >>> spelled(part_of_pi(Fraction(3, 2)))
-    '3*pi/2'
-    """
-    if part == 0:
-        return number(0)
-    pi = named("pi")
-    above = pi if part.numerator == 1 else Formula("*", (number(part.numerator), pi))
-    return above if part.denominator == 1 else Formula("/", (above, number(part.denominator)))
 
 
 def terms(formula: Formula) -> Iterator[Formula]:

@@ -13,8 +13,10 @@ from functools import partial
 from typing import Literal
 
 from coursework.variant.formula import reader, units
+from coursework.variant.formula.arms import with_arms
+from coursework.variant.formula.made import part_of_pi
 from coursework.variant.formula.motion_units import UNITS
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, part_of_pi
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped
 from coursework.variant.reading.names import Names
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
@@ -153,7 +155,7 @@ class Parts:
         kinds = {self._kind(path, side) for side in (left, right)} if closure else {"scalar"}
         if len(kinds - {"?"}) > 1:
             self.say(path, say("fault.V058"))
-        return left, right
+        return with_arms(left), with_arms(right)
 
     def formula(self, path: KeyPath, text: str, kind: Kind, scope: str = "geometry") -> Formula:
         """Return one formula with every name resolved; zero after a fault."""
@@ -168,7 +170,7 @@ class Parts:
         if kind != "any" and found not in {kind, "?"}:
             wants = "fault.V050" if kind == "vector" else "fault.V051"
             self.say(path, say(wants, text=text[:60]))
-        return tree
+        return with_arms(tree) if scope == "geometry" else tree
 
     def known_point(self, path: KeyPath, name: str) -> str:
         """Return the declared point that `name` means; keep a fault if it means none."""

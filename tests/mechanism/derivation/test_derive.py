@@ -9,12 +9,15 @@ from typing import Any
 import pytest
 
 import coursework
+from coursework import parse_variant
 from coursework.mechanism.derivation.constants import named_angles
 from coursework.mechanism.derivation.contours import contours_of
 from coursework.mechanism.derivation.derive import Derivation, derive
 from coursework.mechanism.derivation.segments import point_graph
+from coursework.mechanism.mechanism import build
 from coursework.variant.formula.reader import parse, parse_equation
 from coursework.variant.formula.tree import spelled
+from tests.mechanisms.library import mechanism
 from tests.report.real import changed
 
 
@@ -87,6 +90,20 @@ def test_a_right_equation_in_other_words_is_one() -> None:
 def test_contacts_belong_to_their_wheel() -> None:
     graph = point_graph(coursework.solve("cardan", quantities=["table"]).scene.mechanism)
     assert all("P" not in (one.start, one.end) for one in graph.segments)
+
+
+@pytest.mark.parametrize("gap", [
+    "R - Q - c @ phi3", "Q + c @ phi3 - R", "c @ phi3 - R + Q", "R - (Q + (c*cos(phi3), c*sin(phi3)))",
+])  # fmt: skip
+@pytest.mark.parametrize("axes", ["xy", "x", "y"])
+def test_a_held_gap_is_a_segment_in_any_order_if_it_is_held_along_both_axes(gap: str, axes: str) -> None:
+    held = "[{}]".format(", ".join(f'"({gap}).{axis}"' for axis in axes))
+    graph = point_graph(build(parse_variant(mechanism("four-bar-by-its-points", holds=held))))
+    between = [one for one in graph.segments if {one.start, one.end} == {"Q", "R"}]
+    found = [one if one.start == "Q" else one.reversed() for one in between]
+    assert [(spelled(one.length), spelled(one.angle.base), one.angle.offset, one.rate) for one in found] == (
+        [("c", "phi3", 0, "w3")] if axes == "xy" else []
+    )
 
 
 def test_a_chain_has_a_contour_for_each_group() -> None:

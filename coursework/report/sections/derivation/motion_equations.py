@@ -15,14 +15,14 @@ from coursework.mechanism.derivation.contours import Contour, contours_of
 from coursework.mechanism.derivation.derive import Combination, Derivation, Numbered, derive
 from coursework.mechanism.derivation.paths import Path, Term
 from coursework.mechanism.derivation.segments import ZERO, Angle
-from coursework.mechanism.groups.kind import summed
 from coursework.mechanism.proposal import proposed
 from coursework.report.formulas import typst_math as setting
 from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text.text_runs import runs, unbroken
-from coursework.variant.formula.tree import Formula, named, number, part_of_pi
+from coursework.variant.formula.made import part_of_pi, summed
+from coursework.variant.formula.tree import Formula, named, number
 from coursework.words.sentence import Sentence
 from coursework.words.templates import clean
 

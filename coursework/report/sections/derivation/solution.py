@@ -8,13 +8,13 @@ from __future__ import annotations
 from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.cramer import Cramer, cramer
 from coursework.equations.reduction.solution import Solution
-from coursework.mechanism.groups.kind import summed
 from coursework.report.formulas import typst_math as setting
 from coursework.report.formulas.display import display, marked_text
 from coursework.report.sections.derivation.first_step import first_step
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part, Runs
 from coursework.report.text.text_runs import printed, runs
+from coursework.variant.formula.made import summed
 from coursework.variant.formula.tree import Formula, named, number
 from coursework.words.sentences import say
 

@@ -1,0 +1,100 @@
+"""Vectors written by components -> lengths at angles: (A.x + r*sin(phi), A.y - r*cos(phi)) is A + r @ (phi - pi/2).
+
+Whatever reads the geometry of a file then meets one notation of an arm.  Enters and leaves: `Formula`.  Used by `parts.py`.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from coursework.system.frozen import frozen
+from coursework.variant.formula.made import part_of_pi, product_of, summed
+from coursework.variant.formula.tree import Formula, factors, mapped, named, on_axes, signed
+
+_Term = tuple[Formula, int]  # with its sign
+
+
+@frozen
+class _Side:
+    """A component such as -r*sin(phi) without its sign: the function "sin", the `angle`, and what stands before it."""
+
+    function: str
+    angle: Formula
+    length: tuple[_Term, ...]  # factors with their powers
+
+
+def with_arms(tree: Formula) -> Formula:
+    """Return a formula in which components that make a length at an angle, or are those of a point, stand together.
+
+    >>> from coursework.variant.formula.reader import parse
+    >>> from coursework.variant.formula.tree import spelled
+    >>> for text in ("(d - r*cos(phi), r*sin(phi))", "(A.x + r*sin(phi), A.y + r*cos(phi))", "(s, h*cos(phi))"):
+    ...     print(spelled(with_arms(parse(text, vectors=True))))
+    (d, 0) + r @ (pi - phi)
+    A + r @ (pi/2 - phi)
+    (s, h*cos(phi))
+    """
+    if tree.op != "pair":
+        return mapped(tree, with_arms)
+    across, beside = ([*signed(on_axes(side))] for side in tree.args)
+    found: list[_Term] = []
+    rest: list[_Term] = []
+    for one in across:
+        vectors = ((other, vector) for other in beside if (vector := _vector(one, other)) is not None)
+        other, vector = next(vectors, (None, None))
+        if other is None or vector is None:
+            rest.append(one)
+        else:
+            found.append(vector)
+            beside.remove(other)
+    if not found:
+        return tree
+    points = [one for one in found if one[0].op != "@"]
+    arms = [one for one in found if one[0].op == "@"]
+    return summed([*points, *_rest(rest, beside, tree.column), *arms])
+
+
+def _rest(across: Sequence[_Term], beside: Sequence[_Term], column: int) -> Iterator[_Term]:
+    """Yield the vector of what is left of two components, if anything is; one along an axis has no minus inside."""
+    terms = [*across, *beside]
+    if terms:
+        sign = -1 if not (across and beside) and all(sign < 0 for _, sign in terms) else 1
+        sides = (summed([(term, own * sign) for term, own in side]) for side in (across, beside))
+        yield Formula("pair", tuple(sides), column=column), sign
+
+
+def _vector(across: _Term, beside: _Term) -> _Term | None:
+    """Return the vector with these two components, a point or a length at an angle; None if they belong to no such vector."""
+    (x, along), (y, up) = across, beside
+    if x.op == y.op == "part" and (x.name, y.name) == ("x", "y") and x.args == y.args and along == up:
+        return x.args[0], along
+    first, second = _side(x), _side(y)
+    if first is None or second is None or {first.function, second.function} != {"cos", "sin"}:
+        return None
+    if first.angle != second.angle or Counter(first.length) != Counter(second.length):
+        return None
+    if first.function == "cos":
+        sense, axis = along * up, [] if along > 0 else [(named("pi"), 1)]
+    else:
+        sense, axis = -along * up, [(part_of_pi(Fraction(1, 2)), up)]
+    turned = [(term, sign * sense) for term, sign in signed(first.angle)]
+    angle = summed([*turned, *axis] if turned[0][1] > 0 else [*axis, *turned])
+    return Formula("@", (_product(first.length), angle), column=x.column), 1
+
+
+def _side(term: Formula) -> _Side | None:
+    """Return a component of an arm, None for a formula that is not a product with one sine or cosine."""
+    parts = [*factors(term, {"*", "/"})]
+    turning = [part for part, power in parts if part.op == "call" and part.name in {"cos", "sin"} and power > 0]
+    if len(turning) != 1:
+        return None
+    (part,) = turning
+    return _Side(part.name, part.args[0], tuple(one for one in parts if one[0] is not part))
+
+
+def _product(parts: tuple[_Term, ...]) -> Formula:
+    above = product_of([part for part, power in parts if power > 0])
+    below = [part for part, power in parts if power < 0]
+    return Formula("/", (above, product_of(below))) if below else above
