@@ -223,7 +223,9 @@ def _between(ends: tuple[complex, complex], at: complex) -> bool:
 def _driven_words(outline: Outline, variant: Variant) -> str:
     """Return a sentence on how arrows show the drives; drives without an arrow are named."""
     turned = tuple(rate for rate, _ in outline.cranks)
-    others = tuple(rate for rate in variant.given_rates if rate not in turned)
+    ways = {f"V{variant.driven}{axis}" for axis in "xy"}
+    laws = tuple(law.name for law in variant.drive if law.name not in {*variant.rates, *ways})
+    others = (*(rate for rate in variant.given_rates if rate not in turned), *laws)
     told = [say("drawing.mechanism.driven", points=outline.driven)] if outline.driven else []
     told += [say_count("drawing.mechanism.turned", len(turned), rates=turned)] if turned else []
     told += [say("drawing.mechanism.given", rates=others)] if others else []

@@ -7,7 +7,9 @@ Used by `reduction/`, `way_to_motion.py`, `accuracy/`, `checks/`, `drawing/` and
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Hashable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TypeVar, cast
 
@@ -18,12 +20,13 @@ from coursework.equations.reduction.symbolic import Symbols, placed, symbol
 from coursework.equations.reduction.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, on_axes, spelled
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, on_axes, spelled
 from coursework.variant.record.variant import Constraint, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 Fact = TypeVar("Fact")
+POWERS = {2: "m²", 3: "m³", 4: "m⁴"}  # units of position equations in products of lengths
 _LONGEST_WRITTEN = 60  # characters of the longest expression inside a sentence
 
 
@@ -46,9 +49,10 @@ class VelocityEquation:
 
 @frozen
 class Position:
-    """A position equation: `expression` (in `unit`, m or rad) keeps a value; `target` is "zero", "start" or the drive it follows.
+    """A position equation: `expression` (in `unit`: rad, m, m² …) keeps a value.
 
-    `written` is the expression, if it is short and its `name` is only a number, else "".
+    `target` is "zero", "start" or the drive it follows.  `written` is the expression, if it is short and its `name` is only a
+    number, else "".
     """
 
     name: str
@@ -171,26 +175,36 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
 
 
 def _unit(formula: Formula, variant: Variant) -> str:
-    """Return the unit of a scalar position equation: rad if its value does not change when all lengths are doubled, else m."""
-    if any(node.op == "part" for node in formula.walk()):
+    """Return the unit of a scalar position equation: rad, m, m² … if its value doubles so often when all lengths are doubled."""
+    has_parts = any(node.op == "part" for node in formula.walk())
+    within = (inner for node in formula.walk() if node.op in {"*", "/", "^"} for arg in node.args for inner in arg.walk())
+    if has_parts and all(inner.op != "part" for inner in within):
         return "m"
     laws = {law.name: law for law in (*variant.drive, *variant.functions)}
 
     def value(factor: float) -> float:
-        values = {"t": 0.37} | {g.name: g.value * (factor if g.si == "m" else 1.0) for g in variant.given}
+        values: dict[str, complex] = {"t": 0.37, "pi": math.pi}
+        values |= {g.name: g.value * (factor if g.si == "m" else 1.0) for g in variant.given}
         for place, coordinate in enumerate(variant.coordinates):
             values[coordinate.name] = (0.3 + 0.1 * place) * (factor if coordinate.unit == "m" else 1.0)
+        for name, where in variant.points:
+            with suppress(KeyError):  # a point of a group is placed by its closure
+                values[name] = evaluate_any(where, values)
         for name, law in laws.items():
             if law.formula is None:
                 values[name] = factor
-            elif set(law.formula.names()) <= {*values, "pi"}:
-                values[name] = evaluate(law.formula, values)
-        return evaluate(formula, values)
+            elif values.keys() >= {*law.formula.names()}:
+                values[name] = evaluate_any(law.formula, values)
+        return evaluate_any(formula, values).real
 
     try:
-        return "rad" if abs(value(2.0) - value(1.0)) <= 1e-9 * (1 + abs(value(1.0))) else "m"
+        one, two = value(1.0), value(2.0)
     except (FormulaFault, KeyError):
         return "m"
+    if abs(two - one) <= 1e-9 * (1 + abs(one)):
+        return "m" if has_parts and not one else "rad"
+    degree = math.log2(two / one) if one * two > 0 else 1.0
+    return POWERS.get(round(degree), "m") if abs(degree - round(degree)) < 1e-9 else "m"
 
 
 def _reason(position: Position) -> str:

@@ -197,6 +197,8 @@ def test_the_caption_names_every_drive(real: ModuleType, five_bar: Any) -> None:
     assert "The arrow shows how M is driven. The bent arrow is the given ω1." in page
     pushed = solved(past_the_pivot(0.1, 0.02) + '[points]\nO = "(0, 0)"\nQ = "O + s @ phi"\n[frame]\nhinges = ["O"]\n')
     assert "No motion is given" not in told(real, pushed, "statement")
+    law_of_no_rate = solved(mechanism("four-bar-by-squared-lengths"))
+    assert "Also given, without an arrow: vp." in told(real, law_of_no_rate, "statement")
 
 
 def test_a_drive_that_jumps_makes_the_graphs_jump(real: ModuleType) -> None:

@@ -11,8 +11,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from coursework.equations.reduction.equations import POWERS
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.gaps import gaps
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, Verdict, percent, skipped
 from coursework.system.arrays import Array
@@ -31,13 +33,16 @@ def drift(evidence: Evidence) -> Finding:
     closure = evidence.closure
     assert closure is not None
     motion = evidence.motion
-    residual, _ = closure.residual(motion.t, motion.coordinates, closure.targets(motion.t)[0])
+    residual = gaps(closure, motion.t, motion.coordinates, closure.targets(motion.t)[0])
     shortest = evidence.once("shortest length", lambda: shortest_length(evidence))
     angles = np.array([position.unit == "rad" for position in evidence.equations.positions])
     shares = np.abs(residual) / np.where(angles, 1.0, shortest)
     row, equation = (int(i) for i in np.unravel_index(int(np.argmax(shares)), shares.shape))
     value, name = float(shares[row, equation]), closure.names[equation]
-    called = [position.told for position in evidence.equations.positions]
+    called = [
+        evidence.say("check.DRIFT.as_length", name=one.told) if one.unit in POWERS.values() else one.told
+        for one in evidence.equations.positions
+    ]
     unit = "rad" if angles[equation] else "m"
     lines = tuple(
         (evidence.say("check.largest", name=name), float(size), "rad" if angle else "m")
@@ -68,7 +73,7 @@ def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int
     exact = evidence.exact
     if exact is None or not len(exact.t):
         return None
-    residual, _ = closure.residual(exact.t, exact.coordinates, closure.targets(exact.t)[0])
+    residual = gaps(closure, exact.t, exact.coordinates, closure.targets(exact.t)[0])
     open_rows = np.abs(residual) / scales > LIMIT
     if open_rows[0].any() or not open_rows.any():
         return None

@@ -9,13 +9,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from coursework.equations.reduction.equations import POWERS
 from coursework.motion.geometry.closed_start import closed_start, typed_start
 from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.gaps import gaps
 from coursework.motion.geometry.rigid import bent_by_start
 from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped
-from coursework.variant.formula.tree import Formula, on_axes, signed
+from coursework.system.arrays import Array
+from coursework.variant.formula.tree import Formula, on_axes, signed, terms
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -53,7 +56,8 @@ def start_of(given: Closure | None) -> Finding:
     closure = _with_loops(given) if given is not None else None
     if given is None or closure is None:
         return Finding("SKIP", _kept(given) or say("check.START.skip"), unjudged=say("summary.start"))
-    residual, closed = closed_start(closure)
+    _, closed = closed_start(closure)
+    residual = _gaps(closure)
     worst = int(np.argmax(np.abs(residual)))
     value, name = float(np.abs(residual[worst])), closure.names[worst]
     limit = START_LIMIT * closure.scale
@@ -75,7 +79,7 @@ def _kept(closure: Closure | None) -> Sentence | None:
     """
     rows = [] if closure is None else zip(closure.equations.positions, closure.origin.tolist(), strict=True)
     limit = START_LIMIT * closure.scale if closure is not None else 0.0
-    kept = [(one.told, value) for one, value in rows if one.written and one.unit == "m" and abs(value) > limit]
+    kept = [(one.told, value) for one, value in rows if one.written and one.unit != "rad" and abs(value) > limit]
     listed = [say("check.START.value", name=name, value=value) for name, value in kept[:_MOST_KEPT]]
     more = ["…"] if len(kept) > _MOST_KEPT else []
     return say("check.START.kept", values=joined([*listed, *more], "join.numbers")) if kept else None
@@ -85,23 +89,35 @@ def _with_loops(closure: Closure) -> Closure | None:
     """Return the closure with its closed loops of [closure] held at zero, not at the start; None if nothing has to be zero.
 
     C.y keeps a height that only the start gives; (C - O - r @ phi).x says that a link reaches from O to C; (C - C1).x together
-    with (C - C1).y says that both links reach one hinge; x - r*cos(phi) is a link if A(x, y) would not keep its distance else.
+    with (C - C1).y says that both links reach one hinge; x - r*cos(phi) is a link if A(x, y) would not keep its distance else;
+    x^2 + y^2 - r^2 gives it a length.
     """
     positions = closure.equations.positions
     written = [on_axes(hold) for hold in closure.equations.variant.holds]
     apart = [_apart(formula) for formula in written]
     hinged = [bool(pair) and {pair + axis for axis in "xy"} <= {*map("".join, apart)} for pair, _ in apart]
-    loops = iter([_is_loop(formula) or one for formula, one in zip(written, hinged, strict=True)])
-    zero = [one.target == "zero" or (one.target == "start" and next(loops)) for one in positions]
+    data = {*closure.equations.variant.values}
+    held = iter(zip(written, hinged, strict=True))
+    zero = [one.target == "zero" or (one.target == "start" and _is_zero(one.unit, *next(held), data)) for one in positions]
     if not any(zero) or not _is_open(closure.at_zero(zero)):
         bent = bent_by_start(closure.equations, closure)
         zero = [one or place in bent for place, one in enumerate(zero)]
     return closure.at_zero(zero) if any(zero) else None
 
 
+def _is_zero(unit: str, formula: Formula, is_hinge: bool, data: set[str]) -> bool:
+    """Return whether what [closure] holds can only mean zero: a hinge, a loop, or a square of lengths less a given one."""
+    has_length = any(data.issuperset(term.names()) for term in terms(formula))
+    return is_hinge or _is_loop(formula) or (has_length and unit in POWERS.values())
+
+
+def _gaps(closure: Closure) -> Array:
+    """Return how far the equations (k,) are open at the start, in m or rad."""
+    return gaps(closure, np.zeros(1), closure.start[None], closure.origin[None]).ravel()
+
+
 def _is_open(closure: Closure) -> bool:
-    residual = closure.residual(0.0, closure.start, closure.origin)[0]
-    return bool(np.max(np.abs(residual)) > START_LIMIT * closure.scale)
+    return bool(np.max(np.abs(_gaps(closure))) > START_LIMIT * closure.scale)
 
 
 def _apart(formula: Formula) -> tuple[str, str]:
