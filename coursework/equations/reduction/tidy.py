@@ -12,7 +12,8 @@ from fractions import Fraction
 from functools import reduce
 
 from coursework.equations.algebra.calculus import content, together
-from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression, multiply, number
+from coursework.equations.algebra.expression import HALF, MINUS, ONE, ZERO, Expression, multiply, number
+from coursework.equations.algebra.expression import power as raised
 from coursework.equations.codegen.names import private, public
 from coursework.equations.reduction.addition_theorems import common, pair_angles
 from coursework.equations.reduction.sums import gathered, written_sums
@@ -135,9 +136,15 @@ def as_sum(expr: Expression, order: Order) -> Formula:
 def _powers(term: Expression) -> list[tuple[Expression, Fraction]]:
     """Return bases and powers of a product without its number; a root counts as a base."""
     rest = term.split()[1]
-    found = [(part, _ONE) if part.op == "^" and part.base_and_power[1].denominator > 1 else part.base_and_power
-             for part in rest.factors]  # fmt: skip
-    return found if rest is not ONE else []
+    return [_root(part) for part in rest.factors] if rest is not ONE else []
+
+
+def _root(part: Expression) -> tuple[Expression, Fraction]:
+    """Return base and power; of x^(-1/2) the root of x and -1, so that it stands in a denominator as a root."""
+    base, exponent = part.base_and_power
+    if exponent.denominator == 1:
+        return base, exponent
+    return (raised(base, -exponent), -_ONE) if exponent < 0 else (part, _ONE)
 
 
 def _fraction(
@@ -195,6 +202,8 @@ def _plain(expr: Expression, order: Order) -> Formula:
             if expr.args[1] is HALF:
                 return Formula("call", (base,), "sqrt")
             return Formula("^", (base, _plain(expr.args[1], order)))
+        case "*" if expr.split()[0] < 0:
+            return Formula("neg", (_plain(multiply(MINUS, expr), order),))
         case "+" | "*":
             return reduce(lambda a, b: _joined(a, b, expr.op == "*"), [_plain(part, order) for part in expr.args])
     return Formula("call", tuple(_argument(arg, order) for arg in expr.args), expr.op)
@@ -207,5 +216,5 @@ def _argument(expr: Expression, order: Order) -> Formula:
 
 def _joined(a: Formula, b: Formula, is_product: bool) -> Formula:
     if is_product:
-        return Formula("neg", (b,)) if a == Formula("neg", (in_digits(1),)) else Formula("*", (a, b))
+        return Formula("*", (a, b))
     return Formula("-", (a, b.args[0])) if b.op == "neg" else Formula("+", (a, b))

@@ -7,6 +7,7 @@ import pytest
 import coursework
 from coursework.variant.formula.tree import number, spelled
 from tests.drawing.plans.moving_groups import HEAD, crank, dyad
+from tests.mechanisms.library import mechanism
 
 # A slider-crank of a sewing machine, in no file of the catalogue.
 NEEDLE = HEAD.format(
@@ -36,6 +37,13 @@ def test_a_length_is_printed_as_the_file_gave_it(length, factor):
 def test_a_quotient_of_two_lengths_that_is_no_decimal_keeps_both():
     found = solved(NEEDLE.replace("{r}", "0.08").replace("0.25", "0.27"))
     assert found["w2"] == "-0.08*w1*cos(phi1)/(0.27*cos(phi2))"
+
+
+def test_a_root_stands_in_the_denominator_as_a_root():
+    """By hand: v = -r w (sin q + cos q (r sin q - e) / sqrt(l^2 - (r sin q - e)^2))."""
+    root = "sqrt(l^2 - e^2 - r^2*sin(q1)^2 + 2*e*r*sin(q1))"
+    terms = f"(r*sin(q1)*cos(q1)/{root} - e*cos(q1)/{root} + sin(q1))"
+    assert solved(mechanism("slider-crank-by-a-root")) == {"v": f"-r*w1*{terms}"}
 
 
 def test_half_a_link_is_no_decimal():

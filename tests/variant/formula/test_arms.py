@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from coursework import parse_variant
+from coursework.variant import catalogue
 from coursework.variant.formula.arms import with_arms
 from coursework.variant.formula.reader import parse
-from coursework.variant.formula.tree import evaluate_any, spelled
+from coursework.variant.formula.tree import Formula, evaluate_any, mapped, spelled
 from tests.mechanisms.library import changed, mechanism
 
 VALUES = {"r": 0.7, "a": 2.0, "phi": 0.4, "psi": -1.9, "d": 0.3, "h": -0.8, "pi": np.pi, "A": 0.5 - 0.9j, "B": -1.1 + 0.2j}
@@ -87,3 +88,17 @@ def test_a_closure_by_components_too():
         changed(by_components, ("(c*cos(f3), -c*sin(f3))", "c @ (-f3)"), ("(a*cos(f1), -a*sin(f1))", "a @ (-f1)"))
     )
     assert parse_variant(by_components).constraints[0].sides == by_arms.constraints[0].sides
+
+
+def test_every_arm_of_the_catalogue_is_found_again_in_its_components():
+    def by_components(tree):
+        tree = mapped(tree, by_components)
+        if tree.op != "@":
+            return tree
+        length, angle = tree.args
+        return Formula("pair", tuple(Formula("*", (length, Formula("call", (angle,), turn))) for turn in ("cos", "sin")))
+
+    formulas = [formula for name in catalogue.names() for _, formula in catalogue.load(name).formulas()]
+    arms = [formula for formula in formulas if any(node.op == "@" for node in formula.walk())]
+    assert len(arms) > 50
+    assert [with_arms(by_components(arm)) for arm in arms] == arms
