@@ -89,10 +89,10 @@ def clockwise_rates(mechanism: Mechanism, places: Values) -> set[str]:
 
 
 def _rank(arm: _Arm, moving: set[str]) -> tuple[int, bool]:
-    """Return how well an arm shows its coordinate, best first: alone, plus a constant, plus a coordinate; at a named point."""
+    """Return how well an arm shows its coordinate, best first: alone, plus a constant, plus coordinates; at a named point."""
     if not arm.rest and arm.part > 0:
         return 0, not arm.is_named
-    return (2 if any(moving & {*part.names()} for part, _ in arm.rest) else 1), not arm.is_named
+    return 1 + sum(not moving.isdisjoint(part.names()) for part, _ in arm.rest), not arm.is_named
 
 
 def _arms(mechanism: Mechanism, values: Values, coordinate: str) -> Iterator[_Arm]:

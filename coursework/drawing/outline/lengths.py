@@ -13,12 +13,19 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, named, terms
 
 
-def arm_base(formula: Formula, coordinate: str) -> str:
-    """Return X of a point "X + L @ angle" whose angle contains the coordinate, "" for any other formula."""
+def arm_of(formula: Formula, coordinate: str) -> tuple[str, Formula] | None:
+    """Return X and the angle of a point "X + L @ angle" whose angle contains the coordinate, None for any other formula."""
     parts = [*terms(formula)]
     if len(parts) != 2 or parts[0].op != "name" or parts[1].op != "@":
-        return ""
-    return parts[0].name if coordinate in parts[1].args[1].names() and coordinate not in parts[1].args[0].names() else ""
+        return None
+    length, angle = parts[1].args
+    return (parts[0].name, angle) if coordinate in angle.names() and coordinate not in length.names() else None
+
+
+def arm_base(formula: Formula, coordinate: str) -> str:
+    """Return X of a point "X + L @ angle" whose angle contains the coordinate, "" for any other formula."""
+    arm = arm_of(formula, coordinate)
+    return arm[0] if arm else ""
 
 
 def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:

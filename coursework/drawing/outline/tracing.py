@@ -10,14 +10,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
-from coursework.drawing.outline.lengths import arm_base, unnamed_joints
+from coursework.drawing.outline.lengths import arm_base, arm_of, unnamed_joints
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, led_by_law, link_names, riders
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, named, number, terms
+from coursework.variant.formula.tree import Formula, named, number, signed, terms
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
+
+# The terms of an angle that move, with their signs.
+Turning = frozenset[tuple[Formula, int]]
 
 
 def read_outline(mechanism: Mechanism) -> Outline | None:
@@ -139,27 +143,48 @@ class _Pencil:
         for coordinate in self.variant.coordinates:
             if coordinate.rate in self.drawn_rates or coordinate.name in grouped or coordinate.unit != "rad":
                 continue
-            corners = [end for base, tip in self.arms_of(coordinate.name) if tip not in contacts for end in (base, tip)]
-            listed = any({*corners} <= {*bar.corners} for bar in self.bars)  # a drawn link whose angle is measured otherwise
-            if corners and not listed:
-                number_of = re.search(r"\d+$", coordinate.rate)
-                taken = {bar.link for bar in self.bars}
-                called = number_of[0] if number_of and number_of[0] not in taken else coordinate.rate
-                self.bars.append(Bar(called, tuple(dict.fromkeys(corners)), coordinate.rate))
-                if reached(corners[:1], self.points).isdisjoint(c.name for c in self.variant.coordinates):
-                    self.hinges.append(corners[0])
+            for turning, arms in self.arms_of(coordinate.name).items():
+                corners = [end for base, tip in arms if tip not in contacts for end in (base, tip)]
+                if corners:
+                    alone = [term for term, _ in turning] == [named(coordinate.name)]
+                    self.arm(corners, coordinate.rate, coordinate.rate if alone else "")
 
-    def arms_of(self, coordinate: str) -> list[tuple[str, str]]:
-        """Return the ends of the arms of a coordinate: A = D + r1 @ phi1, A + r2 @ phi2 = E, (E - A - r2 @ phi2).x held."""
-        named = [(name, formula) for name, formula in self.points.items() if not name.startswith("~")]
-        found = [(base, name) for name, formula in named if (base := arm_base(formula, coordinate))]
+    def arm(self, corners: list[str], called: str, rate: str) -> None:
+        """Draw an arm that turns at a `rate` ("" if this has no name) and is `called` by one, unless a drawn link holds it."""
+        place = next((place for place, bar in enumerate(self.bars) if {*corners} <= {*bar.corners}), None)
+        if place is not None:  # its angle is measured otherwise, or the file names no rate
+            self.bars[place] = replace(self.bars[place], rate=self.bars[place].rate or rate)
+            return
+        number_of = re.search(r"\d+$", called)
+        taken = {bar.link for bar in self.bars}
+        link = number_of[0] if number_of and number_of[0] not in taken else called
+        self.bars.append(Bar(link, tuple(dict.fromkeys(corners)), rate))
+        if reached(corners[:1], self.points).isdisjoint(c.name for c in self.variant.coordinates):
+            self.hinges.append(corners[0])
+
+    def arms_of(self, coordinate: str) -> dict[Turning, list[tuple[str, str]]]:
+        """Return the ends of the arms of a coordinate: A = D + r1 @ phi1, A + r2 @ phi2 = E, (E - A - r2 @ phi2).x held.
+
+        They are of one link if their angles have the same terms that move.  An angle phi1 + phi2 is one of phi2, the later one.
+        """
+        formulas = [(name, formula) for name, formula in self.points.items() if not name.startswith("~")]
         for left, right in self.closures:
-            bases = [base for side in (left, right) if (base := arm_base(side, coordinate))]
-            found += [(base, self.name_of(right if right.op == "name" else left)) for base in bases]
+            tip = next((side for side in (right, left) if side.op == "name" or side in self.named), left)
+            formulas += [(self.name_of(tip), side) for side in (left, right) if arm_base(side, coordinate)]
         for hold in self.variant.holds:
             parts = [*terms(hold.args[0])] if hold.op == "part" else []
-            if len(parts) == 3 and parts[0].op == "name" and (base := arm_base(Formula("+", (parts[1], parts[2])), coordinate)):
-                found.append((base, parts[0].name))
+            if len(parts) == 3 and parts[0].op == "name":
+                formulas.append((parts[0].name, Formula("+", (parts[1], parts[2]))))
+        moving = [one.name for one in self.variant.coordinates]
+        found: dict[Turning, list[tuple[str, str]]] = {}
+        for name, formula in formulas:
+            if (arm := arm_of(formula, coordinate)) is not None:
+                base, angle = arm
+                turning = frozenset((term, sign) for term, sign in signed(angle) if not {*moving}.isdisjoint(term.names()))
+                if max(moving.index(one) for term, _ in turning for one in term.names() if one in moving) == moving.index(
+                    coordinate
+                ):
+                    found.setdefault(turning, []).append((base, name))
         return found
 
     def outline(self) -> Outline:

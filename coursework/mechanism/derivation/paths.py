@@ -121,9 +121,8 @@ def _projection(path: Path, axis: str, start: Known, end: Known) -> Projection |
         return None
     terms: list[Term] = []
     for segment in path.segments:
-        if segment.rate:
-            sign, function = (-1, "sin") if axis == "x" else (1, "cos")
-            terms.append(Term(sign, segment.rate, segment.length, function, segment.angle))
+        sign, function = (-1, "sin") if axis == "x" else (1, "cos")
+        terms += [Term(sign * sense, rate, segment.length, function, segment.angle) for rate, sense in segment.turning]
         if segment.slide:
             terms.append(Term(1, segment.slide, None, "cos" if axis == "x" else "sin", segment.angle))
     return Projection(path, axis, first, last, tuple(terms))

@@ -36,7 +36,7 @@ class Angle:
 
 @frozen
 class Segment:
-    """A straight segment from `start` to `end`: its `length` at `angle`, turning at `rate` ("" if it does not turn).
+    """A straight segment from `start` to `end`: its `length` at `angle`, turning at the sum of `turning`, rates with signs.
 
     `slide` is the rate of a changing length, "" if the length is constant.
     """
@@ -45,12 +45,12 @@ class Segment:
     end: str
     length: Formula
     angle: Angle
-    rate: str
+    turning: tuple[tuple[str, int], ...]
     slide: str = ""
 
     def reversed(self) -> Segment:
         """Return the segment from its end to its start."""
-        return Segment(self.end, self.start, self.length, self.angle.turned(Fraction(1)), self.rate, self.slide)
+        return Segment(self.end, self.start, self.length, self.angle.turned(Fraction(1)), self.turning, self.slide)
 
 
 @frozen
@@ -88,8 +88,8 @@ def point_graph(mechanism: Mechanism) -> PointGraph:
 
     >>> import coursework
     >>> graph = point_graph(coursework.solve("31", quantities=["table"]).scene.mechanism)
-    >>> [known.point for known in graph.known], [(one.start, one.end, one.rate) for one in graph.segments][:2]
-    (['M', 'D', 'C', 'P'], [('D', 'A', 'w1'), ('A', 'B', 'w2')])
+    >>> [known.point for known in graph.known], [(one.start, one.end, one.turning) for one in graph.segments][:2]
+    (['M', 'D', 'C', 'P'], [('D', 'A', (('w1', 1),)), ('A', 'B', (('w2', 1),))])
     """
     variant = mechanism.variant
     rates = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
@@ -134,7 +134,7 @@ def _between_points(minus: Formula) -> Iterator[tuple[str, str, Formula]]:
 
 
 def _segment(start: str, end: str, vector: Formula, variant: Variant, rates: Mapping[str, str]) -> Segment | None:
-    """Return the segment of a vector, None if the vector is not a length at an angle."""
+    """Return the segment of a vector, None if the vector is not a length at an angle that is a sum of coordinates."""
     polar = _polar(vector)
     if polar is None:
         return None
@@ -142,9 +142,14 @@ def _segment(start: str, end: str, vector: Formula, variant: Variant, rates: Map
     slides = [rates[name] for name in length.names() if name in rates]
     if slides and (length.op != "name" or len(slides) > 1):
         return None
-    turning = [rates[name] for name in (angle.base.names() if angle.base else ()) if name in rates]
+    moving = [(term, sign) for term, sign in signed(angle.base or ZERO) if rates.keys() & {*term.names()}]
+    if any(term.op != "name" for term, _ in moving):
+        return None
+    turning = tuple((rates[term.name], sign) for term, sign in moving)
     rate = next((link.rate for link in variant.links if {start, end} <= _held(link) and link.rate), None)
-    return Segment(start, end, length, angle, rate or (turning[0] if len(turning) == 1 else ""), slides[0] if slides else "")
+    if rate and rate not in dict(turning):  # the contact of a wheel moves with it, but its direction does not turn
+        turning = ((rate, 1),)
+    return Segment(start, end, length, angle, turning, slides[0] if slides else "")
 
 
 def _held(link: Link) -> set[str]:

@@ -101,8 +101,8 @@ def test_a_held_gap_is_a_segment_in_any_order_if_it_is_held_along_both_axes(gap:
     graph = point_graph(build(parse_variant(mechanism("four-bar-by-its-points", holds=held))))
     between = [one for one in graph.segments if {one.start, one.end} == {"Q", "R"}]
     found = [one if one.start == "Q" else one.reversed() for one in between]
-    assert [(spelled(one.length), spelled(one.angle.base), one.angle.offset, one.rate) for one in found] == (
-        [("c", "phi3", 0, "w3")] if axes == "xy" else []
+    assert [(spelled(one.length), spelled(one.angle.base), one.angle.offset, one.turning) for one in found] == (
+        [("c", "phi3", 0, (("w3", 1),))] if axes == "xy" else []
     )
 
 
