@@ -26,6 +26,14 @@ def test_each_link_is_drawn_once(changes):
     assert outline.cranks == (("w1", "A"),)
 
 
+@pytest.mark.parametrize("place", [
+    "P + a @ phi2 + c @ (phi2 + pi/2)", "(P.x + a*cos(phi2) - c*sin(phi2), P.y + a*sin(phi2) + c*cos(phi2))",
+])  # fmt: skip
+def test_a_point_beside_its_link_is_drawn_with_it(place):
+    outline = read_outline(build(parse_variant(mechanism("four-bar-by-its-points", ("[closure]", f'E = "{place}"\n[closure]')))))
+    assert ("2", ("P", "R", "E"), "w2") in [(bar.link, bar.corners, bar.rate) for bar in outline.bars]
+
+
 def test_an_angle_is_measured_where_fewest_others_stand_between_it_and_the_axis():
     variant = parse_variant(mechanism(FILE))
     values = {**variant.values, "pi": math.pi, **{one.name: one.start for one in variant.coordinates}}

@@ -6,26 +6,38 @@ Used by `tracing.py`, `naming.py`, `dimensions.py` and `drawing/plans/plans.py`.
 
 from __future__ import annotations
 
+from collections.abc import Container
 from string import ascii_uppercase
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, named, terms
+from coursework.variant.formula.tree import Formula, named, signed, terms
 
-
-def arm_of(formula: Formula, coordinate: str) -> tuple[str, Formula] | None:
-    """Return X and the angle of a point "X + L @ angle" whose angle contains the coordinate, None for any other formula."""
-    parts = [*terms(formula)]
-    if len(parts) != 2 or parts[0].op != "name" or parts[1].op != "@":
-        return None
-    length, angle = parts[1].args
-    return (parts[0].name, angle) if coordinate in angle.names() and coordinate not in length.names() else None
+# The terms of an angle that move, with their signs.
+Turning = frozenset[tuple[Formula, int]]
 
 
 def arm_base(formula: Formula, coordinate: str) -> str:
     """Return X of a point "X + L @ angle" whose angle contains the coordinate, "" for any other formula."""
-    arm = arm_of(formula, coordinate)
-    return arm[0] if arm else ""
+    parts = [*terms(formula)]
+    if len(parts) != 2 or parts[0].op != "name" or parts[1].op != "@":
+        return ""
+    return parts[0].name if coordinate in parts[1].args[1].names() and coordinate not in parts[1].args[0].names() else ""
+
+
+def rigid_arm(formula: Formula, moving: Container[str]) -> tuple[str, Turning] | None:
+    """Return X of a point "X + L @ angle" or "X + a @ angle + b @ (angle + pi/2)" of one link, and how the link turns.
+
+    None for any other formula; `moving` are the coordinates.
+    """
+    base, *arms = terms(formula)
+    if base.op != "name" or any(arm.op != "@" or any(name in moving for name in arm.args[0].names()) for arm in arms):
+        return None
+    turned = {
+        frozenset((term, sign) for term, sign in signed(arm.args[1]) if any(name in moving for name in term.names()))
+        for arm in arms
+    }
+    return (base.name, turned.pop()) if len(turned) == 1 else None
 
 
 def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:

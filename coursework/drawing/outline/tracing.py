@@ -12,16 +12,13 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from coursework.drawing.outline.lengths import arm_base, arm_of, unnamed_joints
+from coursework.drawing.outline.lengths import Turning, arm_base, rigid_arm, unnamed_joints
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, led_by_law, link_names, riders
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, named, number, signed, terms
+from coursework.variant.formula.tree import Formula, named, number, terms
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
-
-# The terms of an angle that move, with their signs.
-Turning = frozenset[tuple[Formula, int]]
 
 
 def read_outline(mechanism: Mechanism) -> Outline | None:
@@ -175,16 +172,13 @@ class _Pencil:
             parts = [*terms(hold.args[0])] if hold.op == "part" else []
             if len(parts) == 3 and parts[0].op == "name":
                 formulas.append((parts[0].name, Formula("+", (parts[1], parts[2]))))
-        moving = [one.name for one in self.variant.coordinates]
+        moving = {one.name: place for place, one in enumerate(self.variant.coordinates)}
         found: dict[Turning, list[tuple[str, str]]] = {}
-        for name, formula in formulas:
-            if (arm := arm_of(formula, coordinate)) is not None:
-                base, angle = arm
-                turning = frozenset((term, sign) for term, sign in signed(angle) if not {*moving}.isdisjoint(term.names()))
-                if max(moving.index(one) for term, _ in turning for one in term.names() if one in moving) == moving.index(
-                    coordinate
-                ):
-                    found.setdefault(turning, []).append((base, name))
+        for name, formula in sorted(formulas, key=lambda one: sum(1 for _ in terms(one[1]))):  # bars before bent ones
+            base, turning = rigid_arm(formula, moving) or ("", frozenset())
+            places = [moving[one] for term, _ in turning for one in term.names() if one in moving]
+            if places and max(places) == moving[coordinate]:
+                found.setdefault(turning, []).append((base, name))
         return found
 
     def outline(self) -> Outline:
