@@ -177,7 +177,7 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
 def _unit(formula: Formula, variant: Variant) -> str:
     """Return the unit of a scalar position equation: rad, m, m² … if its value doubles so often when all lengths are doubled."""
     has_parts = any(node.op == "part" for node in formula.walk())
-    within = (inner for node in formula.walk() if node.op in {"*", "/", "^"} for arg in node.args for inner in arg.walk())
+    within = (inner for node in formula.walk() if node.op in {"*", "/", "^", "call"} for arg in node.args for inner in arg.walk())
     if has_parts and all(inner.op != "part" for inner in within):
         return "m"
     laws = {law.name: law for law in (*variant.drive, *variant.functions)}

@@ -1,4 +1,4 @@
-"""Position equations in squares of lengths: told, and limited, as the lengths that they mean."""
+"""Position equations in squares of lengths, or between angles of points: told, and limited, as the lengths or angles they mean."""
 
 import math
 
@@ -52,3 +52,11 @@ def test_a_square_that_only_keeps_its_value_is_not_judged():
     _, checks = checks_of(("xB^2 + yB^2 - r1^2", "xB^2 + yB^2"))
     assert checks["START"].verdict == "PASS"
     assert "xB^2 + yB^2 = " in checks["START"].sentence
+
+
+def test_an_angle_between_points_drifts_as_an_angle():
+    run = solve(parse_variant(mechanism("slotted-lever-by-an-angle")), quantities=["table", "checks"])
+    crank, lever = run.table["q1"].to_numpy(), run.table["q3"].to_numpy()
+    largest = float(np.max(np.abs(lever - np.arctan2(0.2 + 0.1 * np.sin(crank), 0.1 * np.cos(crank)))))
+    drift = next(check for check in run.checks if check.code == "DRIFT")
+    assert (drift.value, drift.unit) == (pytest.approx(largest, rel=1e-9), "relative")
