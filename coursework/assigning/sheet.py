@@ -19,7 +19,7 @@ from coursework.report.text.parts import Runs
 from coursework.report.text.readable import least_width
 from coursework.report.text.symbols import GREEK, symbol
 from coursework.report.text.words import Words
-from coursework.variant.record.changes import determined
+from coursework.variant.record.changes import followers
 from coursework.variant.record.entries import guide_number
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import OutputError
@@ -96,7 +96,7 @@ def data_rows(handout: Handout, words: Words) -> list[list[object]]:
 def start_rows(handout: Handout, words: Words) -> list[list[object]]:
     """Return the start of each coordinate, as drawn or as the geometry determines it."""
     rows: list[list[object]] = []
-    solved = determined(handout.variant)
+    solved = followers(handout.variant)
     for place, coordinate in enumerate(handout.variant.coordinates):
         own = handout.individual.accepted.values.get(("coordinates", coordinate.name, "start"))
         fixed = coordinate.start is not None and coordinate.name not in solved

@@ -25,7 +25,7 @@ from coursework.scene.model.variant_text import variant_text
 from coursework.system.frozen import frozen
 from coursework.variant.catalogue import load
 from coursework.variant.reading.reader import parse_variant
-from coursework.variant.record.changes import determined
+from coursework.variant.record.changes import followers
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
@@ -64,7 +64,7 @@ class Assignment:
 
     def individual(self, accepted: Accepted) -> Individual:
         """Return the variant with the accepted data: the template's file with these values, read again."""
-        if determined(self.template):
+        if followers(self.template):
             given = {path[1]: text for path, text in accepted.values.items() if path[0] == "given"}
             start = {path[1]: text for path, text in accepted.values.items() if path[0] == "coordinates"}
             variant = self.template.with_data(given, start, check_row=accepted.check_row)

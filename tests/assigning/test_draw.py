@@ -11,6 +11,7 @@ import coursework
 from coursework.assigning.accept import Acceptance
 from coursework.assigning.draw import Lots
 from coursework.assigning.variants import load_ranges
+from tests.mechanisms.library import mechanism
 
 STUDENTS = [f"student-{number}" for number in range(12)]
 
@@ -101,3 +102,24 @@ def test_what_is_not_listed_stays_and_what_is_drawn_loads():
     assert variant.time.period == pytest.approx(2 * 3.141592653589793 / variant.values["p"], abs=1e-15)
     assert not variant.remarks
     assert coursework.feasible(variant) == (True, "")
+
+
+@pytest.mark.parametrize(("template", "drawn"), [
+    ("v104", '[given]\nr1 = { from = "0.96 m", to = "1.02 m", step = "0.001 m" }\n'),
+    ("v104", '[given]\nr1 = { from = "0.96 m", to = "1.02 m", step = "0.001 m" }\n[start]\n'
+     'phi1 = { from = "4.80 rad", to = "4.90 rad", step = "0.01 rad" }\n'),
+    ("four-bar-with-relative-angles", '[given]\nr2 = { from = "0.38 m", to = "0.42 m", step = "0.001 m" }\n'),
+    ("four-bar-by-squared-lengths", '[given]\nr3 = { from = "0.29 m", to = "0.31 m", step = "0.001 m" }\n'),
+])  # fmt: skip
+def test_loops_held_beside_the_equations_are_closed_for_everybody(template, drawn, tmp_path):
+    """A drawn length opens the loops of the template: its start follows, but not a start that is drawn too."""
+    file, ranges = tmp_path / "template.toml", tmp_path / "ranges.toml"
+    file.write_text(mechanism(template), encoding="utf-8")
+    ranges.write_text(drawn, encoding="utf-8")
+    for student in ("ada", "bob", "eve"):
+        variant = coursework.draw(file, ranges, 7, student)
+        assert variant.values != coursework.load(file).values
+        checks = {check.code: check for check in coursework.solve(variant, quantities=["table", "checks"]).checks}
+        assert checks["START"].verdict == "PASS"
+        if "[start]" in drawn:
+            assert round(variant.coordinates[0].start, 9) == round(variant.coordinates[0].start, 2)

@@ -7,9 +7,7 @@ Used by `reduction/`, `way_to_motion.py`, `accuracy/`, `checks/`, `drawing/` and
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Hashable, Mapping
-from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TypeVar, cast
 
@@ -20,13 +18,13 @@ from coursework.equations.reduction.symbolic import Symbols, placed, symbol
 from coursework.equations.reduction.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, on_axes, spelled
+from coursework.variant.formula.tree import Formula, FormulaFault, on_axes, spelled
+from coursework.variant.record.held import closed_loops, unit_of
 from coursework.variant.record.variant import Constraint, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 Fact = TypeVar("Fact")
-POWERS = {2: "m²", 3: "m³", 4: "m⁴"}  # units of position equations in products of lengths
 _LONGEST_WRITTEN = 60  # characters of the longest expression inside a sentence
 
 
@@ -51,8 +49,8 @@ class VelocityEquation:
 class Position:
     """A position equation: `expression` (in `unit`: rad, m, m² …) keeps a value.
 
-    `target` is "zero", "start" or the drive it follows.  `written` is the expression, if it is short and its `name` is only a
-    number, else "".
+    `target` is "zero", "start" or the drive it follows; one that `closes` a loop should be zero, whatever its target.
+    `written` is the expression, if it is short and its `name` is only a number, else "".
     """
 
     name: str
@@ -60,6 +58,7 @@ class Position:
     target: str
     unit: str = "m"
     written: str = ""
+    closes: bool = False
 
     @property
     def told(self) -> str:
@@ -153,10 +152,10 @@ def _bound(geometry: Geometry, equations: tuple[VelocityEquation, ...]) -> tuple
 def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> list[Position]:
     if not symbols.is_vector(constraint.left):
         both = Formula("-", (constraint.left, constraint.right))
-        return [Position(constraint.name, symbols.scalar(both), "zero", _unit(both, variant))]
+        return [Position(constraint.name, symbols.scalar(both), "zero", unit_of(both, variant), closes=True)]
     left, right = symbols.vector(constraint.left), symbols.vector(constraint.right)
     name = f"{constraint.name} " if constraint.name[-1:].isalpha() else constraint.name  # 1x, but "cylinder x"
-    return [Position(f"{name}{axis}", a - b, "zero") for axis, a, b in zip("xy", left, right, strict=True)]
+    return [Position(f"{name}{axis}", a - b, "zero", closes=True) for axis, a, b in zip("xy", left, right, strict=True)]
 
 
 def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ...]:
@@ -164,47 +163,14 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
     if variant.driven:
         point = symbols.vectors[variant.driven]
         kept = [Position(f"{variant.driven}.{a}", e, f"V{variant.driven}{a}") for a, e in zip("xy", point, strict=True)]
-    for index, formula in enumerate(variant.holds, start=1):
+    for index, (formula, closes) in enumerate(zip(variant.holds, closed_loops(variant), strict=True), start=1):
         plain = formula.op == "part" and formula.args[0].op == "name"
         name = f"{formula.args[0].name}.{formula.name}" if plain else say("place.hold", index=index)
         with placed(variant, f"closure.holds.{index}", variant.line_of("closure", "holds", index - 1)):
-            expression, unit = symbols.scalar(formula), _unit(formula, variant)
+            expression, unit = symbols.scalar(formula), unit_of(formula, variant)
             written = "" if plain else spelled(on_axes(formula))
-            kept.append(Position(name, expression, "start", unit, written if len(written) <= _LONGEST_WRITTEN else ""))
+            kept.append(Position(name, expression, "start", unit, written if len(written) <= _LONGEST_WRITTEN else "", closes))
     return tuple(kept)
-
-
-def _unit(formula: Formula, variant: Variant) -> str:
-    """Return the unit of a scalar position equation: rad, m, m² … if its value doubles so often when all lengths are doubled."""
-    has_parts = any(node.op == "part" for node in formula.walk())
-    within = (inner for node in formula.walk() if node.op in {"*", "/", "^", "call"} for arg in node.args for inner in arg.walk())
-    if has_parts and all(inner.op != "part" for inner in within):
-        return "m"
-    laws = {law.name: law for law in (*variant.drive, *variant.functions)}
-
-    def value(factor: float) -> float:
-        values: dict[str, complex] = {"t": 0.37, "pi": math.pi}
-        values |= {g.name: g.value * (factor if g.si == "m" else 1.0) for g in variant.given}
-        for place, coordinate in enumerate(variant.coordinates):
-            values[coordinate.name] = (0.3 + 0.1 * place) * (factor if coordinate.unit == "m" else 1.0)
-        for name, where in variant.points:
-            with suppress(KeyError):  # a point of a group is placed by its closure
-                values[name] = evaluate_any(where, values)
-        for name, law in laws.items():
-            if law.formula is None:
-                values[name] = factor
-            elif values.keys() >= {*law.formula.names()}:
-                values[name] = evaluate_any(law.formula, values)
-        return evaluate_any(formula, values).real
-
-    try:
-        one, two = value(1.0), value(2.0)
-    except (FormulaFault, KeyError):
-        return "m"
-    if abs(two - one) <= 1e-9 * (1 + abs(one)):
-        return "m" if has_parts and not one else "rad"
-    degree = math.log2(two / one) if one * two > 0 else 1.0
-    return POWERS.get(round(degree), "m") if abs(degree - round(degree)) < 1e-9 else "m"
 
 
 def _reason(position: Position) -> str:

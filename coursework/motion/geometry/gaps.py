@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.equations.reduction.equations import POWERS
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.closure import Closure
 from coursework.system.arrays import Array, as_columns
+from coursework.variant.record.held import POWERS
 
 _DEGREES = {unit: degree for degree, unit in POWERS.items()}
 

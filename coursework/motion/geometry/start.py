@@ -95,9 +95,9 @@ def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:
     """Return the closed position nearest to `start`, changing only the coordinates in `moved`."""
     q = start.copy()
     columns = [closure.free.index(place) for place in moved]
-    rows = [index for index, position in enumerate(closure.equations.positions) if position.target == "zero"]
+    rows = [index for index, position in enumerate(closure.equations.positions) if position.closes]
     for _ in range(MAX_NEWTON):
-        residual, jacobian = closure.residual(0.0, q, closure.origin)
+        residual, jacobian = closure.residual(0.0, q, np.zeros(len(closure.names)))
         step = np.linalg.lstsq(jacobian[np.ix_(rows, columns)], -residual[rows], rcond=None)[0]
         size = float(np.max(np.abs(step), initial=0.0))
         if not size < _WIDE:

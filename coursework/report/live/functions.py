@@ -71,7 +71,7 @@ def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] 
     followed = {given.name: follow_from(variant, [("given", given.name)]) for given in variant.given}
     names = {name for follow in followed.values() for name in follow}
     moved = tuple(place for place, c in enumerate(variant.coordinates) if c.name in names)
-    zero = [position.expression for position in equations.positions if position.target == "zero"]
+    zero = [position.expression for position in equations.positions if position.closes]
     numbers = constants(variant)
 
     def written() -> tuple[str, tuple[tuple[str, int], ...]]:

@@ -73,7 +73,7 @@ def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
     first = np.cumsum([0, *map(len, parts[:-1])])
     sought = [model.velocities.index(name) for name in model.variant.sought]
     free = [place for place, c in enumerate(model.variant.coordinates) if c.rate not in model.variant.known_rates]
-    closed = any(position.target == "zero" for position in model.equations.positions)
+    closed = [position.expression for position in model.equations.positions if position.target == "zero"]
     told = np.zeros((len(held), q.shape[1]), dtype=bool)  # an equation of a mechanism at rest shows nothing
     at: Any = q
     for before, now in zip((0.0, *_LOOKS), _LOOKS, strict=False):
@@ -81,7 +81,7 @@ def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
         if now:
             # Any position near the motion that the geometry allows will do.
             at = at + (now - before) * end * stacked(model.program(before * end, *at, *numbers)[: len(at)], at)
-            at, settled = close(model, t, at, numbers, free) if closed else (at, sound)
+            at, settled = close(model, t, at, numbers, free, closed) if closed else (at, sound)
             sound &= settled
         u = model.program(t, *at, *numbers)
         terms = stacked(function(t, *at, *(u[place] for place in sought), *numbers), at[:1])

@@ -6,6 +6,7 @@ Used by `sets.py`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -48,24 +49,26 @@ def start_of(model: Model, data: Data, numbers: Columns) -> Start:
         begin, doubtful = _by_groups(model, begin, numbers, follow)
         return Start(begin, begin, doubtful)
     rows = [position.expression for position in model.equations.positions if position.target == "zero"]
+    loops = [position.expression for position in model.equations.positions if position.closes]
+    free = [place for place, c in enumerate(variant.coordinates) if c.rate not in variant.known_rates]
+    if follow and loops:
+        moved = [place for place in free if model.coordinates[place] in follow]
+        begin, settled = close(model, 0.0, begin, numbers, moved, loops)
+        doubtful = doubtful | ~settled
     if not rows:
         return Start(begin, begin, doubtful)
-    free = [place for place, c in enumerate(variant.coordinates) if c.rate not in variant.known_rates]
-    if follow:
-        moved = [place for place in free if model.coordinates[place] in follow]
-        begin, settled = close(model, 0.0, begin, numbers, moved)
-        doubtful = doubtful | ~settled
     lengths = [np.abs(data.given[given.name]) for given in variant.given if given.si == "m"]
     scale = np.max(lengths, axis=0, initial=0.0) if lengths else np.ones(data.count)
     residual = as_columns(model.compiled(tuple(rows))(0.0, *begin, *numbers), begin[0].shape)
     doubtful |= ~(np.max(np.abs(residual), axis=1) <= OPEN * np.where(scale > 0, scale, 1.0))
-    closed, settled = close(model, 0.0, begin, numbers, free)
+    closed, settled = close(model, 0.0, begin, numbers, free, rows)
     return Start(begin, closed, doubtful | ~settled)
 
 
-def close(model: Model, t: Any, q: Array, numbers: Columns, moved: list[int]) -> tuple[Array, Flags]:
-    """Return positions (m, n) closed by moving the coordinates `moved`, and whether Newton's method has converged (n,)."""
-    positions = [position.expression for position in model.equations.positions if position.target == "zero"]
+def close(
+    model: Model, t: Any, q: Array, numbers: Columns, moved: list[int], positions: Sequence[Expression]
+) -> tuple[Array, Flags]:
+    """Return positions (m, n) at which `positions` are zero, by moving the coordinates `moved`, and if Newton converged (n,)."""
     names = [symbol(model.coordinates[place]) for place in moved]
     slopes = [model.equations.symbols.partial(expression, name) for expression in positions for name in names]
     function = model.compiled((*positions, *slopes))

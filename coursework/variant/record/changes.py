@@ -14,6 +14,7 @@ from typing import Any
 
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import UnitFault, exact_size, read_as
+from coursework.variant.record.held import closed_loops
 from coursework.variant.record.variant import Changes, Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import Fault, InputError
@@ -71,10 +72,16 @@ def follow_from(variant: Variant, changes: Iterable[KeyPath]) -> frozenset[str]:
     named = {path[1] for path in changes if path[0] in {"given", "coordinates"}}
     formulas = [formula for _, formula in variant.points] + [f for law in variant.functions for f in law.formulas]
     formulas += [side for one in variant.constraints if one.is_closure for side in (one.left, one.right)]
-    formulas += [formula for group in variant.groups for formula in group.formulas]
+    formulas += [*variant.holds, *(formula for group in variant.groups for formula in group.formulas)]
     if not named.intersection(name for formula in formulas for name in formula.names()):
         return frozenset(c.name for c in variant.coordinates if c.start_guess is not None) - named
-    return determined(variant) - named
+    return followers(variant) - named
+
+
+def followers(variant: Variant) -> frozenset[str]:
+    """Return the coordinates whose start follows other data: those the geometry determines, and those of a loop in [closure]."""
+    looped = variant.coordinates if any(closed_loops(variant)) else ()
+    return determined(variant) | {c.name for c in looped if c.rate not in variant.known_rates}
 
 
 def determined(variant: Variant) -> frozenset[str]:

@@ -1,4 +1,4 @@
-"""Position equations in squares of lengths, or between angles of points: told, and limited, as the lengths or angles they mean."""
+"""Position equations in squares of lengths, or between angles of points: told and limited as what they mean."""
 
 import math
 

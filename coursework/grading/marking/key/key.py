@@ -29,7 +29,7 @@ from coursework.scene.model.model import Model, model_of
 from coursework.scene.motion_results import given_constants
 from coursework.system.arrays import Array, Flags
 from coursework.variant.formula.tree import Formula
-from coursework.variant.record.changes import determined
+from coursework.variant.record.changes import followers
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError, Fault, InputError
 from coursework.words.sentences import say
@@ -214,7 +214,7 @@ class Key:
     @cached_property
     def told_to(self) -> Array:
         """Return the last place (m,), SI, with which the task sheet prints each start that it computes; 0 for a given start."""
-        solved = determined(self.variant)
+        solved = followers(self.variant)
         return np.where([name in solved for name in self.coordinates], 10.0 ** -(self.least_decimals + SOLVED), 0.0)
 
     @cached_property

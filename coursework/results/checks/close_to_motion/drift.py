@@ -11,7 +11,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from coursework.equations.reduction.equations import POWERS
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.gaps import gaps
@@ -19,6 +18,7 @@ from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, Verdict, percent, skipped
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, evaluate, spelled
+from coursework.variant.record.held import POWERS
 from coursework.variant.record.places import lengths_of
 from coursework.words.sentences import joined
 

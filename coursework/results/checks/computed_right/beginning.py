@@ -9,7 +9,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.equations.reduction.equations import POWERS
 from coursework.motion.geometry.closed_start import closed_start, typed_start
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.gaps import gaps
@@ -18,7 +17,6 @@ from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped
 from coursework.system.arrays import Array
-from coursework.variant.formula.tree import Formula, on_axes, signed, terms
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -88,27 +86,13 @@ def _kept(closure: Closure | None) -> Sentence | None:
 def _with_loops(closure: Closure) -> Closure | None:
     """Return the closure with its closed loops of [closure] held at zero, not at the start; None if nothing has to be zero.
 
-    C.y keeps a height that only the start gives; (C - O - r @ phi).x says that a link reaches from O to C; (C - C1).x together
-    with (C - C1).y says that both links reach one hinge; x - r*cos(phi) is a link if A(x, y) would not keep its distance else;
-    x^2 + y^2 - r^2 gives it a length.
+    x - r*cos(phi), which says nothing by itself, is a link too if A(x, y) would not keep its distance else.
     """
-    positions = closure.equations.positions
-    written = [on_axes(hold) for hold in closure.equations.variant.holds]
-    apart = [_apart(formula) for formula in written]
-    hinged = [bool(pair) and {pair + axis for axis in "xy"} <= {*map("".join, apart)} for pair, _ in apart]
-    data = {*closure.equations.variant.values}
-    held = iter(zip(written, hinged, strict=True))
-    zero = [one.target == "zero" or (one.target == "start" and _is_zero(one.unit, *next(held), data)) for one in positions]
+    zero = [one.closes for one in closure.equations.positions]
     if not any(zero) or not _is_open(closure.at_zero(zero)):
         bent = bent_by_start(closure.equations, closure)
         zero = [one or place in bent for place, one in enumerate(zero)]
     return closure.at_zero(zero) if any(zero) else None
-
-
-def _is_zero(unit: str, formula: Formula, is_hinge: bool, data: set[str]) -> bool:
-    """Return whether what [closure] holds can only mean zero: a hinge, a loop, or a square of lengths less a given one."""
-    has_length = any(data.issuperset(term.names()) for term in terms(formula))
-    return is_hinge or _is_loop(formula) or (has_length and unit in POWERS.values())
 
 
 def _gaps(closure: Closure) -> Array:
@@ -118,21 +102,3 @@ def _gaps(closure: Closure) -> Array:
 
 def _is_open(closure: Closure) -> bool:
     return bool(np.max(np.abs(_gaps(closure))) > START_LIMIT * closure.scale)
-
-
-def _apart(formula: Formula) -> tuple[str, str]:
-    """Return which two points an expression holds apart, and along which axis; "" twice if it is no such difference."""
-    terms = list(signed(formula))
-    if len(terms) != 2 or any(term.op != "part" or term.args[0].op != "name" for term, _ in terms):
-        return "", ""
-    (one, plus), (other, minus) = terms
-    same_axis = one.name == other.name and plus != minus
-    return (" ".join(sorted((one.args[0].name, other.args[0].name))) + ".", one.name) if same_axis else ("", "")
-
-
-def _is_loop(formula: Formula) -> bool:
-    """Return whether a sum leads from one point to another along a link: a difference of points, and a length by its angle."""
-    summands = list(signed(formula))
-    points = {sign: term.args[0] for term, sign in summands if term.op == "part" and term.args[0].op == "name"}
-    lengths = [term for term, _ in summands if not any(node.op == "part" for node in term.walk())]
-    return len(points) > 1 and any(node.name in {"sin", "cos"} for term in lengths for node in term.walk())

@@ -1,0 +1,83 @@
+"""What [closure] holds: the unit of an expression, and which expressions can only be zero.
+
+Enters: a `Variant`.  Leaves: units, flags.  Used by `equations.py`, `changes.py`, `gaps.py` and `drift.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from contextlib import suppress
+
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, on_axes, signed, terms
+from coursework.variant.record.variant import Variant
+
+POWERS = {2: "m²", 3: "m³", 4: "m⁴"}  # units of position equations in products of lengths
+
+
+def closed_loops(variant: Variant) -> tuple[bool, ...]:
+    """Return which of the held expressions close a loop, so that they mean zero, not the value that the start gives.
+
+    C.y keeps a height that only the start gives; (C - O - r @ phi).x says that a link reaches from O to C; (C - C1).x together
+    with (C - C1).y says that both links reach one hinge; x^2 + y^2 - r^2 gives a link its length.
+    """
+    written = [on_axes(hold) for hold in variant.holds]
+    apart = [_apart(formula) for formula in written]
+    met = {*map("".join, apart)}
+    data = {*variant.values}
+    return tuple(
+        _is_loop(formula)
+        or (bool(pair) and {pair + axis for axis in "xy"} <= met)
+        or (any(data.issuperset(term.names()) for term in terms(formula)) and unit_of(formula, variant) in POWERS.values())
+        for formula, (pair, _) in zip(written, apart, strict=True)
+    )
+
+
+def _apart(formula: Formula) -> tuple[str, str]:
+    """Return which two points an expression holds apart, and along which axis; "" twice if it is no such difference."""
+    terms = list(signed(formula))
+    if len(terms) != 2 or any(term.op != "part" or term.args[0].op != "name" for term, _ in terms):
+        return "", ""
+    (one, plus), (other, minus) = terms
+    same_axis = one.name == other.name and plus != minus
+    return (" ".join(sorted((one.args[0].name, other.args[0].name))) + ".", one.name) if same_axis else ("", "")
+
+
+def _is_loop(formula: Formula) -> bool:
+    """Return whether a sum leads from one point to another along a link: a difference of points, and a length by its angle."""
+    summands = list(signed(formula))
+    points = {sign: term.args[0] for term, sign in summands if term.op == "part" and term.args[0].op == "name"}
+    lengths = [term for term, _ in summands if not any(node.op == "part" for node in term.walk())]
+    return len(points) > 1 and any(node.name in {"sin", "cos"} for term in lengths for node in term.walk())
+
+
+def unit_of(formula: Formula, variant: Variant) -> str:
+    """Return the unit of a scalar position equation: rad, m, m² … if its value doubles so often when all lengths are doubled."""
+    has_parts = any(node.op == "part" for node in formula.walk())
+    within = (inner for node in formula.walk() if node.op in {"*", "/", "^", "call"} for arg in node.args for inner in arg.walk())
+    if has_parts and all(inner.op != "part" for inner in within):
+        return "m"
+    laws = {law.name: law for law in (*variant.drive, *variant.functions)}
+
+    def value(factor: float) -> float:
+        values: dict[str, complex] = {"t": 0.37, "pi": math.pi}
+        values |= {g.name: g.value * (factor if g.si == "m" else 1.0) for g in variant.given}
+        for place, coordinate in enumerate(variant.coordinates):
+            values[coordinate.name] = (0.3 + 0.1 * place) * (factor if coordinate.unit == "m" else 1.0)
+        for name, where in variant.points:
+            with suppress(KeyError):  # a point of a group is placed by its closure
+                values[name] = evaluate_any(where, values)
+        for name, law in laws.items():
+            if law.formula is None:
+                values[name] = factor
+            elif values.keys() >= {*law.formula.names()}:
+                values[name] = evaluate_any(law.formula, values)
+        return evaluate_any(formula, values).real
+
+    try:
+        one, two = value(1.0), value(2.0)
+    except (FormulaFault, KeyError):
+        return "m"
+    if abs(two - one) <= 1e-9 * (1 + abs(one)):
+        return "m" if has_parts and not one else "rad"
+    degree = math.log2(two / one) if one * two > 0 else 1.0
+    return POWERS.get(round(degree), "m") if abs(degree - round(degree)) < 1e-9 else "m"
