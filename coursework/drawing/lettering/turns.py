@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import permutations
 
-from coursework.drawing.outline.lengths import is_origin
+from coursework.drawing.outline.lengths import gaps_of, is_origin
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, signed
@@ -145,7 +145,7 @@ def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool, str]]:
             pair = one.sides, one.sides[::-1]
             sides += [(side, other.name if other.op == "name" else met.get(other, "")) for side, other in pair]
     yield from (([*signed(side)], False, name) for side, name in sides)
-    yield from ((list(signed(hold.args[0])), True, "") for hold in mechanism.variant.holds if hold.op == "part")
+    yield from ((list(signed(gap)), True, "") for gap in gaps_of(mechanism.variant))
 
 
 def _centre(mechanism: Mechanism, rate: str, values: Values, way: complex) -> complex | None:

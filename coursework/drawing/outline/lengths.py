@@ -12,6 +12,8 @@ from string import ascii_uppercase
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, named, signed, terms
+from coursework.variant.record.held import held_vectors
+from coursework.variant.record.variant import Variant
 
 # The terms of an angle that move, with their signs.
 Turning = frozenset[tuple[Formula, int]]
@@ -40,6 +42,11 @@ def rigid_arm(formula: Formula, moving: Container[str]) -> tuple[str, Turning] |
     return (base.name, turned.pop()) if len(turned) == 1 else None
 
 
+def gaps_of(variant: Variant) -> list[Formula]:
+    """Return the sums of vectors that a file holds along one axis or both, such as C - B - r @ phi."""
+    return [*dict.fromkeys((*(hold.args[0] for hold in variant.holds if hold.op == "part"), *held_vectors(variant)))]
+
+
 def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:
     """Return both sides of each closure "B + r2 @ phi2 = D + r3 @ phi3" at a joint that has no point, by the next free letter."""
     variant, points = mechanism.variant, dict(mechanism.points)
@@ -64,7 +71,7 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
     minus += [Formula("-", (at.get(c.left, c.left), at.get(c.right, c.right))) for c in mechanism.constraints if c.is_closure]
     for joint, sides in unnamed_joints(mechanism).items():
         minus += [Formula("-", (named(joint), side)) for side in sides]
-    minus += [hold.args[0] for hold in variant.holds if hold.op == "part"]
+    minus += gaps_of(variant)
     found: dict[frozenset[str], Formula] = {}
     for formula in minus:
         parts = [*terms(formula)]

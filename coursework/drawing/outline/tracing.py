@@ -12,11 +12,11 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from coursework.drawing.outline.lengths import Turning, arm_base, rigid_arm, unnamed_joints
+from coursework.drawing.outline.lengths import Turning, arm_base, gaps_of, rigid_arm, unnamed_joints
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, led_by_law, link_names, riders
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, named, number, terms
+from coursework.variant.formula.tree import Formula, named, number, signed, terms
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 
@@ -168,10 +168,13 @@ class _Pencil:
         for left, right in self.closures:
             tip = next((side for side in (right, left) if side.op == "name" or side in self.named), left)
             formulas += [(self.name_of(tip), side) for side in (left, right) if arm_base(side, coordinate)]
-        for hold in self.variant.holds:
-            parts = [*terms(hold.args[0])] if hold.op == "part" else []
-            if len(parts) == 3 and parts[0].op == "name":
-                formulas.append((parts[0].name, Formula("+", (parts[1], parts[2]))))
+        for gap in gaps_of(self.variant):
+            parts = [*signed(gap)]
+            ends = {sign: term for term, sign in parts if term.op == "name"}
+            arms = [(term, sign) for term, sign in parts if term.op != "name"]
+            if (len(parts), len(ends), len(arms)) == (3, 2, 1):
+                [(arm, sign)] = arms
+                formulas.append((ends[-sign].name, Formula("+", (ends[sign], arm))))
         moving = {one.name: place for place, one in enumerate(self.variant.coordinates)}
         found: dict[Turning, list[tuple[str, str]]] = {}
         for name, formula in sorted(formulas, key=lambda one: sum(1 for _ in terms(one[1]))):  # bars before bent ones

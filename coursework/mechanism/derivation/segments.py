@@ -6,7 +6,6 @@ Enters: a `Mechanism`.  Leaves: `PointGraph`, in formulas.  Used by `paths.py` a
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from operator import itemgetter
@@ -15,6 +14,7 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number, signed
 from coursework.variant.record.entries import reached
+from coursework.variant.record.held import held_vectors
 from coursework.variant.record.variant import Link, Variant
 
 ZERO = number(0)
@@ -110,11 +110,8 @@ def point_graph(mechanism: Mechanism) -> PointGraph:
 def _drawn(mechanism: Mechanism, fixed: set[str]) -> Iterator[tuple[str, str, Formula]]:
     """Yield (start, end, vector from start to end) for points, for closures written as a vector, and for held expressions."""
     minus = [Formula("-", (named(name), formula)) for name, formula in mechanism.points if name not in fixed]
-    minus += [Formula("-", constraint.sides) for constraint in mechanism.constraints if constraint.is_closure]
-    holds = [hold for hold in mechanism.variant.holds if hold.op == "part"]
-    axes = Counter(hold.args[0] for hold in dict.fromkeys(holds))
-    minus += [formula for formula, count in axes.items() if count == len("xy")]  # held along one axis it is no vector
-    for formula in minus:
+    minus += [Formula("-", constraint.sides) for constraint in mechanism.variant.constraints if constraint.is_closure]
+    for formula in (*minus, *held_vectors(mechanism.variant)):
         yield from _between_points(formula)
     centres = [centre.name for centre, _ in mechanism.variant.frame.circles if centre.op == "name"]
     for hold in mechanism.variant.holds:

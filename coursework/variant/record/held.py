@@ -1,4 +1,4 @@
-"""What [closure] holds: the unit of an expression, and which expressions can only be zero.
+"""What [closure] holds: the unit of an expression, which expressions can only be zero, and which are two sides of a vector.
 
 Enters: a `Variant`.  Leaves: units, flags.  Used by `equations.py`, `changes.py`, `gaps.py` and `drift.py`.
 """
@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import math
 from contextlib import suppress
+from itertools import permutations
 
+from coursework.variant.formula.arms import with_arms
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, on_axes, signed, terms
 from coursework.variant.record.variant import Variant
 
@@ -30,6 +32,38 @@ def closed_loops(variant: Variant) -> tuple[bool, ...]:
         or (any(data.issuperset(term.names()) for term in terms(formula)) and unit_of(formula, variant) in POWERS.values())
         for formula, (pair, _) in zip(written, apart, strict=True)
     )
+
+
+def held_vectors(variant: Variant) -> tuple[Formula, ...]:
+    """Return the sums of vectors that are held, or closed, along both axes, in whichever way a file writes the two.
+
+    C.x - B.x - r*cos(phi) and C.y - B.y - r*sin(phi) say that C - B - r @ phi stays.
+    """
+    points = {name for name, _ in variant.points}
+    moving = points | {one.name for one in variant.coordinates}
+    scalars = [on_axes(hold) for hold in variant.holds]
+    scalars += [
+        on_axes(Formula("-", one.sides)) for one in variant.constraints if one.is_closure and not _is_vector(one.left, points)
+    ]
+    named = [(formula, moving.intersection(formula.names())) for formula in scalars]
+    both = (
+        Formula("pair", (x, side))
+        for (x, one), (y, other) in permutations(named, 2)
+        if one and one == other
+        for side in (y, Formula("neg", (y,)))
+    )
+    vectors = (with_arms(pair) for pair in both)
+    return tuple(
+        dict.fromkeys(
+            vector for vector in vectors if all(moving.isdisjoint(node.names()) for node in vector.walk() if node.op == "pair")
+        )
+    )
+
+
+def _is_vector(formula: Formula, points: set[str]) -> bool:
+    if formula.op in {"+", "-", "neg"}:
+        return any(_is_vector(arg, points) for arg in formula.args)
+    return formula.op in {"@", "pair"} or formula.name in points
 
 
 def _apart(formula: Formula) -> tuple[str, str]:

@@ -106,6 +106,15 @@ def test_a_held_gap_is_a_segment_in_any_order_if_it_is_held_along_both_axes(gap:
     )
 
 
+@pytest.mark.parametrize("y", ["R.y - Q.y - c*sin(phi3)", "Q.y + c*sin(phi3) - R.y", "(Q - R).y + sin(phi3)*c"])
+def test_two_held_components_are_the_vector_they_belong_to(y: str) -> None:
+    text = mechanism("four-bar-by-its-points", holds=f'["R.x - c*cos(phi3) - Q.x", "{y}"]')
+    graph = point_graph(build(parse_variant(text)))
+    assert [spelled(one.length) for one in graph.segments if {one.start, one.end} == {"Q", "R"}] == ["c"]
+    other = parse_variant(text.replace("R.x - c*cos(phi3)", "R.x - c*cos(phi2)"))
+    assert not [one for one in point_graph(build(other)).segments if {one.start, one.end} == {"Q", "R"}]
+
+
 def test_a_chain_has_a_contour_for_each_group() -> None:
     contours = contours_of(coursework.solve("example-3", quantities=["table"]).scene.mechanism)
     assert [one.name for one in contours] == ["G2", "G3"]

@@ -201,6 +201,12 @@ def test_the_caption_names_every_drive(real: ModuleType, five_bar: Any) -> None:
     assert "Also given, without an arrow: vp." in told(real, law_of_no_rate, "statement")
 
 
+def test_closures_without_written_equations_are_derived_once(real: ModuleType) -> None:
+    page = told(real, solved(mechanism("clockwise-four-bar")), "equations")
+    assert "Closed vector contour" in page
+    assert "The velocity of a point follows from another" not in page
+
+
 def test_a_drive_that_jumps_makes_the_graphs_jump(real: ModuleType) -> None:
     law = '{ pieces = [["0 s", "n"], ["0.25 s", "2*n"]] }'
     run = solved(SHAPER.replace('w1 = "n"', f"w1 = {law}").replace('period = "2*pi/n"\n', ""), "table", "checks")

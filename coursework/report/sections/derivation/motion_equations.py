@@ -30,11 +30,11 @@ from coursework.words.templates import clean
 def equations(context: PageContext) -> list[Part]:
     """Return the derivation from paths between points if the file shows them, then the written equations and the contours.
 
-    A file with groups and no written equations is derived only from contours.
+    A file with closures or groups and no written equations is derived only from contours.
     """
     written = [one for one in context.run.equations if not one.derived]
     parts: list[Part] = []
-    chain = context.variant.groups and not written
+    chain = not written and any(one.is_closure for one in context.run.scene.mechanism.constraints)
     rows = _configurations(context)
     found = None if chain else derive(context.run.scene.mechanism, rows)
     intro = "constraints.intro"
