@@ -48,7 +48,7 @@ def lowered(digits: str) -> str:
 def omega_name(body: Body) -> str:
     """Return the name of a link's angular velocity: ω₃ for the rate w3, else the name of its rate or link."""
     short = re.fullmatch(r"(?:w|omega)_?(\d+)", body.rate or "")
-    if short or (body.rate is None and body.name.isdecimal() and body.name.isascii()):
+    if short or (body.rate is None and not body.has_namesake and body.name.isdecimal() and body.name.isascii()):
         digits = short[1] if short else body.name
         return "ω" + lowered(digits)
     return body.rate or say("drawing.omega", link=body.name)

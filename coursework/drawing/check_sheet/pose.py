@@ -14,12 +14,16 @@ from coursework.system.frozen import frozen
 
 @frozen
 class Body:
-    """A rigid link: its material points and the name of its rate; `guide` is the unit direction in which a slider translates."""
+    """A rigid link: its material points and the name of its rate; `guide` is the unit direction in which a slider translates.
+
+    `has_namesake`: the velocity with the number of the link, ω₂ of link 2, is another one in the file.
+    """
 
     name: str
     points: tuple[str, ...]
     rate: str | None = None
     guide: complex = 0j
+    has_namesake: bool = False
 
 
 @frozen

@@ -88,7 +88,7 @@ def _sketch(
     start, here = ({name: at for name, at in poses.pose(k).items() if not name.startswith("~")} for k in (0, row))
     wheels = {wheel.link: (wheel.centre, wheel.contact) for wheel in outline.wheels}
     contacts = {contact for _, contact in wheels.values()}
-    bodies = [body for bar in outline.bars if (body := _body(bar, wheels)).points]
+    bodies = [body for bar in outline.bars if (body := _body(bar, wheels, variant.rates)).points]
     hinges = tuple(name for name in outline.hinges if any(name in body.points for body in bodies))
     rails = [(rail, complex(poses.along(rail.base, rail.toward)[row])) for rail in outline.rails]
     guided = {rail.rider: along for rail, along in rails if rail.rider and not rail.rolls}
@@ -132,10 +132,10 @@ def _sketch(
     )
 
 
-def _body(bar: Bar, wheels: Mapping[str, tuple[str, str]]) -> Body:
+def _body(bar: Bar, wheels: Mapping[str, tuple[str, str]], rates: Collection[str]) -> Body:
     """Return a bar as a rigid link with its named points; a wheel also has its contact."""
     points = dict.fromkeys(name for name in (*bar.corners, *wheels.get(bar.link, ())) if not name.startswith("~"))
-    return Body(bar.link, tuple(points), bar.rate or None)
+    return Body(bar.link, tuple(points), bar.rate or None, has_namesake=not bar.rate and f"w{bar.link}" in rates)
 
 
 def _slides(outline: Outline, poses: Poses, row: int, speeds: Mapping[tuple[str, str], float]) -> Iterator[Slide]:

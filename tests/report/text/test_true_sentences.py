@@ -207,6 +207,12 @@ def test_closures_without_written_equations_are_derived_once(real: ModuleType) -
     assert "The velocity of a point follows from another" not in page
 
 
+def test_the_velocity_of_a_link_is_not_called_like_a_rate_counted_from_another_link(real: ModuleType) -> None:
+    page = told(real, solved(mechanism("four-bar-with-relative-angles"), "graph_check"), "graph_check")
+    assert "ω of link 2" in page
+    assert "ω₂" not in page
+
+
 def test_a_drive_that_jumps_makes_the_graphs_jump(real: ModuleType) -> None:
     law = '{ pieces = [["0 s", "n"], ["0.25 s", "2*n"]] }'
     run = solved(SHAPER.replace('w1 = "n"', f"w1 = {law}").replace('period = "2*pi/n"\n', ""), "table", "checks")
