@@ -108,7 +108,8 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     every = every / np.where(scale > 0, scale, 1.0)
     lengths = np.linalg.norm(every, axis=2, keepdims=True)
     every = every / np.where(lengths > 0, lengths, 1.0)
-    if first and _clashing(every[:, :first]).all():
+    # Where the written equations contradict each other too, they are charged instead, or the drives.
+    if _clashing(every[:, :first]).all() and not _clashing(every[:, first:]).all():
         raise InputError(_clash(equations, derived, every[:, :first]))
     # A dead point, where the geometry alone cannot follow its drive, is reported elsewhere.
     sound = every[~_contradictory(every[:, :first])]
