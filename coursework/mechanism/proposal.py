@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from coursework.variant.formula.tree import Formula, evaluate, spelled
 from coursework.variant.record.variant import Link, Variant
@@ -16,6 +16,12 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _ALONG = {"y": "0 deg", "x": "90 deg"}  # a point that keeps its height moves along x
+
+
+def proposals(variant: Variant, names: Iterable[str]) -> list[Sentence]:
+    """Return what to write for each velocity; one that the file says already only waits for the coordinates of its point."""
+    bound = {binding.name for binding in variant.bindings}
+    return [proposed(variant, name) for name in names if name not in bound]
 
 
 def proposed(variant: Variant, name: str) -> Sentence:

@@ -17,6 +17,7 @@ from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE
 from coursework.motion.settings import Settings
 from coursework.scene.scene import Scene
 from coursework.system.on_demand import computed
+from coursework.variant.judging.bounds import refuse_unbounded
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
@@ -44,6 +45,7 @@ class ExactScene(Scene):
             line = variant.line_of("time", "scheme") if variant.time.scheme else 1  # a missing entry has no line of its own
             raise InputError([Fault(say("fault.V502", scheme=PRECISE.name), variant.file, line)])
         refuse_aliasing(self.equations, variant.time.step, self.fastest_wave)
+        refuse_unbounded(variant)
         exact = self.exact
         if not len(exact.t) and stop is None:
             line = variant.nearest_line("time", "end")

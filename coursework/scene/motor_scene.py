@@ -33,6 +33,7 @@ from coursework.scene.motion_results import MotionResults
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array
 from coursework.system.on_demand import computed
+from coursework.variant.judging.bounds import refuse_unbounded
 from coursework.variant.record.no_value import without_value
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
@@ -226,6 +227,7 @@ class MotorScene(Scene):
     @computed("free_equations", "stop", "start")
     def motion(self) -> Motion:
         """Return the rows of the scheme, or of the exact motion."""
+        refuse_unbounded(self.variant)
         scheme, time = self.scheme, self.variant.time
         if scheme is None:
             return self._exact_rows

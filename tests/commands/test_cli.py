@@ -119,6 +119,8 @@ WRONG = {
     "end before step": (["run", "31", "--end", "0.001"], "the end (0.001 s) must be at least one step (0.02 s)."),
     "end nan": (["run", "31", "--end", "nan"], "the end must be a number of seconds, found nan."),
     "error text": (["run", "31", "--error", "abc"], "C057 --error takes a number."),
+    "budget zero": (["run", "31", "--budget", "0"], "C059 --budget takes a number greater than 0."),
+    "jobs zero": (["run", "31", "--jobs", "0"], "C055 --jobs takes a number of at least 1."),
     "end text": (["run", "31", "--end", "abc"], "C012 the end must be a number of seconds, found 'abc'."),
     "end in metres": (["run", "31", "--end", "0.2 m"], "C012 the end must be a number of seconds, found '0.2 m'."),
     "aliasing": (["run", "31", "--step", "0.3"], "The step 0.3 s is too large for this drive"),

@@ -55,6 +55,18 @@ def test_a_file_may_ask_for_a_scheme_and_the_command_line_for_another():
         parse_variant(text.replace("heun", "huen"), "faulty")
 
 
+@pytest.mark.parametrize(
+    ("name", "scheme"),
+    [("31", "euler"), ("31", EXACT), ("example-1", EXACT), ("example-2-motor", "rk4"), ("example-2-motor", EXACT)],
+)
+def test_every_scheme_keeps_to_the_most_numbers_of_a_table(monkeypatch, name, scheme):
+    """With times from the command line, after the file was read."""
+    variant = coursework.load(name)
+    monkeypatch.setattr("coursework.variant.judging.bounds.MAX_NUMBERS", 100)
+    with pytest.raises(coursework.InputError, match="a table has at most 100 numbers"):
+        _ = coursework.solve(variant, scheme, step=variant.time.step / 2, quantities=["table"]).motion
+
+
 def test_without_closed_positions_it_is_refused():
     Path("open.toml").write_text(OPEN, encoding="utf-8")
     done = call("run", "open.toml", "--scheme", "exact", "--format", "csv")

@@ -45,7 +45,7 @@ def fault_of(error: click.ClickException) -> Sentence:
         return say("fault.C054", name=_name(error), choices=either([f'"{choice}"' for choice in kind.choices]))
     if isinstance(error, click.BadParameter) and isinstance(kind, (click.IntRange, click.FloatRange)):
         if kind.max is None:
-            return say("fault.C055", name=_name(error), least=kind.min)
+            return say("fault.C059" if kind.min_open else "fault.C055", name=_name(error), least=kind.min)
         return say("fault.C056", name=_name(error), least=kind.min, most=kind.max)
     if isinstance(error, click.BadParameter) and kind in {click.FLOAT, click.INT}:
         return say("fault.C057", name=_name(error))

@@ -26,6 +26,8 @@ from coursework.words.sentences import say
 
 # Rank tolerance for rows scaled to length 1: far above round-off, far below the effect of a wrong coefficient or sign.
 TOLERANCE = 1e-8
+# The same for equations that contradict each other although they fix every velocity: far above what a start with few digits does.
+_CLASH = 1e-2
 # Pseudo-random data: each value is moved by up to half of `_SPREAD` of itself, each by a different share.
 _SPREAD, _GOLDEN = 0.02, 0.6180339887498949
 _SMOOTH = {"number", "symbol", "pi", "+", "*", "sin", "cos", "tan", "exp"}
@@ -106,6 +108,9 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     every = every / np.where(scale > 0, scale, 1.0)
     lengths = np.linalg.norm(every, axis=2, keepdims=True)
     every = every / np.where(lengths > 0, lengths, 1.0)
+    # Where the written equations contradict each other too, they are charged instead, or the drives.
+    if _clashing(every[:, :first]).all() and not _clashing(every[:, first:]).all():
+        raise InputError(_clash(equations, derived, every[:, :first]))
     # A dead point, where the geometry alone cannot follow its drive, is reported elsewhere.
     sound = every[~_contradictory(every[:, :first])]
     if _contradictory(sound).any():
@@ -159,6 +164,15 @@ def _faults(
     return faults
 
 
+def _clash(equations: VelocityEquations, derived: Sequence[VelocityEquation], every: Array) -> list[Fault]:
+    """Return a fault that names the derived equations of which one at least must be wrong."""
+    rest = [np.delete(every, place, axis=1) for place in range(len(derived))]
+    suspects = [one for one, others in zip(derived, rest, strict=True) if not _clashing(others).all()]
+    names = tuple(one.name for one in suspects or derived)
+    line = equations.variant.nearest_line("closure") if equations.from_closure else derived[0].line
+    return [Fault(say("fault.V320", names=names, sections=_sections(equations)), equations.variant.file, line)]
+
+
 def _sections(equations: VelocityEquations) -> tuple[str, str]:
     """Return the names of the sections of the file that describe its geometry."""
     if equations.from_closure:
@@ -194,13 +208,22 @@ def _require_free(equations: VelocityEquations, times: Array, positions: Array) 
         raise InputError(faults)
 
 
+def _clashing(rows: Array) -> Flags:
+    """Return which of the systems (…, k, n) fix every velocity in them yet have no solution: no dead point explains that."""
+    kept = np.append(np.any(rows[..., :-1] != 0, axis=tuple(range(rows.ndim - 1))), True)
+    rows = rows[..., kept]
+    if rows.shape[-2] < rows.shape[-1]:
+        return np.zeros(rows.shape[:-2], dtype=bool)
+    return np.asarray((_ranks(rows[..., :-1], _CLASH) == rows.shape[-1] - 1) & (_ranks(rows, _CLASH) == rows.shape[-1]))
+
+
 def _contradictory(rows: Array) -> Flags:
     """Return which of the systems (…, k, n), with their right sides in the last column, have no solution (…)."""
     return np.asarray(_ranks(rows) > _ranks(rows[..., :-1]))
 
 
-def _ranks(matrices: Array) -> NDArray[np.int_]:
+def _ranks(matrices: Array, tolerance: float = TOLERANCE) -> NDArray[np.int_]:
     """Return the ranks (…) of matrices (…, k, n)."""
     sizes = np.linalg.svd(matrices, compute_uv=False)
     largest = np.maximum(np.max(sizes, axis=-1, keepdims=True, initial=0.0), 1e-300)
-    return np.asarray(np.sum(sizes > TOLERANCE * largest, axis=-1))
+    return np.asarray(np.sum(sizes > tolerance * largest, axis=-1))

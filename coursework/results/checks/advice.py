@@ -135,9 +135,11 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge, few
         if not _affordable(evidence, parts, order):
             return 0, None
         motion = None if own == EXACT else evidence.rerun(own, _spelled(evidence, parts)[1])
-        share = _glanced(evidence, motion, parts) if motion is not None else 0.0
         expected = known * (before / parts) ** order
-        known = share
+        if motion is None and own != EXACT:  # this step is still so large that its rows end early
+            known, coarse = expected, [Finding("COARSE", "")]
+            continue
+        known = share = _glanced(evidence, motion, parts) if motion is not None else 0.0
         if share > LIMIT:
             coarse = [Finding("COARSE", "", share, LIMIT)]
             continue

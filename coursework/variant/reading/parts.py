@@ -16,7 +16,7 @@ from coursework.variant.formula import reader, units
 from coursework.variant.formula.arms import with_arms
 from coursework.variant.formula.made import part_of_pi
 from coursework.variant.formula.motion_units import UNITS
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, spelled
 from coursework.variant.reading.names import Names
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
@@ -219,7 +219,8 @@ class Parts:
         if "?" in kinds:
             return "?"
         if wrong:
-            self.say(path, say("fault.V054", name=tree.name or tree.op), tree.column)
+            told = spelled(tree)[:40] if tree.op == "pair" else tree.name or tree.op
+            self.say(path, say("fault.V054", name=told), tree.column)
             return "?"
         return result.get(tree.op, "vector" if "vector" in kinds else "scalar")
 

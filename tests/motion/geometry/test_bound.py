@@ -77,6 +77,13 @@ def test_two_wrong_equations_are_both_named():
     assert [str(fault.message)[:10] for fault in caught.value.faults] == ["equation 3", "equation 4"]
 
 
+def test_what_the_file_says_of_an_unknown_is_not_asked_for_again():
+    """Without its driven point the geometry holds no coordinate, so that u of B is not known either."""
+    _, found = agreement_of(TEMPLATE.replace('driven = "M"', ""))
+    assert "nothing in the geometry gives w1, w2, w3 and u." in found.sentence
+    assert found.sentence.endswith("Say in [points] and [closure] how phi3 is held; then the geometry gives w3.")
+
+
 @pytest.mark.parametrize("entry", ['u = "m/s"', 'u = { unit = "m/s" }'])
 @pytest.mark.parametrize("sign", "+-")
 def test_what_stays_unbound_is_said_first_and_never_praised(entry, sign):

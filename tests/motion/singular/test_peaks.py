@@ -11,6 +11,7 @@ import coursework
 from coursework.motion.singular.peaks import Peaks
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.drives import Law, four_bar
+from tests.hard.scenes import scene
 from tests.solved import solved
 
 
@@ -40,6 +41,21 @@ def test_the_largest_rate_is_that_of_a_fine_exact_motion(name, rate):
 @pytest.mark.parametrize(("name", "told"), [("example-1", "w1 is constant: 10 rad/s"), ("31", "w3 is largest at t = 0 s")])
 def test_a_constant_rate_has_no_moment_and_one_at_the_start_has(name, told):
     assert peak(solved(name, quantities=["table", "checks"])).sentence.startswith(told)
+
+
+@pytest.mark.parametrize(
+    ("law", "told"),
+    [
+        ('"-2"', "w is constant: -2 rad/s"),
+        ('{ pieces = [["0 s", "2"], ["0.5 s", "-2"]] }', "w is constant but for its sense: 2 rad/s"),
+    ],
+)
+def test_a_constant_rate_is_told_with_its_sense(law, told):
+    text = scene(
+        'phi = { start = "0 rad", rate = "w" }\nx = { start = "0 m", rate = "u" }', given='r = "1 m"', drive=f"w = {law}",
+        equations=["u = r*w*cos(phi)"],
+    )  # fmt: skip
+    assert peak(coursework.solve(parse_variant(text))).sentence.startswith(told)
 
 
 def test_nothing_beyond_the_end_counts():

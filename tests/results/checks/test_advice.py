@@ -103,6 +103,24 @@ def test_a_period_with_two_digits_over_many_periods_is_cured_by_no_step():
     assert "no step makes up for that" in late.sentence
 
 
+def test_a_trial_that_ends_early_too_leads_to_a_finer_one():
+    """A crank of 0.2 m in a sleeve 0.205 m away: the sleeve turns at 126 rad/s when they pass, and h/3 stops there as h does."""
+    text = scene(
+        'phi = { start = "0 rad", rate = "w1" }\npsi = { start = "0 rad", rate = "w3" }\ns = { start = "0.405 m", rate = "u" }',
+        given='r = "0.2 m"', drive='w1 = "pi"', step=1 / 12, end=2.0,
+        equations=["u*cos(psi) - s*w3*sin(psi) = -r*w1*sin(phi)", "u*sin(psi) + s*w3*cos(psi) = r*w1*cos(phi)"],
+        more='[closure]\nholds = ["s*cos(psi) - r*cos(phi)", "s*sin(psi) - r*sin(phi)"]',
+    )  # fmt: skip
+    run = solve(text, "rk4")
+    assert (verdicts(run)["STOP"], verdicts(run)["PEAK"]) == ("COARSE", "COARSE")
+    assert verdicts(solve(text, "rk4", step=1 / 36))["STOP"] == "COARSE"
+    advised = found(run, "PEAK").step
+    assert advised is not None
+    again = solve(text, "rk4", step=advised)
+    assert verdicts(again)["STOP"] == "PASS"
+    assert motion_verdicts(again) <= {"PASS", "SKIP"}
+
+
 def test_nothing_is_advised_for_a_mechanism_that_stops():
     dead = solve(V31.replace('alpha = "4.35 rad"', 'alpha = "0.02 rad"'))
     assert not any(one.option for one in dead.checks)

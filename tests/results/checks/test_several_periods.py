@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from coursework.results.checks.close_to_motion import several_periods
+from tests.hard.scenes import scene
 from tests.mechanisms.library import mechanism
 from tests.report.own import FIVE_BAR
 from tests.results.checks.independent import judge
@@ -127,6 +128,19 @@ def test_a_wheel_nearly_back_is_told_the_same_by_positions_and_velocities():
     assert all("after 50 periods" in one.sentence for one in told)
 
 
+@pytest.mark.parametrize("size", ["0.1 m", "1 mm"])
+def test_a_slider_on_a_slow_wheel_is_not_taken_for_one_that_travels_on(size):
+    """A wheel of 1/99 of a turn a lap moves it back and forth: nearly as far in the first lap as in the second."""
+    text = scene(
+        'phi = { start = "0.5 rad", rate = "w" }\npsi = { start = "0.2 rad", rate = "w2" }\nx = { start = "0 m", rate = "u" }',
+        given=f'r = "{size}"', drive='w = "2*pi"', step=1 / 32, equations=["w2 = w/99", "u = -r*w2*sin(psi) + r*w*cos(phi)"],
+        time='period = "1 s"',
+    )  # fmt: skip
+    for one in judged(text):
+        assert one.verdict == "SKIP"
+        assert "after 99 periods" in one.sentence
+
+
 @pytest.mark.parametrize(("period", "verdict"), [("10 s", "FAIL"), ("12*2*pi/w", "SKIP")])
 def test_of_a_period_too_long_to_be_followed_the_drive_says_whether_it_can_be_right(period, verdict):
     positions, velocities = judged(wheel(0.9, period, law="w + w*cos(2*w*t)/2"))
@@ -170,7 +184,7 @@ def later_of(monkeypatch, gain, second=None, slid=0.0):
     variant = SimpleNamespace(coordinates=listed, driven_coordinates=listed[:1], known_rates=())
     exact = SimpleNamespace(rows=np.zeros((1, 3)), coordinate_names=tuple(names))
     return several_periods._later(
-        SimpleNamespace(true=exact, variant=variant, period=1.0, unit=names.get, scale=dict.fromkeys(names, 1.0))
+        SimpleNamespace(true=exact, variant=variant, period=1.0, unit=names.get, scale=dict.fromkeys(names, 2 * np.pi))
     )
 
 

@@ -15,7 +15,7 @@ from coursework.mechanism.derivation.contours import Contour, contours_of
 from coursework.mechanism.derivation.derive import Combination, Derivation, Numbered, derive
 from coursework.mechanism.derivation.paths import Path, Term
 from coursework.mechanism.derivation.segments import ZERO, Angle
-from coursework.mechanism.proposal import proposed
+from coursework.mechanism.proposal import proposals
 from coursework.report.formulas import typst_math as setting
 from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
@@ -187,7 +187,7 @@ def _proposed(context: PageContext, names: Sequence[str]) -> list[Sentence]:
     closure = context.run.scene.closure
     unjudged = dict(closure.unjudged) if closure is not None else {}
     lacking = dict.fromkeys(unknown for name in names for unknown in unjudged.get(name, ()))
-    return [proposed(context.run.variant, unknown) for unknown in lacking]
+    return proposals(context.run.variant, lacking)
 
 
 def _unchecked(context: PageContext, written: Sequence[str]) -> str:

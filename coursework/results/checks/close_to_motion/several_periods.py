@@ -24,8 +24,8 @@ FURTHEST = 2.0
 # Largest number of drive periods: nobody waits longer for a mechanism.
 MOST = 100
 
-# Share of a turn by which a whole number of turns may be missed.  Among a hundred multiples of any number one is whole to 0.01:
-# with the limit for T every ratio would count as a simple fraction.
+# Share of a turn by which a whole number of turns may be missed, and of its scale by which a length may grow each period.
+# Among a hundred multiples of any number one is whole to 0.01: with the limit for T every ratio would count as a simple fraction.
 WHOLE = 1e-4
 
 
@@ -79,14 +79,16 @@ def _later(evidence: Evidence) -> Later | None:
     late = _lateness(evidence, gains, driven)
     wheels = []
     for coordinate in variant.coordinates:
-        first, second = (gains[:, exact.coordinate_names.index(coordinate.name)] / late / (2 * np.pi)).tolist()
+        is_angle = coordinate.unit == "rad"
+        whole = 2 * np.pi if is_angle else evidence.scale[coordinate.name]
+        first, second = (gains[:, exact.coordinate_names.index(coordinate.name)] / late / whole).tolist()
         is_steady = abs(second - first) <= WHOLE and missed(evidence, once, coordinate.rate) <= RETURNS
         if coordinate.name in driven or not is_steady:
             continue  # what hangs on a wheel that is not back is not back either
-        if coordinate.unit != "rad" and share_of(first, evidence.scale[coordinate.name]) > WHOLE:
-            return None  # it travels on
-        if coordinate.unit == "rad":
+        if is_angle:
             wheels.append((first + second) / 2)
+        elif abs(first) > WHOLE:
+            return None  # it travels on
     if all(abs(gain - round(gain)) <= WHOLE for gain in wheels):
         return None
     true = period / float(late[0])

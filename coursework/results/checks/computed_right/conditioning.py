@@ -148,9 +148,21 @@ def peak(evidence: Evidence) -> Finding:
         return skipped(evidence.say("check.PEAK.no_angle"))
     turned, place = max((search.way_within(place)(step), place) for place in turning)
     (rate, when), coordinate = fastest[place], variant.coordinates[place]
-    moment = evidence.say("check.PEAK.constant") if when is None else evidence.say("check.PEAK.moment", time=when)
+    if when is None:
+        moment, rate = _steady(evidence, coordinate.rate, rate)
+    else:
+        moment = evidence.say("check.PEAK.moment", time=when)
     found = {"rate": coordinate.rate, "moment": moment, "value": rate, "turned": turned, "name": coordinate.name}
     if turned <= WIDEST_STEP * (1 + _ROUNDING):
         return Finding("PASS", evidence.say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad", coordinate.rate)
     most = 0.0 if evidence.is_trial else search.longest_step(place, WIDEST_STEP, step)
     return Finding("COARSE", evidence.say("check.PEAK.coarse", **found, step=most), turned, WIDEST_STEP, "rad", coordinate.rate)
+
+
+def _steady(evidence: Evidence, name: str, size: float) -> tuple[str, float]:
+    """Return what is said of a rate of constant size, and its value: a drive in pieces may turn it back at the same speed."""
+    rates = evidence.motion.column(name) if name in evidence.motion.names else np.zeros(0)
+    least, most = np.min(rates, initial=0.0), np.max(rates, initial=0.0)
+    if least < 0 < most:
+        return evidence.say("check.PEAK.size"), size
+    return evidence.say("check.PEAK.constant"), -size if least < 0 else size

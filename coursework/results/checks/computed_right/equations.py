@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.mechanism.proposal import proposed
+from coursework.mechanism.proposal import proposals
 from coursework.motion.geometry.closure import Closure
 from coursework.results.checks.evidence import Evidence, worst
 from coursework.results.checks.result import Finding, skipped
@@ -93,6 +93,6 @@ def open_to_doubt(closure: Closure) -> tuple[Sentence, Sentence] | None:
     count = {"count": len(closure.agreed), "all": len(closure.agreed) + len(names)}
     key = f"check.AGREEMENT.{'some' if closure.agreed else 'none'}"
     found = say_count(key, len(names), names=names, unknowns=lacking, **count)
-    advice = [proposed(closure.equations.variant, name) for name in lacking]
+    advice = proposals(closure.equations.variant, lacking)
     rest = say_count("summary.not_judged", len(names), names=names, unknowns=lacking)
     return joined([found, *advice, *told]), joined([rest, *beside], "join.semicolon")
