@@ -6,6 +6,7 @@ Enters: the name of the table.  Leaves: rows of (argument, value).  Used by `rea
 from __future__ import annotations
 
 import math
+import posixpath
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -67,6 +68,8 @@ def _text(name: str, source: Source) -> str:
 
 
 def _in_memory(name: str, tables: Mapping[str, bytes]) -> bytes:
+    if posixpath.normpath(name).startswith(("../", "/")):
+        raise TableFault(say("fault.V091", name=name))
     if name not in tables:
         known = say("hint.there_is", known=tuple(sorted(tables))) if tables else ""
         raise TableFault(say("fault.V090", name=name, known=known))
