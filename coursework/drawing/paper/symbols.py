@@ -28,7 +28,7 @@ def short(name: str) -> str:
 
 
 def name_word(name: str) -> tuple[str, str, str]:
-    """Return the name of a point or datum as (text, subscript, prime): "P1" is P with 1, "Ki" K with i, "xF" x with F, "lAB" l with AB.
+    """Return the name of a point or datum as (text, subscript, prime): "P1" is P with 1, "Ki" K with i, "lAB" l with AB.
 
     The point under another, "P1'", has its prime behind everything.
     """
