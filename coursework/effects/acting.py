@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from coursework.effects.force_scheme import Body, ForceScheme, Unknown, inertia_of, torques_beside_drives
-from coursework.equations.algebra.calculus import derivative as derivative_by
 from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression, add
 from coursework.equations.algebra.functions import call, cosine, sine
 from coursework.equations.codegen.programs import Statement
@@ -19,7 +18,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import Vector, placed, symbol
 from coursework.mechanism.joints import FRAME
-from coursework.motion.geometry.time_derivatives import acceleration_rest, derivative, second_rate
+from coursework.motion.geometry.time_derivatives import acceleration_rest, derivative, moved_rate
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.forces import Spring
@@ -104,9 +103,8 @@ class ActingWriter:
         return self.changed(self.equations.symbols.rate(expression))
 
     def changed(self, rate: Expression) -> Expression:
-        """Return the time derivative of an expression of the velocities; free rates change by forces, not by laws."""
-        free = self.scheme.forces.motor.rates if self.scheme.forces.motor else ()
-        return add(second_rate(self.equations, rate), *[derivative_by(rate, symbol(name)) * derivative(name) for name in free])
+        """Return the time derivative of an expression of the velocities."""
+        return moved_rate(self.equations, rate)
 
     def turned(self, body: Body) -> tuple[Expression, Expression]:
         """Return the angular velocity and acceleration of a body."""

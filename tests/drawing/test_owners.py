@@ -117,9 +117,9 @@ def test_the_measure_sees_what_is_astray() -> None:
 
 
 def test_names_have_their_index_lowered() -> None:
-    assert [name_word(name) for name in ("P1", "D5", "Ki", "xF", "A", "beta", "Pin", "b'", "b1''")] == [
+    assert [name_word(name) for name in ("P1", "D5", "Ki", "xF", "A", "beta", "Pin", "b'", "b1''", "dx", "lAB", "AB")] == [
         ("P", "1", ""), ("D", "5", ""), ("K", "i", ""), ("x", "F", ""), ("A", "", ""), ("β", "", ""), ("Pin", "", ""),
-        ("b′", "", ""), ("b", "1", "′′"),
+        ("b′", "", ""), ("b", "1", "′′"), ("d", "x", ""), ("l", "AB", ""), ("AB", "", ""),
     ]  # fmt: skip
     assert '>P<tspan dy="0.8" font-size="2.3">1</tspan>' in drawing_of("jansen").svg
     assert "P₁" in {

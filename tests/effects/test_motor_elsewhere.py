@@ -1,9 +1,12 @@
 """A motor on a link that is not free, and one between two links: each acts where it is, so every link balances by itself."""
 
+import json
+
 import numpy as np
 import pytest
 
 import coursework
+from coursework.scene.quantities import plans
 from tests.effects.massed import of_text
 from tests.mechanisms.library import mechanism
 from tests.report.real import parts
@@ -67,3 +70,25 @@ def test_the_determinants_of_a_motion_under_forces_are_those_of_its_blocks():
     motion = solved("example-2-motor").motion
     assert motion.determinants[:, 0] == pytest.approx(1.2 * np.cos(motion.column("theta2")), rel=1e-12)
     assert motion.determinants.shape[1] == 2 and set(np.abs(motion.determinants[:, 1])) == {1.0}
+
+
+def test_points_keep_to_their_guides_also_in_their_accelerations():
+    """The slider's acceleration is that of its column, the crank pin's has a tangential part; the plan says the same."""
+    run, row = solved("example-2-motor", quantities=["accelerations", "points", "plans"]), 11
+    motion, (names, moved) = run.motion, run.results.point_accelerations
+    second = dict(zip(motion.velocity_names, run.results.accelerations.T, strict=True))
+
+    def point(name):
+        return moved[:, names.index(f"{name}.ax")] + 1j * moved[:, names.index(f"{name}.ay")]
+
+    assert point("C") == pytest.approx(second["u3"], abs=1e-9 * np.abs(second["u3"]).max())
+    spun = 0.4 * (1j * second["w1"] - motion.column("w1") ** 2) * np.exp(1j * motion.column("theta1"))
+    assert point("B") == pytest.approx(spun, rel=1e-9)
+    (drawn,) = [
+        complex(x, y)
+        for place, _, made, plan, kind, _, to, x, y, _ in plans.of(run.results).rows()
+        if (place, made, plan, kind, to) == (row + 1, "table", "acceleration", "absolute", "B")
+    ]
+    assert drawn == pytest.approx(spun[row], rel=1e-9)
+    shown = json.dumps([part for part in parts(run, "accelerations") if part["kind"] == "equations"], ensure_ascii=False)
+    assert f"{second['w2'][run.variant.time.row_of_check - 1]:.5g}".lstrip("-") in shown

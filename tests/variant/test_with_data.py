@@ -151,6 +151,10 @@ def test_a_table_in_memory_is_as_bounded_as_one_on_disk():
     beside = {one.name: b"0,1\n" * 70_000 for one in path.parent.glob("*.csv")}
     with pytest.raises(coursework.InputError, match="at most 262144 are read"):
         parse_variant(path.read_bytes(), path.stem, beside)
+    (name,) = (one for one in beside if one.encode() in path.read_bytes())
+    above = path.read_bytes().replace(name.encode(), b"../" + name.encode())
+    with pytest.raises(coursework.InputError, match="lies outside the folder of the variant"):
+        parse_variant(above, path.stem, {f"../{name}": b"0,1\n"})
 
 
 def test_a_rod_of_less_than_nothing_is_refused_by_data_as_by_its_file():

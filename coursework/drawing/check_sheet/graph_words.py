@@ -84,9 +84,12 @@ def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> lis
 
 def why_unread(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> str:
     """Return a sentence on why nothing can be read off a drawing."""
+    pose = sketch.pose
+    if not (pose.velocities or pose.rates or pose.driven_lengths):
+        return say("graph.unread_free")
     if not any(findings.velocities.values()):
         # The known rates include those of driven lengths, and no velocity of a point follows from such a rate alone.
-        return say("graph.unread_lengths" if any(sketch.pose.rates.values()) else "graph.unread_still")
+        return say("graph.unread_lengths" if any(pose.rates.values()) else "graph.unread_still")
     if findings.missing:
         return say("graph.unread_left")
     together = (findings.planned or findings.beyond) and (plan is None or plan.solved)

@@ -76,7 +76,10 @@ def read_sketch(
         columns = rates(motion.t, motion.coordinates, motion.velocities).T if rates else np.zeros((0, 1))
         parts = [_seen(column, row) for column in columns]
         given = {name: complex(x, y) for name, x, y in zip(pushed, parts[::2], parts[1::2], strict=True)}
-        return _sketch(mechanism, outline, posed(motion.t, motion.coordinates), row, given, lengths)
+        poses = posed(motion.t, motion.coordinates)
+        if variant.motor is not None:  # forces, not laws, say how fast a free rate is
+            poses = replace(poses, drive={**poses.drive, **{rate: motion.column(rate) for rate in variant.motor.rates}})
+        return _sketch(mechanism, outline, poses, row, given, lengths)
 
     return read
 

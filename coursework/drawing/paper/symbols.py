@@ -18,7 +18,7 @@ LONGEST_LENGTH = 14  # most letters of a length beside a link; a longer formula 
 LONGEST_INDEX = 4  # most letters of an index
 LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _NAME = re.compile(r"(?<![^\W\d])(?<!\.)([^\W\d_]+?)(\d*)(?!\w)")
-_INDEXED = re.compile(r"([^\W\d_])(?:_?(\d+)|_(\w+)|([ij])|(?<=[xy])([^\W\d_]))")
+_INDEXED = re.compile(r"([^\W\d_])(?:_?(\d+)|_(\w+)|([ijxy])|(?<=[xy])([^\W\d_])|(?<=[a-z])([A-Z]\w{0,3}))")
 _RATE = re.compile(r"(?:w|omega)_?(\w*)")
 
 
@@ -28,7 +28,7 @@ def short(name: str) -> str:
 
 
 def name_word(name: str) -> tuple[str, str, str]:
-    """Return the name of a point or datum as (text, subscript, prime): "P1" is P with 1, "Ki" K with i, "xF" x with F.
+    """Return the name of a point or datum as (text, subscript, prime): "P1" is P with 1, "Ki" K with i, "lAB" l with AB.
 
     The point under another, "P1'", has its prime behind everything.
     """

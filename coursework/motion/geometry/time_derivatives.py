@@ -47,7 +47,7 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[Expression], ord
 
 
 def second_rate(equations: VelocityEquations, rate: Expression) -> Expression:
-    """Return d rate / d t, in which `derivative(NAME)` is the derivative of the velocity NAME."""
+    """Return d rate / d t, in which `derivative(NAME)` is the derivative of the velocity NAME; that of a given rate is known."""
     symbols = equations.symbols
     total = symbols.rate(rate)
     for name in (*equations.variant.rates, *(name for name, _ in equations.variant.unknowns)):
@@ -56,11 +56,23 @@ def second_rate(equations: VelocityEquations, rate: Expression) -> Expression:
     return total
 
 
-def acceleration_rest(equations: VelocityEquations, equation: VelocityEquation) -> Expression:
-    """Return db/dt - dA/dt u for one velocity equation A u = b: the right side of its acceleration equation."""
+def moved_rate(equations: VelocityEquations, rate: Expression) -> Expression:
+    """Return d rate / d t like `second_rate`; rates that forces move change by forces, not by laws."""
+    motor = equations.variant.motor
+    free = motor.rates if motor is not None else ()
+    return add(second_rate(equations, rate), *[derivative_by(rate, symbol(name)) * derivative(name) for name in free])
+
+
+def acceleration_rest(
+    equations: VelocityEquations, equation: VelocityEquation, change: Callable[..., Expression] = second_rate
+) -> Expression:
+    """Return db/dt - dA/dt u for one velocity equation A u = b: the right side of its acceleration equation.
+
+    `change` is `second_rate`, as if free rates were constant, or `moved_rate`.
+    """
     moving = add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
     still = {derivative(name): ZERO for name in equations.unknowns}
-    return -replaced(second_rate(equations, moving), still)
+    return -replaced(change(equations, moving), still)
 
 
 def jets(equations: VelocityEquations, wanted: Sequence[Expression], order: int) -> list[Callable[..., Array]]:
@@ -69,5 +81,5 @@ def jets(equations: VelocityEquations, wanted: Sequence[Expression], order: int)
     if order >= 1:
         levels.append([equations.symbols.rate(expr) for expr in wanted])
     if order >= 2:
-        levels.append([second_rate(equations, expr) for expr in levels[1]])
+        levels.append([moved_rate(equations, expr) for expr in levels[1]])
     return [compile_rows(equations, exprs, level) for level, exprs in enumerate(levels)]

@@ -57,7 +57,8 @@ _ROUNDING = 1e-12
 class LivePart:
     """The live part: `words` by key, `speeds` (value, text), `last` row (from 0), `script` with its `hash`, `data` as JSON.
 
-    Without a `laboratory` the page shows a motion computed in advance; with `forces` it has reactions and energy too.
+    Without a `laboratory` the page shows a motion computed in advance; with `forces` it has reactions and energy too.  If it is
+    not `drawn`, the file has no points, so the page has graphs alone.
     """
 
     words: dict[str, str]
@@ -68,6 +69,7 @@ class LivePart:
     hash: str
     data: str
     forces: bool = False
+    drawn: bool = True
 
     @property
     def size(self) -> int:
@@ -135,9 +137,9 @@ def _part(run: SceneRun, phrases: Phrases, script: str, data: dict[str, Any], *,
     script = _speaking(script, embedded({key: data.pop(key) for key in _SAME if key in data}))
     mark = phrases.template("decimal")
     speeds = tuple((speed, phrases.template("live.speed_of").format(speed=f"{speed:g}".replace(".", mark))) for speed in SPEEDS)
-    return LivePart(
-        _words(phrases, run), speeds, max(1, len(run.motion.t) - 1), laboratory, script, hash_of(script), embedded(data)
-    )
+    last = max(1, len(run.motion.t) - 1)
+    told = script, hash_of(script), embedded(data)
+    return LivePart(_words(phrases, run), speeds, last, laboratory, *told, drawn=bool(data["shown_points"]))
 
 
 @lru_cache(maxsize=16)

@@ -177,7 +177,8 @@ class PageContext:
         """Return the names that may stand in a sentence about this variant."""
         variant = self.run.variant
         others = (*(given.name for given in variant.given), *(law.name for law in (*variant.drive, *variant.functions)))
-        return Names(tuple(name for name, _ in self.run.scene.mechanism.points), variant.columns, others)
+        columns = (*variant.columns, *(law.name for law in variant.drive))
+        return Names(tuple(name for name, _ in self.run.scene.mechanism.points), columns, others)
 
     def say(self, key: str, **values: object) -> Runs:
         """Return one of our own sentences as runs."""

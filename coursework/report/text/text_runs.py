@@ -25,7 +25,7 @@ Run = dict[str, str]
 _WORD = rf"[^\W{HAN_HERE}]"  # a letter, digit or _, but not Chinese, which follows other words without a space
 _LETTER = rf"[^\W\d_{HAN_HERE}]"
 _RUN = (
-    rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>(?:[^\W_{HAN_HERE}]′*){{1,12}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
+    rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>(?:[^\W_{HAN_HERE}]′*){{1,24}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
     rf"|\ue000(?P<own>.)(?P<index>[^\ue001]*)\ue001"
     rf"|(?P<greek>(?<!{_LETTER})[α-ωϕ]\u0307?(?!{_LETTER}))"
     rf"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"

@@ -6,7 +6,8 @@ Used by `statement.py` and `assigning/handout.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Iterable, Iterator, Sequence
 
 from coursework.drawing.outline.lengths import lengths
 from coursework.mechanism.groups import group_kind
@@ -18,6 +19,7 @@ from coursework.words.sentences import say
 from coursework.words.templates import clean
 
 _WAVES = {"sin", "cos"}
+_LETTER = re.compile(r"[^\W\d_](?:\d+|[ij])?")  # the name of a point that is no word: A, P1, Ki
 
 
 def meanings(mechanism: Mechanism) -> dict[str, str]:
@@ -59,7 +61,12 @@ def ends_kept(mechanism: Mechanism, names: Iterable[str]) -> dict[str, str]:
     places = [name for name, _ in mechanism.points]
     kept = {length.name: ends for ends, length in reversed(lengths(mechanism).items()) if length.op == "name"}
     order = {name: place for place, name in enumerate(places)}
-    return {name: "".join(sorted(kept.get(name, ()), key=lambda end: order.get(end, len(order)))) for name in names}
+    return {name: _between(sorted(kept.get(name, ()), key=lambda end: order.get(end, len(order)))) for name in names}
+
+
+def _between(points: Sequence[str]) -> str:
+    """Return two points as a distance: AB, XP1, or Origin–Pin if a name is a word."""
+    return ("" if all(map(_LETTER.fullmatch, points)) else "–").join(points)
 
 
 def _placed(mechanism: Mechanism) -> Iterator[tuple[str, str]]:

@@ -6,6 +6,7 @@ Enters: the name of the table.  Leaves: rows of (argument, value).  Used by `rea
 from __future__ import annotations
 
 import math
+import posixpath
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -55,6 +56,8 @@ def _text(name: str, source: Source) -> str:
     if not name.lower().endswith(".csv"):
         raise TableFault(say("fault.V089"))
     try:
+        if not _is_inside(name, source.folder):
+            raise TableFault(say("fault.V091", name=name))
         raw = _on_disk(name, source.folder) if isinstance(source.folder, Path) else _in_memory(name, source.folder)
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -64,6 +67,13 @@ def _text(name: str, source: Source) -> str:
             raise
         reason = reason_of(error)
         raise TableFault(say("fault.V098", name=name, reason=reason)) from error
+
+
+def _is_inside(name: str, folder: Path | Mapping[str, bytes]) -> bool:
+    """Return whether a table lies in the folder of its variant, or would if the variant were a file."""
+    if isinstance(folder, Path):
+        return (folder / name).resolve().is_relative_to(folder.resolve())
+    return not posixpath.normpath(name).startswith(("../", "/"))
 
 
 def _in_memory(name: str, tables: Mapping[str, bytes]) -> bytes:
@@ -76,8 +86,6 @@ def _in_memory(name: str, tables: Mapping[str, bytes]) -> bytes:
 
 def _on_disk(name: str, folder: Path) -> bytes:
     file = (folder / name).resolve()
-    if not file.is_relative_to(folder.resolve()):
-        raise TableFault(say("fault.V091", name=name))
     if not file.is_file():
         raise TableFault(say("fault.V139" if file.exists() else "fault.V092", name=name))
     _require_size(name, file.stat().st_size)

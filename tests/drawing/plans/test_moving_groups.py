@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coursework import solve
+from coursework import load, solve
 from coursework.drawing.check_sheet.graph_check import GraphCheck
 from coursework.drawing.check_sheet.layout import CROSS, lay_out
 from coursework.drawing.check_sheet.readings import read_off
@@ -192,6 +192,55 @@ def test_a_sheet_on_which_nothing_can_be_read_is_left_out_with_the_reason(rate: 
     assert isinstance(part, Paragraph)
     assert why in json.dumps(part.text)
     assert record(run)["graph_check"]["rows"][0]["read"] is None
+
+
+LADDER = """
+format = 1
+title = "a ladder"
+[given]
+L = "2.5 m"
+v = "0.3 m/s"
+[coordinates]
+x = { start = "0 m", rate = "u" }
+phi = { start = "2.2 rad", rate = "w" }
+[time]
+step = "0.1 s"
+end = "1 s"
+[[constraint]]
+name = "1"
+equation = "u = v"
+[[constraint]]
+name = "2"
+equation = "u - L*w*sin(phi) = 0"
+[points]
+F = "(x, 0)"
+T = "F + L @ phi"
+[links]
+1 = { points = ["F", "T"], rate = "w" }
+[frame]
+rails = [ { through = "T", angle = "90 deg" }, { through = "F", angle = "0" } ]
+"""
+
+
+def test_what_moves_undriven_is_not_said_to_rest() -> None:
+    """Of the ladder an equation, not [drive], says how fast its foot runs."""
+    check = solve(parse_variant(LADDER), quantities=["graph_check"]).graph_check
+    assert check is not None and "nothing is driven" in check.unread
+
+
+def test_a_rate_that_forces_give_is_what_a_construction_begins_with() -> None:
+    """Row 12 of the slider-crank that a motor runs up, beside the closed form; in row 1 it is at rest."""
+    run_up = load("example-2-motor")
+    run = solve(run_up.with_data(check_row=12), quantities=["graph_check"])
+    check, length = run.graph_check, run.variant.values
+    assert check is not None and not check.unread
+    turned, tilted, omega = (float(run.motion.column(name)[11]) for name in ("theta1", "theta2", "w1"))
+    rod = -length["r1"] * omega * math.cos(turned) / (length["r2"] * math.cos(tilted))
+    slider = length["r1"] * omega * math.sin(turned) + length["r2"] * rod * math.sin(tilted)
+    found = {name: value for name, value, *_ in check.rows}
+    assert (found["ω₂"], found["V_C"]) == pytest.approx((rod, abs(slider)), rel=1e-9)
+    still = solve(run_up.with_data(check_row=1), quantities=["graph_check"]).graph_check
+    assert still is not None and "nothing moves in that row" in still.unread
 
 
 def test_the_page_has_both_sheets_and_a_blank_one_leaves_the_plan_to_the_student() -> None:

@@ -147,6 +147,22 @@ def test_a_phone_shows_it_whole(written: Any, opened: Any, name: str) -> None:
     assert page.eval_on_selector_all("#lab-table tr:nth-child(-n+9) td", clipped) == []
 
 
+def test_long_names_part_in_the_heads_of_the_laboratory(written: Any, opened: Any) -> None:
+    longer = (("phi1", "angleOfTheCrank"), ("phi2", "angleOfTheConnectingRod"), ("phi3", "angleOfTheRockerBehind"))
+    page = opened(written(coursework.parse_variant(mechanism("four-bar", *longer)), quantities=("table",))).page
+    clipped = "heads => heads.filter(head => head.scrollWidth > head.clientWidth).map(head => head.textContent)"
+    assert page.eval_on_selector_all("#lab-table th", clipped) == []
+
+
+def test_without_points_there_is_no_empty_drawing(written: Any, opened: Any) -> None:
+    page = opened(written(coursework.parse_variant(mechanism("slider-crank-in-other-letters")), quantities=("plots",)))
+    shown = [name for name in ("live-field", "live-traces", "live-clock", "play") if page.page.locator(f"#{name}").is_visible()]
+    assert shown == ["live-clock", "play"]
+    page.page.focus("#live")
+    page.page.keyboard.press("ArrowRight")
+    assert (page.row, page.said) == (2, [])
+
+
 def test_it_can_be_left_out(written: Any, opened: Any) -> None:
     text = (written("31", live=False) / "report.html").read_text(encoding="utf-8")
     assert "<script" not in text

@@ -15,9 +15,12 @@ from typing import Any
 import pymupdf
 import pytest
 
+from coursework import parse_variant, solve
 from coursework.report.pages import render_pdf
 from coursework.report.pages.pdf import render_pages
 from coursework.report.text.parts import Checks, Claims, Column, Display, Equations, Judged, Paragraph, Part, Runs, Section, Table
+from coursework.report.text.text_runs import runs
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, paper_of, solved
 
 MM = 72 / 25.4
@@ -83,6 +86,17 @@ def test_words_that_lie_on_each_other_are_seen() -> None:
         assert crossed(document.tobytes()) == [("largest", "last")]
 
 
+def test_heads_of_long_names_part_between_their_words() -> None:
+    longer = (
+        ("phi1", "angleOfTheCrank"),
+        ("phi2", "angleOfTheConnectingRod"),
+        ("phi3", "angleOfTheRockerBehind"),
+        ("w3", "rateOfTheRockerBehind"),
+    )
+    run = solve(parse_variant(mechanism("four-bar", *longer)), quantities=["table", "analogs"])
+    assert crossed(paper_of(model_of(run))) == []
+
+
 @pytest.mark.parametrize("name", ["v107", "jansen", "example-3", "example-1", "homework", "stopped"])
 def test_no_page_but_the_last_is_less_than_a_third_full(real: ModuleType, name: str) -> None:
     made = paper_of(model_of(real.stopped())) if name == "stopped" else paper(name)
@@ -97,6 +111,19 @@ def test_no_line_ends_within_an_equality_or_a_quantity(name: str) -> None:
         lines = [line for sheet in document for line in lines_of(sheet)]
     assert sum(" = 0." in line for line in lines) > 3
     assert not [line for line in lines if re.match(r"= [−\d]|/s\b|N[.,;]", line)]
+
+
+@pytest.mark.parametrize("text", ["2π); here", "½\ue000h\ue001²·|d\u2009ω₃/d\ue000t\ue001|, at most", "2·ω₁·ω₂ too"])
+def test_no_line_ends_within_what_is_written_as_one(text: str) -> None:
+    """Each paragraph is a letter longer than that before it, so that the end of a line comes by every place."""
+    shown = Section("shown", "Shown", [Paragraph(runs(f"{'n ' * 35}{'i' * k} {text} last")) for k in range(70)])
+    made = render_pdf(replace(model_of(solved("31", quantities=["table"])), sections=(shown,)))
+    with pymupdf.open(stream=made, filetype="pdf") as document:
+        lines = "".join(sheet.get_text() for sheet in document).split("Shown", 1)[1].split("\n")
+    ends = {line for line in lines if line.endswith("last") and not line.startswith("n")}
+    assert len(ends) > 3
+    begun = {line[0] for line in ends if not line.startswith("i")}
+    assert begun <= {word[0] for word in f"{text} last".split(" ")}
 
 
 def lines_of(sheet: Any) -> Iterator[str]:

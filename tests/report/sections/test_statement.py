@@ -59,6 +59,12 @@ def test_what_a_datum_means_is_said_by_the_file(real: ModuleType) -> None:
     assert variant.with_data(given={"r3": 0.5}).given[2].means == "BC; BM = 2r3, CP = r3/2"
 
 
+def test_a_drive_of_two_letters_is_a_symbol_in_the_meaning_of_a_datum(real: ModuleType) -> None:
+    run = coursework.solve(coursework.parse_variant(mechanism("drawn-bar")), quantities=["table"])
+    shown = next(part for part in real.parts(run, "statement") if part["kind"] == "table")
+    assert any({"v": "V", "s": "x"} in row[1] for row in shown["rows"] if "amplitude" in real.text_of(row[1]))
+
+
 def test_lengths_of_the_frame_and_of_a_slide_are_said_by_their_ends(real: ModuleType) -> None:
     def data(name: str) -> dict[str, str]:
         shown = next(part for part in real.parts(solved(name), "statement") if part["kind"] == "table")

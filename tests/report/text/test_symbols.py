@@ -94,7 +94,9 @@ def test_derivatives_by_the_crank() -> None:
     assert {"p": "2"} in derivative("d2phi2/dphi12")
     coupler = {"v": "θ", "s": "coupler"}  # as a word it would be too wide for the head of a column, and stand over the next one
     assert coupler in derivative("dtheta_coupler/dphi1") and coupler in runs("θ_coupler = 3 rad")
-    assert runs("see e_twelve_twice and x_mmmmmmmmmmmmm") == [{"t": "see e_twelve_twice and x_mmmmmmmmmmmmm"}]
+    assert {"v": "ω", "s": "ConnectingRod"} in runs("ω_ConnectingRod = 3 rad/s")
+    neither = f"see e_twelve_twice and x_{'m' * 25}"
+    assert runs(neither) == [{"t": neither}]
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ import pytest
 import coursework
 from coursework.report.wording.data_meanings import coordinate_meanings, drive_meanings, meanings
 from coursework.variant.catalogue import names
+from tests.mechanisms.library import mechanism
 from tests.report.made import solved
 
 SAID = {
@@ -73,6 +74,12 @@ def test_a_sine_without_time_is_no_wave(law: dict[str, str], told: dict[str, str
     )
     variant = coursework.parse_variant(text)
     assert dict(drive_meanings(variant)) == told
+
+
+def test_points_named_by_words_are_told_apart():
+    named = mechanism("four-bar", ('"B"', '"CrankPin"'), ("A = ", "Origin = "), ('"A"', '"Origin"'))
+    found = meanings(coursework.solve(coursework.parse_variant(named), quantities=["table"]).scene.mechanism)
+    assert (found["r1"], found["r2"], found["r3"]) == ("Origin–CrankPin", "CrankPin–C", "DC")
 
 
 def test_a_point_may_be_placed_from_another():

@@ -17,7 +17,7 @@ from coursework.equations.algebra.calculus import expand, replaced
 from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.tidy import as_sum, product, quotient
-from coursework.motion.geometry.time_derivatives import acceleration_rest, compile_rows, derivative, second_rate
+from coursework.motion.geometry.time_derivatives import acceleration_rest, compile_rows, derivative, moved_rate
 from coursework.report.formulas.display import display
 from coursework.report.text.numbers import THIN
 from coursework.report.text.page_context import PageContext
@@ -54,7 +54,8 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     used = [one for one in equations.equations if one.name in reduction.used]
     if len(used) > MOST_EQUATIONS or any(slope.size > MOST_PARTS for one in used for slope in one.coefficients.values()):
         return []
-    rests = [expanded(acceleration_rest(equations, one)) for one in used]
+    dots = _dots(context)
+    rests = [replaced(expanded(acceleration_rest(equations, one, moved_rate)), dots) for one in used]
     lines: list[tuple[Formula, Formula]] = []
     for one, rest in zip(used, rests, strict=True):
         left = add(*[slope * symbol(f"d{name}") for name, slope in one.coefficients.items()])
@@ -65,7 +66,9 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     shown = [
         display(left, right, rates, context.equation(one.name) + "′") for one, (left, right) in zip(used, lines, strict=True)
     ]
-    sought = [name for name in context.run.motion.velocity_names if any(name in one.coefficients for one in used)]
+    motor = context.run.variant.motor
+    dotted = {name for one in used for name in one.coefficients} | {*(motor.rates if motor is not None else ())}
+    sought = [name for name in context.run.motion.velocity_names if name in dotted]
     meant = [
         f"{context.lettering(f'd{name}')} = d{THIN}{context.lettering(name)}/d{THIN}{context.lettering('t')}" for name in sought
     ]
@@ -146,8 +149,7 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
         rate = expanded(equations.symbols.rate(place))
         levels = [(axis, place), (f"v{axis}", rate)]
         if f"{point}.a{axis}" in extra.names:
-            dots = {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
-            levels.append((f"a{axis}", replaced(expanded(second_rate(equations, rate)), dots)))
+            levels.append((f"a{axis}", replaced(expanded(moved_rate(equations, rate)), _dots(context))))
         formulas = [(f"{point}.{key}", as_sum(expression, equations.order)) for key, expression in levels]
         if formulas[0][1].op == "name" or any(len(spelled(formula)) > LONGEST for _, formula in formulas):
             continue
@@ -161,6 +163,11 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
             Paragraph(context.say("worked.row", row=row + 1)), Equations([one for one in put if one is not None]),
         ]  # fmt: skip
     return []
+
+
+def _dots(context: PageContext) -> dict[Expression, Expression]:
+    """Return the symbols of the accelerations as a page writes them."""
+    return {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
 
 
 def _values(context: PageContext, row: int) -> dict[str, float]:
