@@ -118,7 +118,7 @@ def _one(
     with Worker(trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)) as worker:
         handed_in = _handed_in_alone(source, submission, results) if rubric.late else ""
         outcome = worker.answer(Task(submission, content, handed_in=handed_in))
-    autograder_results(outcome.grade, results, out / "results.json", language)
+    autograder_results(outcome.grade, rubric, results, out / "results.json", language)
     return 0
 
 

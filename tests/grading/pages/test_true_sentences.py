@@ -15,6 +15,7 @@ import pytest
 
 from coursework.grading.batch.journal import Journal
 from coursework.grading.batch.single import autograder_results
+from coursework.grading.marking.rubric import read_rubric
 from tests.grading.batch.classroom import EQUATIONS, NAMES
 from tests.grading.batch.test_batch import grade
 from tests.grading.marking import students
@@ -85,11 +86,11 @@ def seen(handed_in, tmp_path_factory) -> dict[str, Seen]:
     assert done.exit_code == 0, done.output
     found = {row["id"]: row for row in records(out / "grades.csv")}
     comments = {row["Full name"]: row["Feedback comments"] for row in records(out / "worksheet.csv")}
-    results = {}
+    results, rubric = {}, read_rubric((root / "rubric.toml").read_text(encoding="utf-8"))
     with Journal(out) as journal:
         for place in journal.places()[1].values():
             entry = journal.read(place)
-            autograder_results(entry.grade, "gradescope", root / "results.json", "en")
+            autograder_results(entry.grade, rubric, "gradescope", root / "results.json", "en")
             results[entry.id] = (root / "results.json").read_text(encoding="utf-8")
     pages = {student: (out / "feedback" / f"{student}.html").read_text(encoding="utf-8") for student in found}
     return {
