@@ -244,6 +244,15 @@ def test_a_part_not_handed_in_is_a_test_of_its_own_with_its_own_points(tmp_path)
     assert [(part["points"], part["max_points"]) for part in found["tests"]] == [(30.0, 30.0), (0.0, 20.0)]
 
 
+def test_a_fault_of_a_rubric_stands_beside_its_file_for_an_autograder_too(tmp_path):
+    hand_in(tmp_path / "in", students.table())
+    (tmp_path / "own.toml").write_text('[answers]\nx = { of = "w9", row = 4 }\n', encoding="utf-8")
+    done = grade(tmp_path / "in", tmp_path / "out", "--results", "gradescope", "--rubric", tmp_path / "own.toml")
+    assert done.exit_code == 2
+    assert "own.toml" in done.output
+    assert "rubric.toml" not in done.output
+
+
 def test_hostile_names_stay_inside_out_and_are_escaped(tmp_path):
     source, out = tmp_path / "in", tmp_path / "out"
     for student in ("<img src=x onerror=alert(1)>", "CON", "ends.", "=cmd|calc", "x" * 120):

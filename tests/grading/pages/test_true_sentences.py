@@ -65,7 +65,7 @@ def seen(handed_in, tmp_path_factory) -> dict[str, Seen]:
     text = VARIANT.read_text(encoding="utf-8")
     for name, amplitude in (("s01", "4.5"), ("s02", "4.0")):
         (root / f"{name}.toml").write_text(text.replace('V1    = "4.5 m/s"', f'V1    = "{amplitude} m/s"'), encoding="utf-8")
-    (root / "rubric.toml").write_text('[[confusion]]\ndatum = "r1"\nvalue = "0.8 m"\n', encoding="utf-8")
+    (root / "rubric.toml").write_text('[[confusion]]\ndatum = "r1"\nvalue = "0.8 m"\nbecause = "AB for DA."\n', encoding="utf-8")
     roster = ["id,name,email,variant", "zz-other,Zed Zzyzx,z@x.edu,s02.toml"]
     sheet = [
         "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,Last modified (submission),"
@@ -118,6 +118,10 @@ def test_every_state_below_full_points_says_why_in_every_place(seen):
         texts = json.loads(told.platform)
         said = " ".join([texts["output"], *(test["output"] for test in texts["tests"])])
         assert all(word in said for word in told.row["sentence"].split()), student
+
+
+def test_a_confusion_is_told_in_the_words_of_the_rubric(seen):
+    assert "r1 was taken with a value other than the task's: AB for DA. " in seen["confused"].row["sentence"]
 
 
 def test_counts_are_those_of_the_files(seen, handed_in):
