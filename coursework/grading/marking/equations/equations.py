@@ -224,7 +224,7 @@ class Judge:
                     line = replace(line, tree=other.tree, repaired=other.text, others=(), guessed=True)
                     break
         if line.tree is None:
-            column = line.fault.column if line.fault else 1
+            column = (line.fault.column if line.fault else 0) or 1  # a fault of a whole file or key has no column
             message = line.fault.message if line.fault else ""
             return EquationMark(line, "unreadable", Hint("reader", column, message, fault=line.fault))
         verdict = self._verdict(line.tree)
