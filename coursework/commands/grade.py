@@ -19,7 +19,7 @@ from coursework.grading.batch.decisions import Override, read_overrides
 from coursework.grading.batch.gradebook import PAGES, Options, grade_class
 from coursework.grading.batch.journal import Journal
 from coursework.grading.batch.single import autograder_results
-from coursework.grading.batch.work import Setup, Task
+from coursework.grading.batch.work import Setup, Task, VariantSource
 from coursework.grading.batch.workers import trade_of
 from coursework.grading.batch.written import write_gradebook
 from coursework.grading.collecting.sources import Source, collect_one
@@ -56,7 +56,9 @@ def grade_source(
     if results:
         if variant is None:
             raise InputError(say("fault.C024"))
-        return _one(source, variant, marking, text, out, results, limit, memory, language)
+        chosen, content = read_source(variant, Path())
+        check_rubric(marking, chosen, str(rubric or "rubric"))
+        return _one(source, content, marking, text, out, results, limit, memory, language)
     with Source(source) as opened:
         sheet = read_worksheet(_bytes(worksheet), str(worksheet)) if worksheet else None
         if sheet is not None:
@@ -109,16 +111,15 @@ def _decided(overrides: Path | None, listed: ClassList, rubric: Rubric) -> dict[
 
 
 def _one(
-    source: Path, variant: str, rubric: Rubric, text: str, out: Path, results: str, limit: float, memory: int, language: str
+    source: Path, variant: VariantSource, rubric: Rubric, text: str, out: Path, results: str, limit: float, memory: int,
+    language: str,
 ) -> int:  # fmt: skip
     """Mark one submission and write only the results file of an autograder."""
-    chosen, content = read_source(variant, Path())
-    check_rubric(rubric, chosen)
     submission = collect_one(source)
     with Worker(trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)) as worker:
         handed_in = _handed_in_alone(source, submission, results) if rubric.late else ""
-        outcome = worker.answer(Task(submission, content, handed_in=handed_in))
-    autograder_results(outcome.grade, results, out / "results.json", language)
+        outcome = worker.answer(Task(submission, variant, handed_in=handed_in))
+    autograder_results(outcome.grade, rubric, results, out / "results.json", language)
     return 0
 
 

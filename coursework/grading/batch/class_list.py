@@ -95,7 +95,7 @@ def class_of_one(source: Source, variant: str, worksheet: Worksheet | None) -> C
     places = []
     for file_list in source.file_lists:
         row = rows.get(file_list.number)
-        name = file_list.name or (row.name if row else None)
+        name = file_list.name or (row.name if row else "") or None
         places.append(Place(file_list.id, name, row.email if row else "", chosen[1].name, (file_list,), row))
     return ClassList(_by_id(places), {chosen[1].name: chosen[1]}, {chosen[1].name: chosen[0]}, ())
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.grading.marking.reasons.reasons import told
-from coursework.grading.marking.rubric import PARTS
+from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
 from coursework.system.whole_files import write_bytes
 from coursework.words.sentences import Phrases, load_phrases
@@ -18,13 +18,13 @@ from coursework.words.sentences import Phrases, load_phrases
 PLATFORMS = {"gradescope": gradescope, "prairielearn": prairielearn}
 
 
-def autograder_results(grade: Mapping[str, Any], platform: str, path: Path, language: str) -> None:
-    """Write the results of one submission for a platform, in the given language."""
+def autograder_results(grade: Mapping[str, Any], rubric: Rubric, platform: str, path: Path, language: str) -> None:
+    """Write the results of one submission for a platform, in the given language; a part not handed in is a part too."""
     words = load_phrases(language)
     parts = [
-        PartOutcome(part, found.get("score"), float(found.get("max") or 0.0), _told(grade, part, words))
+        PartOutcome(part, found.get("score"), float(found.get("max") or rubric.most(part)), _told(grade, part, words))
         for part in PARTS
-        if (found := grade[part]) and (found.get("max") or found.get("score"))
+        if (found := grade[part] or {}).get("max") or found.get("score") or rubric.most(part)
     ]
     if late := grade.get("late"):
         parts.append(PartOutcome("late", -late["lost"], 0.0, told(grade, words, "late")))
@@ -37,10 +37,10 @@ def autograder_results(grade: Mapping[str, Any], platform: str, path: Path, lang
 def _told(grade: Mapping[str, Any], part: str, words: Phrases) -> str:
     """Return what a student reads about a part: why it has its points, then the verdict on each line or answer."""
     lines = [told(grade, words, part)]
-    if part == "equations":
+    if part == "equations" and grade[part]:
         asked = {"unreadable": "asked"} if grade["status"] == "needs-review" else {}  # an unreadable line is a question then
         verdicts = [(item["line"], asked.get(item["verdict"], item["verdict"])) for item in grade[part]["items"]]
         lines += [f"{line}: {words.said(f'feedback.equation.{verdict}')}" for line, verdict in verdicts]
-    if part == "answers":
+    if part == "answers" and grade[part]:
         lines += [f"{item['name']}: {words.said('feedback.answer.' + item['verdict'])}" for item in grade[part]["items"]]
     return "\n".join(line for line in lines if line)

@@ -15,6 +15,7 @@ from pathlib import PurePosixPath
 
 from coursework.grading.platforms.downloads import Owner, canvas_owner, moodle_owner
 from coursework.grading.platforms.names import legible, same_key
+from coursework.grading.reading.files.kinds import is_ignored
 from coursework.grading.reading.submission import Note
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
@@ -97,7 +98,7 @@ def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[Fil
             notes.setdefault(owner.key, []).extend(names.notes.get(top, ()))
     for name, place in names.files:
         top, _, rest = name.partition("/")
-        if owner := owner_of(top):
+        if (owner := owner_of(top)) and not is_ignored(owner.file):
             files.setdefault(owner.key, []).append((rest or owner.file or top, place))
     file_lists = []
     for key, found in owners.items():

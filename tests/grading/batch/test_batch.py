@@ -228,6 +228,31 @@ def test_one_submission_for_an_autograder(tmp_path):
     assert sum(part["score"] for part in tests["tests"]) == pytest.approx(tests["score"], abs=1e-9)
 
 
+def test_a_part_not_handed_in_is_a_test_of_its_own_with_its_own_points(tmp_path):
+    """The table was called worth all 100 points, and the sentence stood twice."""
+    hand_in(tmp_path / "in", students.table())
+    (tmp_path / "in" / "equations.txt").unlink()
+    grade(tmp_path / "in", tmp_path / "out", "--results", "gradescope")
+    found = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
+    assert [(part["name"], part["score"], part["max_score"]) for part in found["tests"]] == [
+        ("table", 0.0, 60.0), ("equations", 0.0, 40.0),
+    ]  # fmt: skip
+    assert found["output"].count("equations") == 1
+    (tmp_path / "rubric.toml").write_text('points = 50\nmissing_part = "zero"\n', encoding="utf-8")
+    grade(tmp_path / "in", tmp_path / "out", "--results", "prairielearn", "--rubric", tmp_path / "rubric.toml")
+    found = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
+    assert [(part["points"], part["max_points"]) for part in found["tests"]] == [(30.0, 30.0), (0.0, 20.0)]
+
+
+def test_a_fault_of_a_rubric_stands_beside_its_file_for_an_autograder_too(tmp_path):
+    hand_in(tmp_path / "in", students.table())
+    (tmp_path / "own.toml").write_text('[answers]\nx = { of = "w9", row = 4 }\n', encoding="utf-8")
+    done = grade(tmp_path / "in", tmp_path / "out", "--results", "gradescope", "--rubric", tmp_path / "own.toml")
+    assert done.exit_code == 2
+    assert "own.toml" in done.output
+    assert "rubric.toml" not in done.output
+
+
 def test_hostile_names_stay_inside_out_and_are_escaped(tmp_path):
     source, out = tmp_path / "in", tmp_path / "out"
     for student in ("<img src=x onerror=alert(1)>", "CON", "ends.", "=cmd|calc", "x" * 120):

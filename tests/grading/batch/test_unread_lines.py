@@ -7,6 +7,7 @@ import pytest
 from coursework.commands.grade import grade_source
 from tests.grading.batch.classroom import EQUATIONS, hand_in
 from tests.grading.batch.in_this_process import in_this_process
+from tests.grading.pages.truths import VARIANT
 
 UNREAD = "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1) = 0"
 
@@ -79,3 +80,15 @@ def test_latex_is_a_way_of_writing_and_a_missing_zero_is_added(tmp_path):
     assert graded(tmp_path / "a", equations=(*EQUATIONS[:3], latex))[0]["status"] == "graded"
     entry, _ = graded(tmp_path / "b", equations=(*EQUATIONS[:3], EQUATIONS[3].removesuffix(" = 0")))
     assert [note["code"] for note in entry["notes"]] == ["repaired"]
+
+
+def test_a_variant_file_that_is_no_toml_waits_for_a_person(tmp_path):
+    hand_in(tmp_path / "in" / "ada", equations=())
+    broken = VARIANT.read_text(encoding="utf-8").replace("[time]", '[drive]\nVMx = "0"\n[time]')
+    (tmp_path / "in" / "ada" / "mine.toml").write_text(broken, encoding="utf-8")
+    (tmp_path / "in" / "ada" / "equations.txt").unlink()
+    entry, page = graded(tmp_path)
+    (item,) = entry["equations"]["items"]
+    assert (entry["status"], entry["proposed"]) == ("needs-review", 60.0)
+    assert item["line"] == broken[: broken.rindex("[drive]")].count("\n") + 1
+    assert f"Line {item['line']} of the equations could not be read" in page

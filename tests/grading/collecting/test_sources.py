@@ -78,7 +78,8 @@ def test_a_flat_folder(tmp_path: Path) -> None:
 MOODLE = [
     "Іван Франко_7000_assignsubmission_file/table.csv", "Іван Франко_7000_assignsubmission_onlinetext/onlinetext.html",
     "Participant_7001_assignsubmission_file_/x.csv", "Team one_12_assignsubmission_file/deep/x.csv",
-    "Ann Lee_7002_assignsubmission_file_my_table.csv", "readme.txt",
+    "Ann Lee_7002_assignsubmission_file_my_table.csv", "Ann Lee_7002_assignsubmission_file_~$my_table.xlsx", "readme.txt",
+    "Ann Lee_7002_assignsubmission_file_.hidden.csv",
 ]  # fmt: skip
 
 
@@ -104,7 +105,13 @@ def test_moodle_in_all_its_forms(tmp_path: Path, as_zip: bool) -> None:
 
 
 def test_canvas(tmp_path: Path) -> None:
-    write(tmp_path, "leeann_101_2001_table.csv", "leeann_101_2001_eq-1.txt", "ivanovivan_LATE_102_2002_my_table.csv")
+    write(
+        tmp_path,
+        "leeann_101_2001_table.csv",
+        "leeann_101_2001_eq-1.txt",
+        "ivanovivan_LATE_102_2002_my_table.csv",
+        "ivanovivan_LATE_102_2002_~$my_table.xlsx",
+    )
     platform, found, file_lists = read(tmp_path)
     assert platform == "canvas"
     assert {student: (file_lists[student].name, names(found[student])) for student in found} == {

@@ -47,6 +47,7 @@ clockwise = "misconception"
 [[confusion]]
 datum = "r1"
 value = "0.8 m"
+because = "AB for DA"
 """
 ANSWERS = "wA = 0.1136\nwB = 0.82\nwC = 99\nwD = nine\n"
 MACHINE = Machine(coursework.load("31"))

@@ -15,6 +15,7 @@ from coursework.grading.batch.workshop import Workshop
 from coursework.grading.marking.key.key import tables_of
 from coursework.grading.marking.late import LATE
 from coursework.grading.marking.reasons.misconception import misconception_sentence
+from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.class_page import class_page
 from coursework.grading.reading.submission import Submission, submitted_file
@@ -68,7 +69,7 @@ def test_every_sentence_is_said_in_some_case(said, tmp_path):
         task = Task(Submission(student, None, handed, review=review), source, overrides)
         outcome = workshop.answer(plain_of(task))
         scored = task if outcome.grade["score"] and not overrides else scored
-        autograder_results(outcome.grade, "gradescope", tmp_path / "results.json", "en")
+        autograder_results(outcome.grade, read_rubric(RUBRIC), "gradescope", tmp_path / "results.json", "en")
         facts.add({"id": student, "name": None, "variant": source.name, "page": None} | outcome.grade, outcome.grade["reason"])
     late = Workshop(Setup(f"{RUBRIC}\n[late]\ndeadline = 2026-12-01T23:59:00Z\n"))
     for handed_in in ("2026-12-02T12:00:00", LATE):

@@ -15,6 +15,7 @@ import pytest
 
 from coursework.grading.batch.journal import Journal
 from coursework.grading.batch.single import autograder_results
+from coursework.grading.marking.rubric import read_rubric
 from tests.grading.batch.classroom import EQUATIONS, NAMES
 from tests.grading.batch.test_batch import grade
 from tests.grading.marking import students
@@ -64,7 +65,7 @@ def seen(handed_in, tmp_path_factory) -> dict[str, Seen]:
     text = VARIANT.read_text(encoding="utf-8")
     for name, amplitude in (("s01", "4.5"), ("s02", "4.0")):
         (root / f"{name}.toml").write_text(text.replace('V1    = "4.5 m/s"', f'V1    = "{amplitude} m/s"'), encoding="utf-8")
-    (root / "rubric.toml").write_text('[[confusion]]\ndatum = "r1"\nvalue = "0.8 m"\n', encoding="utf-8")
+    (root / "rubric.toml").write_text('[[confusion]]\ndatum = "r1"\nvalue = "0.8 m"\nbecause = "AB for DA."\n', encoding="utf-8")
     roster = ["id,name,email,variant", "zz-other,Zed Zzyzx,z@x.edu,s02.toml"]
     sheet = [
         "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,Last modified (submission),"
@@ -85,11 +86,11 @@ def seen(handed_in, tmp_path_factory) -> dict[str, Seen]:
     assert done.exit_code == 0, done.output
     found = {row["id"]: row for row in records(out / "grades.csv")}
     comments = {row["Full name"]: row["Feedback comments"] for row in records(out / "worksheet.csv")}
-    results = {}
+    results, rubric = {}, read_rubric((root / "rubric.toml").read_text(encoding="utf-8"))
     with Journal(out) as journal:
         for place in journal.places()[1].values():
             entry = journal.read(place)
-            autograder_results(entry.grade, "gradescope", root / "results.json", "en")
+            autograder_results(entry.grade, rubric, "gradescope", root / "results.json", "en")
             results[entry.id] = (root / "results.json").read_text(encoding="utf-8")
     pages = {student: (out / "feedback" / f"{student}.html").read_text(encoding="utf-8") for student in found}
     return {
@@ -117,6 +118,10 @@ def test_every_state_below_full_points_says_why_in_every_place(seen):
         texts = json.loads(told.platform)
         said = " ".join([texts["output"], *(test["output"] for test in texts["tests"])])
         assert all(word in said for word in told.row["sentence"].split()), student
+
+
+def test_a_confusion_is_told_in_the_words_of_the_rubric(seen):
+    assert "r1 was taken with a value other than the task's: AB for DA. " in seen["confused"].row["sentence"]
 
 
 def test_counts_are_those_of_the_files(seen, handed_in):

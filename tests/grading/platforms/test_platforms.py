@@ -81,6 +81,17 @@ def test_worksheets_in_other_languages(text: str, encoding: str, grade: str) -> 
     assert changed[1].endswith("добре")
 
 
+@pytest.mark.parametrize(("text", "status"), [(ENGLISH, ""), (RUSSIAN, ""), (RUSSIAN, "Статус"), (RUSSIAN, "Состояние")])
+def test_while_marking_is_blind_nobody_is_called_by_a_state(text: str, status: str) -> None:
+    lines = [line.replace("Состояние", status or "Состояние") for line in text.splitlines() if "Franko" not in line]
+    mark = ";" if ";" in text else ","
+    blind = "\n".join(mark.join([line.split(mark)[0], *line.split(mark)[3:]]) for line in lines) + "\n"
+    sheet = read_worksheet(blind.encode(), "g.csv")
+    assert [(row.number, row.name, row.email) for row in sheet.rows] == [(row.number, "", "") for row in sheet.rows]
+    assert sheet.rows[0].number == "7000"
+    assert f"{mark}1.00{mark}" in sheet.filled({1: (1.0, "")}).decode().replace(",00", ".00")
+
+
 def test_a_language_nobody_knows_is_told_by_the_greatest_grades() -> None:
     sheet = read_worksheet(JAPANESE.encode(), "g.csv")
     assert [(row.number, row.name) for row in sheet.rows] == [("7000", "アン"), ("7001", "イワン")]

@@ -224,12 +224,14 @@ class Judge:
                     line = replace(line, tree=other.tree, repaired=other.text, others=(), guessed=True)
                     break
         if line.tree is None:
-            column = line.fault.column if line.fault else 1
+            column = (line.fault.column if line.fault else 0) or 1  # a fault of a whole file or key has no column
             message = line.fault.message if line.fault else ""
             return EquationMark(line, "unreadable", Hint("reader", column, message, fault=line.fault))
         verdict = self._verdict(line.tree)
         if verdict == "wrong":
-            return EquationMark(line, verdict, self._slip(line.tree, line))
+            others = (replace(line, tree=one.tree, repaired=one.text, guessed=one.guessed) for one in line.others)
+            told = ((one, slip) for one in (line, *others) if (slip := self._slip(one.difference, one)))
+            return EquationMark(*next(((one, verdict, slip) for one, slip in told), (line, verdict, None)))
         repaired = Hint("repaired", 1, line.repaired) if line.repaired else None
         return EquationMark(line, verdict, repaired)
 

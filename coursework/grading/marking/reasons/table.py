@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum
+from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
 from coursework.grading.marking.table.causes.misconceptions import OTHER_STEPS, Misconception
@@ -27,7 +28,7 @@ _MANY = 0.1
 # With these causes the table is right if it is read otherwise; the columns as handed in then tell nothing about its steps.
 _READ_OTHERWISE = ("swapped_columns", "origin", "clockwise", "sign_drive")
 _EXPLAINED = ("misconception", "start")
-_SEVERAL, _DATUM = ("start_", "equation_"), "datum_"
+_SEVERAL, _DATUM, _CONFUSION = ("start_", "equation_"), "datum_", "confusion_"
 _MOST_RUNS = 6
 
 
@@ -54,35 +55,35 @@ def shut(marked: TableMarks) -> Mapping[str, int]:
     return marked.earned.shut if marked.earned.rule == "cells" else {}
 
 
-def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, most: float) -> Iterator[Reason]:
-    """Yield why a table has less than all points; `carried` is what a cell earns that follows only from the student's own."""
+def table_reasons(key: Key, marked: TableMarks, rubric: Rubric, points: float, most: float) -> Iterator[Reason]:
+    """Yield why a table has less than all points, with the words of the rubric for a confusion."""
     if marked.first:
         yield Reason("table", "first", marked.first.sentence)
     found = counts(key, marked)
-    yield from _causes(found, marked)
+    yield from _causes(found, marked, {f"{_CONFUSION}{one.datum}": one.because for one in rubric.confusions if one.because})
     yield from _odd_rows(key, marked)
     if absent := lacking(key, marked.table):
         yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
     for gate, number in shut(marked).items():
         limits = {"share": round(100 * ENOUGH_ROWS), "run": RUN}
         yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))
-    less = say("feedback.carried_worth", worth=carried) if found.carried and carried != 1 else ""
+    less = say("feedback.carried_worth", worth=rubric.carried) if found.carried and rubric.carried != 1 else ""
     costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" and marked.earned.of_cells else ""
     total = _sum(marked, found.cells, points, most)
     yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
 
 
-def _causes(found: Counts, marked: TableMarks) -> Iterator[Reason]:
+def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str]) -> Iterator[Reason]:
     """Yield the likely cause and others that explain as much, or, if many cells are wrong, that no usual cause explains them."""
     named, earned = marked.misconception, marked.earned
     if named:
         share = str(int(100 * named.share + 1e-9))  # rounded down: 100 means the whole table
         told = say("feedback.misconception.share", share=share)
-        yield Reason("table", "cause", joined([told, _told(named.code, named.names)]))
+        yield Reason("table", "cause", joined([told, _told(named.code, because, named.names)]))
         for code in named.ties:
-            yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code)]))
+            yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code, because)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
-        yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause)]))
+        yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause, because)]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and found.wrong > _MANY * found.cells:
         if marked.own_line:
             own = say("feedback.misconception.own_equations", line=marked.own_line)
@@ -96,8 +97,11 @@ def _is_told(cause: str, named: Misconception) -> bool:
     return cause in (named.code, *named.ties) or named.code == cause.replace("start_", "origin_", 1)
 
 
-def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:
-    """Return what a code means, with the columns, starts or equations in `names`."""
+def _told(code: str, because: Mapping[str, str], names: tuple[str, ...] = ()) -> Sentence | str:
+    """Return what a code means, with the columns, starts or equations in `names`, and the teacher's reason, by code."""
+    if code in because:
+        told = {"name": code.removeprefix(_CONFUSION), "because": because[code].strip().rstrip(".。")}
+        return say("feedback.misconception.confusion_because", **{name: clean(text, LONGEST) for name, text in told.items()})
     if code == "swapped_columns" and names:
         return say("feedback.misconception.swapped", names=names)
     if code.startswith(_DATUM) and names:

@@ -19,6 +19,8 @@ from coursework.words.sentence import Sentence
 _RULE = re.compile(r"\|?:?-+:?(?:\|:?-+:?)*\|?")  # matched against a line without blanks
 _DISPLAYED, _INLINE = re.compile(r"\$\$([^$]{1,4000})\$\$"), re.compile(r"(?<![\\$])\$([^$\n]{1,2000})\$")
 _MARKUP = re.compile(r"^[ \t]*(?:(?:#{1,6}[ \t]+|>[ \t]?|[*+][ \t]+(?=\S))+)?(?:\*\*)?|\*\*[ \t]*$|`{1,3}\w{0,20}$|`")
+# A dash before a formula is the mark of a list, and so is that of the other items; before a formula's text it may be a minus.
+_ITEM, _LIST_OF_FORMULAS = re.compile(r"^([ \t]*)-[ \t]+", re.MULTILINE), re.compile(r"^[ \t]*-[ \t]+\$", re.MULTILINE)
 _ESCAPED = re.compile(r"\\(?=[*_#|<>\[\]()+-])")
 _CELL = re.compile(r"(?<!\\)\|")
 _MOST_COLUMNS = 1000
@@ -79,6 +81,8 @@ def _add_text(document: Document, text: str, place: Callable[[int], Sentence]) -
 
 
 def _add_plain(document: Document, text: str, first: int, place: Callable[[int], Sentence]) -> None:
+    if _LIST_OF_FORMULAS.search(text):
+        text = _ITEM.sub(r"\1", text)
     for number, line in enumerate(text.split("\n"), start=first):
         if "=" not in line and "\\" not in line and "$" not in line:
             document.add_line(line, place(number))

@@ -7,6 +7,7 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import field, replace
 
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
@@ -20,11 +21,13 @@ from coursework.grading.reading.student_work import EquationLine, EquationReadin
 from coursework.system.frozen import frozen
 from coursework.variant.formula import reader
 from coursework.variant.formula.tree import Formula, FormulaFault, spelled, with_names
+from coursework.variant.reading.schema import Constraint
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentences import closest, say
 
 MORE_LINES = 20  # so many lines are read in addition to twice the equations needed
+_KEYS = tuple(Constraint.keys())
 WORD = re.compile(r"[^\W\d]\w*")
 _PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # the parts of names written without a sign between them
 OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
@@ -181,18 +184,27 @@ def read_constraints(source: Source, file: str, expected: Expected) -> list[Equa
     for place, entry in enumerate(entries if isinstance(entries, list) else []):
         if not isinstance(entry, dict):
             continue
-        key = "equation" if "equation" in entry else "closure"
+        key = next((one for one in ("equation", "closure") if one in entry), None) or _misspelt(entry)
         text = entry.get(key)
         line = source.positions.find(("constraint", place, key))[0]
         if not isinstance(text, str):
             continue
-        read = Fault(say("fault.G062")) if key == "closure" else _strict(text, names)
+        if key not in _KEYS:
+            read: Formula | Fault = Fault(say("fault.G042", key_=key[:40], hint=closest(key, _KEYS), known=_KEYS))
+        else:
+            read = Fault(say("fault.G062")) if key == "closure" else _strict(text, names)
         if isinstance(read, Fault):
             fault = Fault(read.message, file, line, read.column)
-            lines.append(EquationLine(file, line, text[: reader.MAX_CHARACTERS], fault=fault))
+            asks = key != "closure" and len(names_in(text, names.spellings)) > 1
+            lines.append(EquationLine(file, line, text[: reader.MAX_CHARACTERS], fault=fault, relates=asks))
         else:
             lines.append(EquationLine(file, line, text, read))
     return lines
+
+
+def _misspelt(entry: Mapping[str, object]) -> str:
+    """Return the unknown key under which a constraint has its equation, "" if there is none."""
+    return next((key for key, text in entry.items() if key not in _KEYS and isinstance(text, str) and "=" in text), "")
 
 
 @frozen

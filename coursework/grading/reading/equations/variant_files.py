@@ -16,6 +16,7 @@ from coursework.grading.reading.student_work import EquationLine
 from coursework.system.frozen import frozen
 from coursework.variant import catalogue
 from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.reading.schema import VariantFile as Schema
 from coursework.variant.toml.source import MAX_BYTES, read_source
@@ -43,12 +44,14 @@ def is_variant_file(text: str) -> bool:
 
 
 def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantFile:
-    """Return the content of a variant file; one that is not valid TOML counts as one unreadable equation."""
+    """Return the content of a variant file; one that is not valid TOML counts as one unreadable equation, for a person."""
     try:
         source = read_source(content, name, {})
     except InputError as error:
         fault = error.faults[0]
-        return VariantFile((EquationLine(name, fault.line, "", fault=fault),))
+        line = max(fault.line, 1)  # some faults are those of the file as a whole
+        text = "".join(content.decode("utf-8", errors="replace").split("\n")[line - 1 : line])[:MAX_CHARACTERS]
+        return VariantFile((EquationLine(name, line, text, fault=fault, relates=True),))
     known = Schema.keys().keys()
     unknown = tuple(str(key)[:40] for key in source.data if key not in known)
     differing = _differing(source.data, expected)

@@ -94,7 +94,8 @@ def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> st
     # Velocities are not judged by their start: a factor of 57 may also come from a calculator set to degrees.
     first = values[0] / column.values[0] if column.unit == "rad" and column.values[0] else math.nan
     begins = [first] if math.isfinite(first) else []
-    increments = _ratios(_increments(column.values), _increments(values))
+    # Only a position may be counted from elsewhere; a velocity whose first row is wild differs by that in every row.
+    increments = _ratios(_increments(column.values), _increments(values)) if column.rate else []
     seen = ((_ratios(column.values, values), _WIDTH), (begins, _AS_BEGUN), (increments, _WIDTH))
     return next((unit for ratios, width in seen if (unit := _alike(ratios, known, width))), None)
 

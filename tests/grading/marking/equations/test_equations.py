@@ -10,6 +10,7 @@ from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse, parse_equation
 from coursework.variant.formula.tree import Formula, spelled
+from tests.grading.reading.test_read_submission import read
 
 RIGHT = [
     "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
@@ -110,6 +111,16 @@ def test_slips_are_named_where_they_stand(judge, kind, text):
     assert mark.hint is not None
     assert mark.hint.kind == kind
     assert judge.mark([line(mark.hint.text)]).marks[0].verdict == "right"
+
+
+@pytest.mark.parametrize("label", ["(16) ", "16) ", "[16] ", "(1)", ""])
+@pytest.mark.parametrize(("was", "is_now", "kind"), [("+ r2", "- r2", "sign"), ("cos(phi3)", "sin(phi3)", "function")])
+def test_the_slip_of_a_line_behind_a_label_and_a_minus_is_found(judge, label, was, is_now, kind):
+    """The label was taken for a number, from which no single slip leads to a right line."""
+    text = label + "-0.5*r3*w4 + r3*w3*cos(phi3) + r2*w2*sin(phi2) + r1*w1*sin(phi1) = 0".replace(was, is_now)
+    (mark,) = judge.mark(read(("equations.txt", text.encode())).equations).marks
+    assert (mark.verdict, mark.hint.kind) == ("wrong", kind)
+    assert text[mark.hint.column - 1 :].startswith(is_now[:3].strip())
 
 
 @pytest.mark.parametrize(

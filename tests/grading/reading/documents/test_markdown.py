@@ -37,6 +37,8 @@ def test_markdown_is_known_by_a_table_or_a_formula(text: str, is_one: bool) -> N
      [("a", 1, False), ("w1 = 2", 2, True), ("w2 = 3", 2, True)]),
     ("so $w1 = 2$ and $a$", [], [("w1 = 2", 1, True), ("a", 1, False), ("so  and", 1, False)]),
     ("a\\_1 = 2", [], [("a_1 = 2", 1, False)]),
+    ("- $w1 = 2$\n- w2 = 3", [], [("w1 = 2", 1, True), ("w2 = 3", 2, False)]),
+    ("$w1 = 2$\n- w2 = 3", [], [("w1 = 2", 1, True), ("- w2 = 3", 2, False)]),
     ("with $a$ alone", [], [("with a alone", 1, False)]),
 ])  # fmt: skip
 def test_tables_formulas_and_lines_stand_at_their_lines(

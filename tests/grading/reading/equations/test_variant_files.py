@@ -45,3 +45,23 @@ def test_a_variant_file_that_is_no_toml_is_one_line_with_its_number(content: byt
     (only,) = contents.equations
     assert only.fault is not None
     assert only.fault.line == line
+    assert only.relates
+    assert only.text.encode()[:8] == content.decode("utf-8", "replace").split("\n")[max(line, 1) - 1].encode()[:8]
+
+
+@pytest.mark.parametrize(
+    ("was", "is_now", "told"),
+    [
+        ('equation = "VMy', 'equatoin = "VMy', 'Did you mean "equation"?'), ("w3*cos(phi3) -", "w3*cos(phi3 -", ")"),
+        ("2*r3*w3*sin(phi3) -", "2*r3*w3*zeta(phi3) -", "zeta"),
+    ],
+)  # fmt: skip
+def test_an_equation_of_a_variant_file_that_cannot_be_read_is_a_question_to_the_teacher(was: str, is_now: str, told: str) -> None:
+    """It cost its points, and no sentence said why."""
+    contents = read(("mine.toml", variant_file(slip=(was, is_now))))
+    assert contents.equations is not None
+    (unread,) = (line for line in contents.equations if line.tree is None)
+    assert len(contents.equations) == 4
+    assert unread.relates
+    assert unread.fault is not None
+    assert told in str(unread.fault.message)

@@ -149,3 +149,9 @@ def test_the_speed_of_a_slider_is_no_angular_velocity_whatever_its_steps_say(fac
     grid = Grid(0.1, 4, tuple(GridColumn(name, of, values, rate) for name, (of, rate, values) in task.items()))
     own = {"s": (0.5, 0.52, 0.57, 0.6), "u": tuple(factor * v for v in task["u"][2]), "w": (2.6, 1.1, 7.0, 3.3)}
     assert units_of_columns(grid, dict.fromkeys(task, ""), own)["u"] == unit
+
+
+def test_a_sliding_speed_that_is_wild_in_the_first_row_alone_keeps_its_unit():
+    speeds = (1.0, 1.4, 2.75, 2.7, 2.8)
+    grid = Grid(0.1, 5, (GridColumn("u", "m/s", speeds),), ())
+    assert units_of_columns(grid, {"u": ""}, {"u": [-175.0, 0.13, 0.44, 0.93, 1.75]})["u"] == "m/s"
