@@ -13,6 +13,8 @@ CASES = [
     ("31-forces", '"B + 0.305 @ phi3 + 0.076 @ (phi3 + pi/2)"', '"B + 0.3 @ phi2"', "V731", "does not stand still"),
     ("31-forces", ', centre = "B + 0.305 @ phi3 + 0.076 @ (phi3 + pi/2)"', "", "V724", "more than two points (M, B, C)"),
     ("31-forces", 'inertia = "0.992 kg*m^2"', 'inertia = "rod"', "V726", "link 3 is no rod"),
+    ("31-forces", 'inertia = "0.454 kg*m^2"', 'inertia = "disc"', "V726", "link 1 is no disc"),
+    ("example-2-forces", 'C = {', 'C = "1 kg"\n3 = {', "V734", "of link 3 is given twice, as C and as 3"),
     ("31-forces", 'step      = "0.02 s"', 'step = "0.02 s"\nscheme = "semi-implicit"', "V065", "time.scheme"),
     ("31-forces", "4 = { mass", "7 = { mass", "V723", 'there is no link "7"'),
     ("31-forces", '"6 kg"', '"6 m"', "V105", "masses.1.mass: a mass was expected: kg, g, t"),
@@ -32,6 +34,7 @@ CASES = [
     ("example-1-forces", 'on = "3", at = "C"', 'on = "1", at = "C"', "V732", "does not move with link 1"),
     ("example-1-forces", 'at = "C", ', "", "V708", "the force F1 has no point"),
     ("example-1-forces", ', torque = "-60 N*m"', "", "V707", "either a force or a torque"),
+    ("example-1-forces", ', torque = "-60 N*m"', ', torque = "1 N*m", at = "C", force = "(1, 0)"', "V707", "leave one of"),
 
     ("example-1-forces", 'value = "-200 N"', 'value = "-200 kg"', "V205", "a mass"),
     ("andrews-forces", ', free = "77.85 mm"', "", "V706", "free is missing"),
