@@ -64,7 +64,10 @@ class _Reader:
             if (body := self.body_of(mass.body, path)) and masses.setdefault(body, mass) is not mass:
                 self.fault(path, say("fault.V734", name=body, first=masses[body].body, second=mass.body))
         for load in (*self.forces.loads, *(self.forces.motor.torques if self.forces.motor else ())):
-            self.body_of(load.on, ("forces" if load in self.forces.loads else "motor", load.name))
+            path = ("forces" if load in self.forces.loads else "motor", load.name)
+            on, base = self.body_of(load.on, path), load.source if load.source == FRAME else self.body_of(load.source, path)
+            if on and on == base:
+                self.fault(path, say("fault.V719", name=on))
         own = {called[body]: body for body in self.bodies.linkage.bodies}
         bodies = tuple(self.body(name, own[name], masses.get(name)) for name in in_order(own))
         pins, unknowns = self.joints()
