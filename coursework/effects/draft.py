@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from coursework.effects.force_scheme import ForceScheme
+from coursework.effects.force_scheme import Body, ForceScheme
 from coursework.effects.scheme import read_scheme
 from coursework.mechanism.mechanism import build
 from coursework.variant.record.forces import Forces
@@ -42,7 +42,7 @@ def _sections(scheme: ForceScheme, said: Callable[[str], str]) -> Iterator[str]:
         points = scheme.holds[body.name]
         parts = ['mass = "1 kg"']
         if body.rate:
-            wheel = _is_wheel(scheme, body.name)
+            wheel = _is_wheel(scheme, body)
             parts.append('inertia = "disc"' if wheel else 'inertia = "rod"' if len(points) == 2 else 'inertia = "0.01 kg*m^2"')
             parts += [f'centre = "{points[0]}"'] if len(points) > 2 and not wheel else []
         yield f"{body.name} = {{ {', '.join(parts)} }}"
@@ -51,8 +51,9 @@ def _sections(scheme: ForceScheme, said: Callable[[str], str]) -> Iterator[str]:
     yield 'gravity = "9.81 m/s^2"'
     last = scheme.bodies[-1]
     held = scheme.holds[last.name]  # a wheel lists its centre first, and its contact is not one of its own points
-    yield f'F1 = {{ on = "{last.name}", at = "{held[0] if _is_wheel(scheme, last.name) else held[-1]}", force = "(-100, 0)" }}'
+    yield f'F1 = {{ on = "{last.name}", at = "{held[0] if _is_wheel(scheme, last) else held[-1]}", force = "(-100, 0)" }}'
 
 
-def _is_wheel(scheme: ForceScheme, name: str) -> bool:
-    return any(one.name[0] == "T" and name in {one.on, one.off} for one in scheme.unknowns)
+def _is_wheel(scheme: ForceScheme, body: Body) -> bool:
+    """Return whether a body rolls at its own contact; a bar that a wheel rolls on has none."""
+    return body.span is not None and any(one.name[0] == "T" and one.at == body.span[1] for one in scheme.unknowns)

@@ -14,7 +14,7 @@ from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, with_sliders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import Bodies, driven_freedoms, fitting_linkage, in_order
-from coursework.variant.formula.tree import Formula, named, number
+from coursework.variant.formula.tree import Formula, named, number, signed
 from coursework.variant.record.entries import reached
 from coursework.variant.record.forces import DISC, POINT, ROD, Forces, Mass
 from coursework.variant.record.variant import Variant
@@ -58,9 +58,16 @@ class _Reader:
 
     def scheme(self) -> ForceScheme:
         called = self.bodies.called
-        masses = {body: mass for mass in self.forces.masses if (body := self.body_of(mass.body, ("masses", mass.body)))}
+        masses: dict[str, Mass] = {}
+        for mass in self.forces.masses:
+            path = ("masses", mass.body)
+            if (body := self.body_of(mass.body, path)) and masses.setdefault(body, mass) is not mass:
+                self.fault(path, say("fault.V734", name=body, first=masses[body].body, second=mass.body))
         for load in (*self.forces.loads, *(self.forces.motor.torques if self.forces.motor else ())):
-            self.body_of(load.on, ("forces" if load in self.forces.loads else "motor", load.name))
+            path = ("forces" if load in self.forces.loads else "motor", load.name)
+            on, base = self.body_of(load.on, path), load.source if load.source == FRAME else self.body_of(load.source, path)
+            if on and on == base:
+                self.fault(path, say("fault.V719", name=on))
         own = {called[body]: body for body in self.bodies.linkage.bodies}
         bodies = tuple(self.body(name, own[name], masses.get(name)) for name in in_order(own))
         pins, unknowns = self.joints()
@@ -109,7 +116,8 @@ class _Reader:
         inertia = mass.inertia if mass else None
         if mass is not None and inertia is None and turns:
             self.fault(path, say("fault.V725", name=name))
-        if inertia in {ROD, DISC} and (span is None or (inertia == ROD and len(points) != 2)):
+        is_shaped = len(points) == 2 if inertia == ROD else link is not None and bool(link.wheel)
+        if inertia in {ROD, DISC} and (span is None or not is_shaped):
             self.fault(path, say("fault.V726", name=name, shape=inertia))
         return Body(name, rate, centre, mass.mass if mass else None, None if inertia == POINT else inertia, span)
 
@@ -217,18 +225,46 @@ class _Reader:
     def arm(self, rate: str, name: str) -> Unknown:
         """Return the drive of a driven rate that belongs to no link, at the point of a link that it moves.
 
-        For an angle it is the couple that turns an arm, for a length the force along it.
+        For an angle it is the couple that turns a link about a hinge, or else an arm; for a length it is the force along it.
         """
         variant = self.variant
-        coordinate, points = next(c.name for c in variant.coordinates if c.rate == rate), dict(self.mechanism.points)
+        coordinate = next(c.name for c in variant.coordinates if c.rate == rate)
         wheels = [(link.name, link.wheel) for link in variant.links if link.wheel]
         held = wheels + [(body, point) for body, names in self.bodies.points().items() if body != FRAME for point in names]
-        for body, point in held:
-            if coordinate in reached([point], points):
-                return Unknown(
-                    name, self.bodies.called[body], FRAME, named(point), Direction("slope", coordinate=coordinate), rate
-                )
+        moved = [(body, point) for body, point in held if coordinate in self.moved_by(point)]
+        for body, point in moved:
+            base = self.turned_from(body, point, coordinate)
+            if base is not None:
+                return Unknown(name, self.bodies.called[body], self.bodies.called[base], None, Direction("couple"), rate)
+        for body, point in moved:
+            slope, carrier = Direction("slope", coordinate=coordinate), self.carrier(self.moved_by(point) - {coordinate})
+            return Unknown(name, self.bodies.called[body], self.bodies.called[carrier], named(point), slope, rate)
         raise InputError([Fault(say("fault.V729", name=rate), variant.file, variant.nearest_line("drive", rate))])
+
+    def moved_by(self, point: str) -> set[str]:
+        """Return the coordinates from which a point is built."""
+        return {c.name for c in self.variant.coordinates} & set(reached([point], dict(self.mechanism.points)))
+
+    def turned_from(self, body: str, point: str, coordinate: str) -> str | None:
+        """Return the link to which a body is hinged, if one coordinate alone turns a point of it about the hinge; else None."""
+        points, others = dict(self.mechanism.points), self.moved_by(point) - {coordinate}
+        nodes = [node for name in reached([point], points) if name in points for node in points[name].walk()]
+        angles = [term for node in nodes if node.op == "@" for term, sign in signed(node.args[1]) if sign > 0]
+        if angles.count(named(coordinate)) != nodes.count(named(coordinate)):  # it stands elsewhere, too, or counts clockwise
+            return None
+        bases = [
+            base for joint in self.bodies.linkage.joints
+            if joint.pins and body in joint.bodies and (pin := self.bodies.point(joint)) and self.moved_by(pin) == others
+            for base in joint.bodies if base != body
+        ]  # fmt: skip
+        return FRAME if FRAME in bases else next(iter(bases), None)
+
+    def carrier(self, others: set[str]) -> str:
+        """Return the link that takes along a point moved by one coordinate and `others`: the one that only `others` move."""
+        for body, held in self.bodies.points().items() if others else ():
+            if body != FRAME and any(self.moved_by(point) == others for point in held):
+                return body
+        return FRAME
 
     def stands_on(self, body: str) -> str:
         """Return the body from which a turning body is driven: the frame if it is hinged there, else its neighbour."""

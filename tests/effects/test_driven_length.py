@@ -1,8 +1,14 @@
-"""A length that a drive changes: the force along it, beside the couple of the crank, by two programs."""
+"""A length or an angle that a drive changes and no link has: the force along it, the couple at its joint, by two programs."""
+
+import re
 
 import numpy as np
 import pytest
 
+import coursework
+from coursework.effects.draft import with_forces
+from coursework.effects.rows import SECOND
+from coursework.variant.formula.reader import parse
 from tests.effects.massed import of_text
 from tests.mechanisms.library import mechanism
 
@@ -31,3 +37,39 @@ def test_both_drives_of_a_crank_of_driven_length_are_those_of_lagrange():
     assert drives == pytest.approx(
         np.array([[-10.05547, 13.43637], [-5.95087, -126.29129], [-5.55876, 24.44725]]), abs=2e-5, rel=1e-5
     )
+
+
+def test_a_length_along_a_swinging_bar_is_driven_from_the_bar():
+    """By hand, Lagrange's equations of (psi, s) at the start, where both change evenly."""
+    text = mechanism("wheel-on-a-bar")
+    found = of_text(with_forces(coursework.parse_variant(text), text, str))  # 1 kg each, 100 N to the left at C
+    psi, s, radius, w, u = np.deg2rad(20.0), 0.3, 0.1, 0.4, 0.3
+    height = s * np.cos(psi) - radius * np.sin(psi)  # change of the height of C with psi
+    couple = 2 * s * u * w + 9.81 * height - 100 * (s * np.sin(psi) + radius * np.cos(psi))
+    force = -s * w**2 + 9.81 * np.sin(psi) + 100 * np.cos(psi)
+    assert [float(found.column(name)[0]) for name in ("M1", "Fus")] == pytest.approx([couple, force], rel=1e-12)
+    assert found.by_power == pytest.approx(np.column_stack([found.column("M1"), found.column("Fus")]), rel=1e-10, abs=1e-10)
+
+
+def test_a_bar_that_a_wheel_rolls_on_is_no_disc():
+    text = mechanism("wheel-on-a-bar")
+    bar, wheel = re.findall("^[12] = .*mass.*", with_forces(coursework.parse_variant(text), text, str), flags=re.M)
+    assert "disc" in wheel and "disc" not in bar
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_an_angle_from_link_to_link_is_driven_by_a_couple_at_the_joint(named):
+    """By Newton's laws of the forearm alone, then of the whole arm; the same if [links] does not name the rates."""
+    changes = [] if named else [('"A"], rate = "w1"', '"A"]'), (', rate = "W2" }', " }")]
+    found = of_text(mechanism("arm-driven-at-its-joints", *changes))
+    rows, g = found.rows, 9.81j
+    first, second = (rows.vector(rows.scheme.by_name[name].centre, SECOND) for name in "12")
+    pin = 1.0 * (second + g)
+    assert found.drive_names == ("M1", "Mw2") if named else ("Mw1", "Mw2")
+    assert found.column("R12x") + 1j * found.column("R12y") == pytest.approx(pin, rel=1e-11)
+    assert found.column("R01x") + 1j * found.column("R01y") == pytest.approx(pin + 2.0 * (first + g), rel=1e-11)
+    arm = rows.vector(rows.scheme.by_name["2"].centre) - rows.vector(parse("A", vectors=True))
+    turned = 0.3**2 / 12 * rows.epsilon(rows.scheme.by_name["2"])
+    assert found.column("Mw2") == pytest.approx(turned + (np.conj(arm) * pin).imag, rel=1e-11)
+    if named:
+        assert found.by_power == pytest.approx(np.column_stack([found.column("M1"), found.column("Mw2")]), rel=1e-10)

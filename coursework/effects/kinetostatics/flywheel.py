@@ -90,12 +90,15 @@ def _excess(wave: Array, begin: float, turn: float) -> tuple[float, tuple[float,
         return np.asarray((np.exp(1j * np.outer(x, orders)) @ (2.0 * series[1:] * (1j * orders) ** power)).real)
 
     grid = np.linspace(0.0, 2 * np.pi, _GRID + 1)
+    # The turn begins where the wave is largest: a zero at its seam could be lost by rounding.
+    grid = grid + grid[np.argmax(np.abs(at(grid, 0)))]
     values = at(grid, 0)
-    places = np.flatnonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0)
+    places = np.flatnonzero((values[:-1] < 0) != (values[1:] < 0))
     if not len(places):
         return 0.0, ()
     x = grid[places] - values[places] * (grid[places + 1] - grid[places]) / (values[places + 1] - values[places])
     for _ in range(_NEWTON):
         x = x - at(x, 0) / at(x, 1)
+    x = np.sort(x % (2 * np.pi))
     energy = -at(x, -1) * abs(turn) / (2 * np.pi)
     return float(np.ptp(energy)), tuple((begin + x * turn / (2 * np.pi)).tolist())

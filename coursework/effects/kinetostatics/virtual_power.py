@@ -80,12 +80,13 @@ def drive_by_power(rows: Rows, equations: VelocityEquations, wrench: Array) -> A
 def _shares(rows: Rows, moves: Array) -> Array:
     """Return the power (n, k, drives) of a unit of each driving force in each unit motion.
 
-    A couple between two moving links has the power of their relative rotation.
+    A couple has the power of the rotation of its link relative to the link it stands on.
     """
     drives = drives_of(rows.scheme)
     found = np.tile(np.eye(len(drives)), (rows.count, 1, 1))
     places = {body.name: index for index, body in enumerate(rows.scheme.bodies)}
     for column, drive in enumerate(drives):
-        if drive.direction.kind == "couple" and drive.off in places:
-            found[:, :, column] -= moves[:, places[drive.off], 2]
+        if drive.direction.kind == "couple":
+            below = moves[:, places[drive.off], 2] if drive.off in places else 0.0
+            found[:, :, column] = moves[:, places[drive.on], 2] - below
     return found

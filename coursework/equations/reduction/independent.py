@@ -11,10 +11,11 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from coursework.equations.algebra.calculus import derivative
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.matching import match, over_and_under
 from coursework.equations.reduction.symbolic import symbol
-from coursework.equations.reduction.system import LinearSystem, compile_system
+from coursework.equations.reduction.system import LinearSystem, compile_system, compile_values
 from coursework.system.arrays import Array
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -59,8 +60,23 @@ def choose(
         raise InputError([_too_near(equations, nearly, base)])
     if conflicts or len(kept) < len(equations.unknowns):
         raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
+    if names_tied := _tied(equations, start, matrix, kept):
+        told = say("fault.V750", names=names_tied)
+        raise InputError([Fault(told, equations.variant.file, equations.variant.nearest_line("motor", "rates"))])
     notes = tuple(say("equation.redundant", same=_same(names)) for names in sames)
     return tuple(kept), notes
+
+
+def _tied(equations: VelocityEquations, start: Sequence[float], matrix: Array, kept: list[int]) -> tuple[str, ...]:
+    """Return the rates that forces are to move freely although the equations that are left out tie them to each other."""
+    rates = equations.variant.motor.rates if equations.variant.motor else ()
+    if not rates or len(kept) == len(equations.equations):
+        return ()
+    slopes = [derivative(one.right_side, symbol(rate)) for one in equations.equations for rate in rates]
+    right = np.array(compile_values(equations, slopes)[0](0.0, *start), dtype=float).reshape(-1, len(rates))
+    names = [equation.name for equation in equations.equations]
+    tied = [rate for rate, column in zip(rates, right.T, strict=True) if _judge_dropped(matrix, column, kept, names)[1]]
+    return tuple(tied)
 
 
 def _generic(system: LinearSystem, start: Sequence[float]) -> Array:

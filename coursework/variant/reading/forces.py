@@ -162,7 +162,9 @@ def _free(rates: object, known: list[str], parts: Parts) -> tuple[str, ...]:
     found = []
     for place, rate in enumerate(listed):
         name = parts.names.canonical(str(rate))
-        if name in known:
+        if name in found:
+            parts.say(("motor", "rates", place), say("fault.V717", name=name))
+        elif name in known:
             found.append(name)
         else:
             parts.say(("motor", "rates", place), say("fault.V714", name=str(rate), hint=closest(str(rate), known)))

@@ -30,3 +30,21 @@ def test_two_harmonics_cross_where_both_cancel():
 @pytest.mark.parametrize("wave", [[0.0] * 6, [1.0, -1.0] * 3])
 def test_an_even_torque_and_a_highest_harmonic_without_a_phase_have_no_excess(wave):
     assert _excess(np.array(wave), 0.0, 2 * math.pi) == (0.0, ())
+
+
+@pytest.mark.parametrize("count", [23, 24, 25, 37])
+def test_zeros_where_the_turn_begins_are_not_lost(count):
+    """A sin x + B sin 2x + C sin 3x, as of a slider-crank that begins in its dead point, is zero at 0 and 180 degrees."""
+    x = 2 * math.pi * np.arange(count) / count
+    for size in np.random.default_rng(count).uniform(-0.1, 0.1, (20, 2)):
+        wave = np.sin(x) + size[0] * np.sin(2 * x) + size[1] * np.sin(3 * x)
+        excess, crossings = _excess(wave - wave.mean(), 0.0, 2 * math.pi)
+        assert excess == pytest.approx(2 * (1 + size[1] / 3), rel=1e-10)
+        assert len(crossings) == 2 and np.abs(np.sin(crossings)).max() < 1e-12
+
+
+def test_a_zero_that_is_only_touched_from_below_takes_nothing_away():
+    x = 2 * math.pi * np.arange(12) / 12
+    excess, crossings = _excess(-np.cos(x) - np.cos(2 * x), 0.0, 2 * math.pi)
+    assert excess == pytest.approx(2 * 3**1.5 / 4, rel=1e-12)
+    assert crossings[0] == pytest.approx(math.pi / 3, abs=1e-12) and crossings[-1] == pytest.approx(5 * math.pi / 3, abs=1e-12)
