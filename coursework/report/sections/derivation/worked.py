@@ -54,7 +54,7 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     used = [one for one in equations.equations if one.name in reduction.used]
     if len(used) > MOST_EQUATIONS or any(slope.size > MOST_PARTS for one in used for slope in one.coefficients.values()):
         return []
-    dots = _dots(context)
+    dots = {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
     rests = [replaced(expanded(acceleration_rest(equations, one, moved_rate)), dots) for one in used]
     lines: list[tuple[Formula, Formula]] = []
     for one, rest in zip(used, rests, strict=True):
@@ -66,11 +66,12 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     shown = [
         display(left, right, rates, context.equation(one.name) + "′") for one, (left, right) in zip(used, lines, strict=True)
     ]
-    motor = context.run.variant.motor
-    dotted = {name for one in used for name in one.coefficients} | {*(motor.rates if motor is not None else ())}
-    sought = [name for name in context.run.motion.velocity_names if name in dotted]
+    variant = context.run.variant
+    free = {*(name for one in used for name in one.coefficients), *variant.known_rates} - {*variant.given_rates}
     meant = [
-        f"{context.lettering(f'd{name}')} = d{THIN}{context.lettering(name)}/d{THIN}{context.lettering('t')}" for name in sought
+        f"{context.lettering(f'd{name}')} = d{THIN}{context.lettering(name)}/d{THIN}{context.lettering('t')}"
+        for name in context.run.motion.velocity_names
+        if name in free
     ]
     intro = context.words("worked.accelerations", meant=context.words.listing(meant))
     parts: list[Part] = [Paragraph(context.lettered(intro)), Equations(shown)]
@@ -82,8 +83,7 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
         put = _in_numbers(context, named(name), formula, values)
         if put is not None:
             intro = context.words("worked.solved", row=row + 1, symbol=context.symbol(name).text)
-            lines_of = [display(named(name), formula, rates), put]
-            return [*parts, Paragraph(context.lettered(intro)), Equations(lines_of)]
+            return [*parts, Paragraph(context.lettered(intro)), Equations([display(named(name), formula, rates), put])]
     return parts
 
 
@@ -149,7 +149,8 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
         rate = expanded(equations.symbols.rate(place))
         levels = [(axis, place), (f"v{axis}", rate)]
         if f"{point}.a{axis}" in extra.names:
-            levels.append((f"a{axis}", replaced(expanded(moved_rate(equations, rate)), _dots(context))))
+            dots = {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
+            levels.append((f"a{axis}", replaced(expanded(moved_rate(equations, rate)), dots)))
         formulas = [(f"{point}.{key}", as_sum(expression, equations.order)) for key, expression in levels]
         if formulas[0][1].op == "name" or any(len(spelled(formula)) > LONGEST for _, formula in formulas):
             continue
@@ -163,11 +164,6 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
             Paragraph(context.say("worked.row", row=row + 1)), Equations([one for one in put if one is not None]),
         ]  # fmt: skip
     return []
-
-
-def _dots(context: PageContext) -> dict[Expression, Expression]:
-    """Return the symbols of the accelerations as a page writes them."""
-    return {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
 
 
 def _values(context: PageContext, row: int) -> dict[str, float]:
