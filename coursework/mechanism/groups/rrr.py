@@ -33,7 +33,8 @@ def rrr(b: At, d: At, *, lengths: tuple[Length, Length], mode: int, positions_on
     `mode` +1: C to the left of the ray from B to D, -1: right.  Coordinates theta_i, theta_j (rad); meets C.
     determinant = r_i r_j sin(theta_i - theta_j) (m^2), scaled = sin(theta_i - theta_j).
     Raises `CannotAssemble` unless |r_i - r_j| <= BD <= r_i + r_j; `AtDeadPoint` where the links lie on one
-    line, unless `positions_only`; `ValueError` for a wrong mode or length, or a number of lengths other than two.
+    line, unless `positions_only`, and always where B lies on D, because equal links may then point anywhere;
+    `ValueError` for a wrong mode or length, or a number of lengths other than two.
 
     >>> import numpy as np
     >>> from coursework.procedures import Pair, rrr
