@@ -18,6 +18,6 @@ from coursework.grading.marking.table.causes.misconceptions import Misconception
 def test_a_cause_is_told_once(named, earned_by, told):
     found = named and Misconception(named, 0.95, 0.5, ("midpoint",))
     earned = SimpleNamespace(rule="misconception", cause=earned_by)
-    reasons = list(_causes(SimpleNamespace(), SimpleNamespace(misconception=found, earned=earned)))
+    reasons = list(_causes(SimpleNamespace(), SimpleNamespace(misconception=found, earned=earned), {}))
     assert [reason.kind for reason in reasons].count("cause") == told
     assert [reason.kind for reason in reasons].count("finding") == (1 if named else 0)

@@ -7,6 +7,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.reasons.table import table_reasons
+from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.earning import ROUNDED
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.test_equal_faults import Desk, close, codes
@@ -131,7 +132,7 @@ def test_a_step_is_another_from_its_second_digit_on(step, named):
     table = desk.machine.table(lambda t, q: step * slopes(desk.machine, t, q))
     _, found = desk.marked(table, digits=5)
     assert ("other_step" in codes(found)) is named
-    told = [reason.text for reason in table_reasons(desk.key, found, 1.0, 30.0, 60.0)]
+    told = [reason.text for reason in table_reasons(desk.key, found, Rubric(), 30.0, 60.0)]
     assert any("they follow with 0.021 s" in text for text in told) is named
 
 
@@ -148,7 +149,7 @@ def test_a_start_value_in_the_wrong_column_is_told_to_cost_a_cell():
     desk = of(0)
     table = desk.machine.table()[:, [1, 0, *range(2, 7)]]
     points, found = desk.marked(table, digits=4)
-    told = " ".join(reason.text for reason in table_reasons(desk.key, found, 1.0, points, 60.0))
+    told = " ".join(reason.text for reason in table_reasons(desk.key, found, Rubric(), points, 60.0))
     assert "Each of them costs one cell." in told
 
 

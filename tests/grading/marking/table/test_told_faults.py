@@ -5,6 +5,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.reasons.table import table_reasons
+from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.other_data import _values_read_off
 from coursework.grading.marking.table.ways import StudentTable
@@ -17,7 +18,7 @@ from tests.grading.scenes import variant_of
 def test_what_explains_as_much_is_told_in_sentences_of_its_own():
     desk = variants()[0]
     _, table = desk.marked(Machine(desk.variant, data={"V1": -desk.variant.values["V1"]}).table())
-    told = [reason.text for reason in table_reasons(desk.key, table, 1.0, 30.0, 60.0) if "as well be" in reason.text]
+    told = [reason.text for reason in table_reasons(desk.key, table, Rubric(), 30.0, 60.0) if "as well be" in reason.text]
     assert told == [
         "It could as well be: w3 has the other sign.",
         "It could as well be: the datum V1 has a value other than the task's.",
@@ -31,7 +32,7 @@ def test_a_start_that_shuts_the_whole_table_is_not_said_to_cost_a_cell():
     mistyped[0, 0] = 1.0
     for table, costs in ((np.zeros((25, 7)), False), (mistyped, True)):
         _, marked = desk.marked(table)
-        told = " ".join(reason.text for reason in table_reasons(desk.key, marked, 1.0, 0.0, 60.0))
+        told = " ".join(reason.text for reason in table_reasons(desk.key, marked, Rubric(), 0.0, 60.0))
         assert ("Each of them costs one cell." in told) is costs
 
 
@@ -64,7 +65,7 @@ def test_a_datum_left_out_and_a_time_that_stands_still_are_named_with_any_digits
     ):
         desk = variants()[number]
         points, table = desk.marked(Machine(desk.variant, data={name: 0.0}).table(), digits=digits)
-        said = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, 1.0, points, 60.0))
+        said = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, Rubric(), points, 60.0))
         assert table.misconception.code == code and f"datum_{name}" in codes(table) and told in said
         assert points == pytest.approx(24, abs=1.2)
 

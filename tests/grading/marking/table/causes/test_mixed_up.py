@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.reasons.table import table_reasons
+from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import _cut_off
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.sentences import load_phrases
@@ -109,7 +110,7 @@ def test_what_follows_from_ones_own_wrong_equation_is_told_so():
     line = "c*w3*sin(phi3) - r2*w2*cos(phi2) + r1*w1*cos(phi1)"
     machine = Machine(desk.variant, lines={"2": f"{line} - u"})
     _, table = desk.marked(machine.table(), equations={"2": f"{line} = u"})
-    told = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, 1.0, 50.0, 60.0))
+    told = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, Rubric(), 50.0, 60.0))
     assert table.earned.rule == "cells" and not codes(table)
     assert "your own equations, of which line 2 is not right" in told and "None of the usual causes" not in told
 
@@ -128,7 +129,7 @@ def test_a_value_is_told_with_the_unit_and_the_mark_of_the_language(language, sa
     value = 5.09
     _, table = desk.marked(Machine(desk.variant, data={"V1": value}).table())
     phrases = load_phrases(language)
-    assert said in " ".join(phrases.written(reason.text) for reason in table_reasons(desk.key, table, 1.0, 24.0, 60.0))
+    assert said in " ".join(phrases.written(reason.text) for reason in table_reasons(desk.key, table, Rubric(), 24.0, 60.0))
 
 
 def by_the_rate_of_another(machine):
