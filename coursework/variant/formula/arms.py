@@ -39,21 +39,37 @@ def with_arms(tree: Formula) -> Formula:
     if tree.op != "pair":
         return mapped(tree, with_arms)
     across, beside = ([*signed(on_axes(side))] for side in tree.args)
+    waiting: dict[object, list[_Term]] = {}
+    for other in beside:
+        waiting.setdefault(_shared(other, "y"), []).append(other)
     found: list[_Term] = []
     rest: list[_Term] = []
     for one in across:
-        vectors = ((other, vector) for other in beside if (vector := _vector(one, other)) is not None)
-        other, vector = next(vectors, (None, None))
-        if other is None or vector is None:
-            rest.append(one)
+        shared = _shared(one, "x")
+        partners = waiting.get(shared) if shared is not None else None
+        if partners:
+            found.append(_vector(one, partners.pop(0)))
         else:
-            found.append(vector)
-            beside.remove(other)
+            rest.append(one)
     if not found:
         return tree
     points = [one for one in found if one[0].op != "@"]
     arms = [one for one in found if one[0].op == "@"]
-    return summed([*points, *_rest(rest, beside, tree.column), *arms])
+    return summed([*points, *_rest(rest, [one for others in waiting.values() for one in others], tree.column), *arms])
+
+
+def _shared(one: _Term, axis: str) -> object:
+    """Return what the components of one vector have in common, None if the term is no such component.
+
+    That is a point and its sign; or an angle, the factors of a length, and which function stands along x.
+    """
+    term, sign = one
+    if term.op == "part":
+        return (term.args, sign) if term.name == axis else None
+    side = _side(term)
+    if side is None:
+        return None
+    return side.angle, frozenset(Counter(side.length).items()), (side.function == "cos") == (axis == "x")
 
 
 def _rest(across: Sequence[_Term], beside: Sequence[_Term], column: int) -> Iterator[_Term]:
@@ -65,16 +81,12 @@ def _rest(across: Sequence[_Term], beside: Sequence[_Term], column: int) -> Iter
         yield Formula("pair", tuple(sides), column=column), sign
 
 
-def _vector(across: _Term, beside: _Term) -> _Term | None:
-    """Return the vector with these two components, a point or a length at an angle; None if they belong to no such vector."""
-    (x, along), (y, up) = across, beside
-    if x.op == y.op == "part" and (x.name, y.name) == ("x", "y") and x.args == y.args and along == up:
+def _vector(across: _Term, beside: _Term) -> _Term:
+    """Return the vector with these two components, a point or a length at an angle."""
+    (x, along), (_, up) = across, beside
+    first = _side(x)
+    if first is None:
         return x.args[0], along
-    first, second = _side(x), _side(y)
-    if first is None or second is None or {first.function, second.function} != {"cos", "sin"}:
-        return None
-    if first.angle != second.angle or Counter(first.length) != Counter(second.length):
-        return None
     if first.function == "cos":
         sense, axis = along * up, [] if along > 0 else [(named("pi"), 1)]
     else:

@@ -13,6 +13,7 @@ from coursework.variant.formula.arms import with_arms
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, on_axes, signed, terms
 from coursework.variant.record.variant import Variant
 
+MOST_PAIRED = 40  # scalars among which components of one vector are looked for; every pair is tried
 POWERS = {2: "m²", 3: "m³", 4: "m⁴"}  # units of position equations in products of lengths
 
 
@@ -45,7 +46,7 @@ def held_vectors(variant: Variant) -> tuple[Formula, ...]:
     scalars += [
         on_axes(Formula("-", one.sides)) for one in variant.constraints if one.is_closure and not _is_vector(one.left, points)
     ]
-    named = [(formula, moving.intersection(formula.names())) for formula in scalars]
+    named = [(formula, moving.intersection(formula.names())) for formula in scalars[:MOST_PAIRED]]
     both = (
         Formula("pair", (x, side))
         for (x, one), (y, other) in permutations(named, 2)
