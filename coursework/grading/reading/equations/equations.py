@@ -190,7 +190,7 @@ def read_constraints(source: Source, file: str, expected: Expected) -> list[Equa
         if not isinstance(text, str):
             continue
         if key not in _KEYS:
-            read: Formula | Fault = Fault(say("fault.G042", key_=key[:40], hint=closest(key, _KEYS), known=_KEYS))
+            read: Formula | Fault = Fault(say("fault.G067", key_=key[:40], hint=closest(key, _KEYS), known=_KEYS))
         else:
             read = Fault(say("fault.G062")) if key == "closure" else _strict(text, names)
         if isinstance(read, Fault):
