@@ -27,7 +27,7 @@ from coursework.scene.model.model import Model
 from coursework.scene.model.one_set import with_numbers
 from coursework.scene.model.rows import rows_of
 from coursework.scene.model.sets import prepare
-from coursework.scene.model.start import start_of
+from coursework.scene.model.start import left_open, start_of
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import MAX_ROWS, Variant
@@ -81,6 +81,8 @@ def _judge_alike(model: Model, data: Data, variants: list[Variant], limits: Limi
     horizons = np.array([one.time.whole for one in variants])
     prepared = prepare(model, data, float(np.max(horizons)))
     movable = _movable(model, data, prepared.sure, horizons)
+    drawn_start = not {*data.changed}.isdisjoint(model.coordinates)
+    opened = left_open(model, prepared.begin, prepared.numbers) if drawn_start else ~np.ones(data.count, dtype=bool)
     rows, runs = rows_of(model, prepared, SCHEMES[DEFAULT_SCHEME.name], np.arange(time.steps + 1).astype(np.float64) * time.step)
     runs &= prepared.frequency * time.step < np.pi * (1 - 1e-12)
     parts = max(PARTS, -(-FEWEST // max(1, time.steps)))
@@ -92,7 +94,7 @@ def _judge_alike(model: Model, data: Data, variants: list[Variant], limits: Limi
     verdicts = []
     for index in range(data.count):
         mine = {name: float(column[index]) for name, column in numbers.items()}
-        refused = "" if movable[index] else "motion"
+        refused = "open" if opened[index] else "" if movable[index] else "motion"
         refused = refused or ("" if runs[index] and followed[index] else "stepped_over")
         verdicts.append(Verdict(refused or _beyond(limits, mine, time.step), mine))
     return verdicts

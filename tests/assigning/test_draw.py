@@ -123,3 +123,17 @@ def test_loops_held_beside_the_equations_are_closed_for_everybody(template, draw
         assert checks["START"].verdict == "PASS"
         if "[start]" in drawn:
             assert round(variant.coordinates[0].start, 9) == round(variant.coordinates[0].start, 2)
+
+
+def test_more_starts_than_the_geometry_leaves_free_are_refused(tmp_path):
+    """V104 has two freedoms: three drawn angles leave its loop open."""
+    angles = {"phi1": ("4.82", "4.92"), "phi2": ("0.05", "0.12"), "phi3": ("4.6", "4.75")}
+    lines = [f'{name} = {{ from = "{low} rad", to = "{high} rad", step = "0.01 rad" }}' for name, (low, high) in angles.items()]
+    ranges = tmp_path / "ranges.toml"
+    for count, closes in ((1, True), (3, False)):
+        ranges.write_text("\n".join(["[start]", *lines[:count]]), encoding="utf-8")
+        if closes:
+            assert coursework.draw("v104", ranges, 3, "ada").values == coursework.load("v104").values
+        else:
+            with pytest.raises(coursework.InputError, match="did not close: more start values are drawn"):
+                coursework.draw("v104", ranges, 3, "ada")

@@ -1,7 +1,7 @@
 """Where the motions of many data sets begin: groups assembled and closures closed for all sets at once.
 
 Enters: a `Model` and `Data`.  Leaves: `Start`; a set that leaves any doubt is marked, never guessed.
-Used by `sets.py`.
+Used by `sets.py` and `assigning/judge.py`.
 """
 
 from __future__ import annotations
@@ -63,6 +63,15 @@ def start_of(model: Model, data: Data, numbers: Columns) -> Start:
     doubtful |= ~(np.max(np.abs(residual), axis=1) <= OPEN * np.where(scale > 0, scale, 1.0))
     closed, settled = close(model, 0.0, begin, numbers, free, rows)
     return Start(begin, closed, doubtful | ~settled)
+
+
+def left_open(model: Model, begin: Array, numbers: Columns) -> Flags:
+    """Return which sets (n,) begin with a loop open: more starts were set than the geometry leaves free."""
+    loops = tuple(position.expression for position in model.equations.positions if position.closes)
+    if not loops:
+        return np.zeros(begin.shape[1], dtype=bool)
+    residual = as_columns(model.compiled(loops)(0.0, *begin, *numbers), begin[0].shape)
+    return np.asarray((np.abs(residual) > START_TOLERANCE).any(axis=1))
 
 
 def close(
