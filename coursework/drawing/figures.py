@@ -17,7 +17,6 @@ from coursework.drawing.lettering.dimensions import ORIGIN, SEVERAL, crowded_hin
 from coursework.drawing.lettering.naming import link_names, link_owner, part_lengths, point_names, rate_places
 from coursework.drawing.lettering.turns import clockwise_rates
 from coursework.drawing.outline.coinciding import clearest, coincides
-from coursework.drawing.outline.lengths import is_origin
 from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import Poses, all_rows, read_poses
 from coursework.drawing.outline.tracing import read_outline
@@ -32,6 +31,7 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.system.angles import dot
 from coursework.variant.formula.tree import Formula, terms
+from coursework.variant.record.held import is_origin
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 from coursework.words.sentences import joined, say, say_count

@@ -59,3 +59,21 @@ def test_a_projection_has_the_sense_in_which_each_angle_counts(sign):
     text = mechanism(FILE, ("A + r1 @ q1", f"A + r1 @ ({sign.strip('+')}q1)"))
     (crank,) = [one for one in point_graph(build(parse_variant(text))).segments if (one.start, one.end) == ("A", "B")]
     assert crank.turning == (("w1", 1 if sign == "+" else -1),)
+
+
+def test_a_closure_that_is_zero_is_a_gap_between_its_points():
+    """The arm of q3 begins at D, though the sum C - D - r3 @ q3 = (0, 0) begins elsewhere."""
+    arms = ('holds = ["(C - B - r2 @ (q1 + q2)).x", "(C - B - r2 @ (q1 + q2)).y"]', "")
+    loop = ("[points]", '[[constraint]]\nclosure = "D - C + r3 @ (q1 + q2 + q3) = (0, 0)"\n[points]')
+    built = build(parse_variant(mechanism(FILE, arms, loop, ("D + r3 @ (q1 + q2 + q3)", "B + r2 @ (q1 + q2)"))))
+    variant = built.variant
+    values = {**variant.values, "pi": math.pi, **{one.name: one.start for one in variant.coordinates}}
+    for name, formula in variant.points:
+        values[name] = evaluate_any(formula, values)
+    assert {turn.coordinate: turn.at for turn in turns(built, values)}["q3"] == (values["D"],)
+
+
+def test_a_link_has_a_number_that_no_other_has():
+    relative = (("q1 + q2 + q3", "q3"), ("q1 + q2", "q2 + q3"), WITHOUT_LINKS)
+    outline = read_outline(build(parse_variant(mechanism(FILE, *relative))))
+    assert {(bar.link, bar.corners) for bar in outline.bars} == {("1", ("A", "B")), ("2", ("B", "C")), ("3", ("D", "C"))}

@@ -16,7 +16,7 @@ import numpy as np
 
 from coursework.drawing.lettering.naming import beside, lies_on
 from coursework.drawing.lettering.offsets import offsets
-from coursework.drawing.outline.lengths import is_origin, lengths
+from coursework.drawing.outline.lengths import lengths
 from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.placing import Owner
@@ -25,6 +25,7 @@ from coursework.drawing.paper.symbols import length_word
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.angles import dot
 from coursework.system.frozen import frozen
+from coursework.variant.record.held import is_origin
 
 PEN = 'stroke="black" stroke-width="0.15"'
 SHORTEST = 0.8  # mm: shorter lengths are not dimensioned

@@ -11,10 +11,11 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import permutations
 
-from coursework.drawing.outline.lengths import gaps_of, is_origin
+from coursework.drawing.outline.lengths import gaps_of
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, signed
+from coursework.variant.record.held import is_origin
 
 Values = Mapping[str, complex]
 Sum = list[tuple[Formula, int]]  # terms with their signs
@@ -141,7 +142,7 @@ def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool, str]]:
     sides = [(formula, name) for name, formula in mechanism.points]
     met = {formula: name for name, formula in mechanism.points}
     for one in mechanism.constraints:
-        if one.is_closure:
+        if one.is_closure and not any(map(is_origin, one.sides)):  # a sum that is zero is a gap
             pair = one.sides, one.sides[::-1]
             sides += [(side, other.name if other.op == "name" else met.get(other, "")) for side, other in pair]
     yield from (([*signed(side)], False, name) for side, name in sides)

@@ -12,7 +12,7 @@ from string import ascii_uppercase
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, named, signed, terms
-from coursework.variant.record.held import held_vectors
+from coursework.variant.record.held import held_vectors, is_origin
 from coursework.variant.record.variant import Variant
 
 # The terms of an angle that move, with their signs.
@@ -92,11 +92,6 @@ def stretching(mechanism: Mechanism) -> frozenset[frozenset[str]]:
     variant = mechanism.variant
     changing = {c.name for c in variant.coordinates} | {law.name for law in (*variant.functions, *variant.drive)} | {"t"}
     return frozenset(ends for ends, length in lengths(mechanism).items() if changing & set(length.names()))
-
-
-def is_origin(formula: Formula) -> bool:
-    """Return whether a point is written as (0, 0)."""
-    return formula.op == "pair" and all(arg.op == "number" and arg.value == 0 for arg in formula.args)
 
 
 def _length(part: Formula) -> Formula | None:

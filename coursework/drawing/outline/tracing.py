@@ -144,17 +144,22 @@ class _Pencil:
                 corners = [end for base, tip in arms if tip not in contacts for end in (base, tip)]
                 if corners:
                     alone = [term for term, _ in turning] == [named(coordinate.name)]
-                    self.arm(corners, coordinate.rate, coordinate.rate if alone else "")
+                    added = {name for term, _ in turning for name in term.names()}
+                    others = [one.rate for one in self.variant.coordinates if one.name in added - {coordinate.name}]
+                    self.arm(corners, [coordinate.rate, *others[::-1]], coordinate.rate if alone else "")
 
-    def arm(self, corners: list[str], called: str, rate: str) -> None:
-        """Draw an arm that turns at a `rate` ("" if this has no name) and is `called` by one, unless a drawn link holds it."""
+    def arm(self, corners: list[str], called: list[str], rate: str) -> None:
+        """Draw an arm that turns at a `rate`, "" if this has no name, unless a drawn link holds it.
+
+        It has the first number, of the rates after which it may be `called`, that no other link has.
+        """
         place = next((place for place, bar in enumerate(self.bars) if {*corners} <= {*bar.corners}), None)
         if place is not None:  # its angle is measured otherwise, or the file names no rate
             self.bars[place] = replace(self.bars[place], rate=self.bars[place].rate or rate)
             return
-        number_of = re.search(r"\d+$", called)
         taken = {bar.link for bar in self.bars}
-        link = number_of[0] if number_of and number_of[0] not in taken else called
+        numbers = (found[0] for name in called if (found := re.search(r"\d+$", name)))
+        link = next((number for number in numbers if number not in taken), called[0])
         self.bars.append(Bar(link, tuple(dict.fromkeys(corners)), rate))
         if reached(corners[:1], self.points).isdisjoint(c.name for c in self.variant.coordinates):
             self.hinges.append(corners[0])

@@ -100,7 +100,7 @@ def _factor(tree: Formula, variant: Variant) -> str:
         return say(key, link=_link(angles[0], variant), direction=direction)
     if tree.op == "call" and tree.name == "cos" and len(angles) == 1 and tree.args[0].names() == (angles[0],):
         return say("determinant.right_angle", link=_link(angles[0], variant))
-    if tree.op in {"+", "-"}:
+    if tree.op in {"+", "-"} and all(_FROM_X in _axes(angle, variant) for angle in angles):
         return say("determinant.arms", links=_listed(angles, variant))
     key = "determinant.zero" if set(tree.names()) - {"pi", *variant.values} else "determinant.always_zero"
     return say(key, formula=spelled(tree)) if tree.names() else ""
@@ -123,12 +123,15 @@ def _counted_from(angle: str, variant: Variant) -> str:
 
 def _axes(angle: str, variant: Variant) -> set[str]:
     """Return how a file counts an angle: L @ phi from x, as groups do, L @ (phi - pi/2) and (L*sin(phi), …) from the vertical."""
-    parts = [part for _, formula in variant.points for part in formula.walk()]
+    closures = [one for one in variant.constraints if one.is_closure]
+    placed = [*(formula for _, formula in variant.points), *(side for one in closures for side in one.sides)]
+    parts = [part for formula in placed for part in formula.walk()]
     ways = [part.args[1] for part in parts if part.op == "@" and angle in part.args[1].names()]
     after = [way for way in ways if {c.name for c in variant.coordinates if c.name != angle} & {*way.names()}]
     sides = [(Formula("call", (way,), "cos"), "x") for way in ways if way not in after]
     sides += [(side, axis) for part in parts if part.op == "pair" for side, axis in zip(part.args, "xy", strict=True)]
-    sides += [side for hold in variant.holds for side in _sides(hold)]
+    held = [*variant.holds, *(Formula("-", one.sides) for one in closures)]
+    sides += [side for formula in held for side in _sides(formula)]
     found = {re.sub(rf"\b{angle}\b", _FROM_X, spelled(way)) for way in after} | _from_sides(sides, angle, variant)
     grouped = any(angle in group.coordinates for group in variant.groups)
     return found | {_FROM_X} if grouped or not found else found

@@ -38,14 +38,14 @@ def closed_loops(variant: Variant) -> tuple[bool, ...]:
 def held_vectors(variant: Variant) -> tuple[Formula, ...]:
     """Return the sums of vectors that are held, or closed, along both axes, in whichever way a file writes the two.
 
-    C.x - B.x - r*cos(phi) and C.y - B.y - r*sin(phi) say that C - B - r @ phi stays.
+    C.x - B.x - r*cos(phi) and C.y - B.y - r*sin(phi) say that C - B - r @ phi stays, and so does C - B - r @ phi = (0, 0).
     """
+    closures = [one.sides for one in variant.constraints if one.is_closure]
+    loops = [side for sides in closures for side, other in (sides, sides[::-1]) if is_origin(other)]
     points = {name for name, _ in variant.points}
     moving = points | {one.name for one in variant.coordinates}
     scalars = [on_axes(hold) for hold in variant.holds]
-    scalars += [
-        on_axes(Formula("-", one.sides)) for one in variant.constraints if one.is_closure and not _is_vector(one.left, points)
-    ]
+    scalars += [on_axes(Formula("-", sides)) for sides in closures if not _is_vector(sides[0], points)]
     named = [(formula, moving.intersection(formula.names())) for formula in scalars[:MOST_PAIRED]]
     both = (
         Formula("pair", (x, side))
@@ -54,11 +54,13 @@ def held_vectors(variant: Variant) -> tuple[Formula, ...]:
         for side in (y, Formula("neg", (y,)))
     )
     vectors = (with_arms(pair) for pair in both)
-    return tuple(
-        dict.fromkeys(
-            vector for vector in vectors if all(moving.isdisjoint(node.names()) for node in vector.walk() if node.op == "pair")
-        )
-    )
+    paired = [vector for vector in vectors if all(moving.isdisjoint(part.names()) for part in vector.walk() if part.op == "pair")]
+    return tuple(dict.fromkeys([*loops, *paired]))
+
+
+def is_origin(formula: Formula) -> bool:
+    """Return whether a point or a sum of vectors is written as (0, 0)."""
+    return formula.op == "pair" and all(arg.op == "number" and arg.value == 0 for arg in formula.args)
 
 
 def _is_vector(formula: Formula, points: set[str]) -> bool:

@@ -55,3 +55,15 @@ def test_three_equations_whose_determinant_is_a_sum_are_told_by_their_names() ->
     run = coursework.solve(coursework.parse_variant(mechanism("block-of-three-equations")), quantities=("table",))
     (block,) = (one for one in run.scene.reduction.blocks if one.size == 3)
     assert block.condition is None and "the determinant of the 3 equations 1, 2, 3 is zero" in str(block.meaning)
+
+
+@pytest.mark.parametrize(("coupler", "rocker", "factor", "told"), [
+    ("phi2", "phi3", "sin(phi2 - phi3)",
+     "the link at angle phi2 and the link at angle phi3 lie on one line (stretched or folded)"),
+    ("(-phi2)", "(pi/2 - phi3)", "cos(phi2 - phi3)", "cos(phi2 - phi3) is zero"),
+    ("phi2", "(phi2 + phi3)", "sin(phi3)",
+     "the link at angle phi2 and the link at angle phi3 lie on one line (stretched or folded)"),
+])  # fmt: skip
+def test_how_an_angle_counts_is_read_in_closures_too(coupler, rocker, factor, told):
+    text = mechanism("four-bar-loop", ("b @ phi2 = (d, 0) + c @ phi3", f"b @ {coupler} = (d, 0) + c @ {rocker}"))
+    assert meaning(parse(factor), coursework.parse_variant(text), ()) == told
