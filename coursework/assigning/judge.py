@@ -82,7 +82,7 @@ def _judge_alike(model: Model, data: Data, variants: list[Variant], limits: Limi
     prepared = prepare(model, data, float(np.max(horizons)))
     movable = _movable(model, data, prepared.sure, horizons)
     drawn_start = not {*data.changed}.isdisjoint(model.coordinates)
-    opened = left_open(model, prepared.begin, prepared.numbers) if drawn_start else ~np.ones(data.count, dtype=bool)
+    opened = left_open(model, prepared.begin, prepared.numbers) if drawn_start else np.zeros(data.count, dtype=bool)
     rows, runs = rows_of(model, prepared, SCHEMES[DEFAULT_SCHEME.name], np.arange(time.steps + 1).astype(np.float64) * time.step)
     runs &= prepared.frequency * time.step < np.pi * (1 - 1e-12)
     parts = max(PARTS, -(-FEWEST // max(1, time.steps)))

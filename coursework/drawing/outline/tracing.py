@@ -16,8 +16,9 @@ from coursework.drawing.outline.lengths import Turning, arm_base, gaps_of, rigid
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, led_by_law, link_names, riders
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, named, number, signed, terms
+from coursework.variant.formula.tree import Formula, named, number, terms
 from coursework.variant.record.entries import reached
+from coursework.variant.record.held import between_points
 from coursework.variant.record.variant import Variant
 
 
@@ -49,6 +50,7 @@ class _Pencil:
         self.points = dict(mechanism.points) | {joint: sides[0] for joint, sides in unnamed_joints(mechanism).items()}
         self.closures = [one.sides for one in mechanism.constraints if one.is_closure]
         self.named = {formula: name for name, formula in reversed(self.points.items())}
+        self.gaps = [*filter(None, map(between_points, gaps_of(self.variant)))]
         self.bars: list[Bar] = []
         self.slots: list[Slot] = []
         self.blocks: list[Block] = []
@@ -173,13 +175,7 @@ class _Pencil:
         for left, right in self.closures:
             tip = next((side for side in (right, left) if side.op == "name" or side in self.named), left)
             formulas += [(self.name_of(tip), side) for side in (left, right) if arm_base(side, coordinate)]
-        for gap in gaps_of(self.variant):
-            parts = [*signed(gap)]
-            ends = {sign: term for term, sign in parts if term.op == "name"}
-            arms = [(term, sign) for term, sign in parts if term.op != "name"]
-            if (len(parts), len(ends), len(arms)) == (3, 2, 1):
-                [(arm, sign)] = arms
-                formulas.append((ends[-sign].name, Formula("+", (ends[sign], arm))))
+        formulas += [(end, Formula("+", (named(start), arm))) for start, end, arm in self.gaps]
         moving = {one.name: place for place, one in enumerate(self.variant.coordinates)}
         found: dict[Turning, list[tuple[str, str]]] = {}
         for name, formula in sorted(formulas, key=lambda one: sum(1 for _ in terms(one[1]))):  # bars before bent ones

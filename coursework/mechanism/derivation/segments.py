@@ -8,13 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from operator import itemgetter
 
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named, number, signed
 from coursework.variant.record.entries import reached
-from coursework.variant.record.held import held_vectors
+from coursework.variant.record.held import between_points, held_vectors
 from coursework.variant.record.variant import Link, Variant
 
 ZERO = number(0)
@@ -111,23 +110,12 @@ def _drawn(mechanism: Mechanism, fixed: set[str]) -> Iterator[tuple[str, str, Fo
     """Yield (start, end, vector from start to end) for points, for closures written as a vector, and for held expressions."""
     minus = [Formula("-", (named(name), formula)) for name, formula in mechanism.points if name not in fixed]
     minus += [Formula("-", constraint.sides) for constraint in mechanism.variant.constraints if constraint.is_closure]
-    for formula in (*minus, *held_vectors(mechanism.variant)):
-        yield from _between_points(formula)
+    yield from filter(None, map(between_points, (*minus, *held_vectors(mechanism.variant))))
     centres = [centre.name for centre, _ in mechanism.variant.frame.circles if centre.op == "name"]
     for hold in mechanism.variant.holds:
         inner = hold.args[0] if hold.op == "part" else hold
         if inner.op == "-" and inner.args[0].op == "name":
             yield from ((centre, inner.args[0].name, inner.args[1]) for centre in centres[:1])
-
-
-def _between_points(minus: Formula) -> Iterator[tuple[str, str, Formula]]:
-    """Yield (start, end, vector) of a sum that stays zero: two points, one with a minus, and the vector between them."""
-    parts = [*signed(minus)]
-    ends = [(part.name, sign) for part, sign in parts if part.op == "name"]
-    vectors = [(part, sign) for part, sign in parts if part.op != "name"]
-    if len(vectors) == 1 and len(ends) == 2 and ends[0][1] != ends[1][1]:
-        (vector, sign), (start, end) = vectors[0], sorted(ends, key=itemgetter(1))
-        yield start[0], end[0], vector if sign < 0 else Formula("neg", (vector,))
 
 
 def _segment(start: str, end: str, vector: Formula, variant: Variant, rates: Mapping[str, str]) -> Segment | None:

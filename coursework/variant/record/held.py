@@ -58,6 +58,17 @@ def held_vectors(variant: Variant) -> tuple[Formula, ...]:
     return tuple(dict.fromkeys([*loops, *paired]))
 
 
+def between_points(gap: Formula) -> tuple[str, str, Formula] | None:
+    """Return two points and the vector from the first to the second, if a sum that stays zero holds them alone; else None."""
+    parts = [*signed(gap)]
+    ends = {sign: part.name for part, sign in parts if part.op == "name"}
+    vectors = [(part, sign) for part, sign in parts if part.op != "name"]
+    if (len(parts), len(ends), len(vectors)) != (3, 2, 1):
+        return None
+    [(vector, sign)] = vectors
+    return ends[sign], ends[-sign], vector
+
+
 def is_origin(formula: Formula) -> bool:
     """Return whether a point or a sum of vectors is written as (0, 0)."""
     return formula.op == "pair" and all(arg.op == "number" and arg.value == 0 for arg in formula.args)
