@@ -11,7 +11,15 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.points import constant, following, handed_in, in_a_run, moves_as_it_may, stands_still
+from coursework.grading.marking.table.points import (
+    constant,
+    excused,
+    following,
+    handed_in,
+    in_a_run,
+    moves_as_it_may,
+    stands_still,
+)
 from coursework.grading.marking.table.untold import but
 from coursework.grading.marking.table.ways import KEY, Places
 from coursework.system.arrays import Flags
@@ -32,19 +40,22 @@ class Explained:
         """Return the share of counted cells that some explanation `holds` for (n, m + r), or that agree with the key.
 
         The gates are those of the points. A step counts if its velocity is explained too, or was before a cell of its row was
-        put right; a velocity counts if its row belongs to the motion of the explained steps; other right cells count in runs.
+        put right; a velocity, if its row belongs to the motion of the explained steps and it is explained too, or may have been
+        before a coordinate of its row was put right; other right cells count in runs.
         With `as_it_is` no cell of the table is taken as put right; with `only_velocities` no coordinate counts.
         """
         m, rows, by_key = len(self.key.coordinates), self._rows, self._by_key
         after_put = (holds & ~by_key)[rows[1:], :m] & self._above_put
         holds = (holds | by_key) & self._spoken
-        after_put &= not as_it_is and holds[rows, m:].mean() >= _MOSTLY
+        mostly = not as_it_is and holds[rows, m:].mean() >= _MOSTLY
+        after_put &= mostly
+        before = mostly & excused(by_key[rows, :m], holds[rows, m:]) & self._spoken[rows, m:]
         steps = holds[rows[1:], :m] & (holds[rows[:-1], m : 2 * m] | after_put) & (self._moves | self._hardly)
         counts = self._in_runs.copy()
         counts[rows[1:], :m] |= steps
         follows, motion = following(self.cells.student.values[rows, :m], steps, np.asarray(self._moves.any(axis=1)))
         found = np.zeros_like(holds)
-        found[rows, m:] = holds[rows, m:] & follows[:, None]
+        found[rows, m:] = (holds[rows, m:] | before) & follows[:, None]
         counts |= found & ~but(found, motion)
         if only_velocities:
             counts[:, :m] = False

@@ -29,6 +29,8 @@ _SPARE, _MOST, FEW_FOLLOWING, FOLLOWING = 0.25, 0.66, 0.35, 0.75
 _MOVES = 0.33
 # Part of a coordinate's steps that may be broken because the row above was put right; with more there is no motion.
 _EXCUSED = 0.25
+# In a column with at most this part of the key's values, those were put right one by one.
+_FEW_PUT = 0.5
 
 
 Rule = Literal["cells", "start", "misconception", "own_equations"]
@@ -78,8 +80,9 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     untold = np.zeros_like(counted) if untold is None else untold
     right = ~cells.wrong & ~cells.missing & counted
     sound, rows = (right & ~untold) | cells.fitted, handed_in(cells)  # `fitted` were right before others were put right
+    made = sound[rows, m:]
     rows_enough = bool(len(rows)) and (
-        np.mean(np.all(sound[rows, m:], axis=1)) >= ENOUGH_ROWS
+        np.mean(np.all(made | excused(cells.marks[rows, :m] == KEY, made), axis=1)) >= ENOUGH_ROWS
         or np.mean(np.mean(marks[rows, m:] == KEY, axis=0) >= ENOUGH_ROWS) >= _COLUMNS
     )
     follows, motion = rows_that_follow(key, cells)
@@ -112,6 +115,15 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     # Start values are given and earn nothing; one that is copied wrong costs as much as any other wrong cell.
     earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
     return TablePoints(earned / count if count else 0.0, count, counts, uncounted)
+
+
+def excused(as_key: Flags, sound: Flags) -> Flags:
+    """Return the velocities (n, r) that are not `sound` but may have been so before coordinates of their row were put right.
+
+    One velocity alone cannot tell from what it was made: each coordinate `as_key` (n, m), in a column with few such, excuses one.
+    """
+    put = as_key & (np.mean(as_key, axis=0) <= _FEW_PUT)
+    return np.asarray(~sound & (np.cumsum(~sound, axis=1) <= put.sum(axis=1, keepdims=True)))
 
 
 def handed_in(cells: Cells) -> Places:

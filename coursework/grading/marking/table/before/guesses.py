@@ -120,7 +120,7 @@ def agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags
         counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
         counts *= (off[at, by] <= own_half) & other_than
     far = np.where(turning, np.rint(np.abs(x - printed[row, place])), 0.0)
-    return _ranked(printed.shape, row, place, x, counts, far, own_half)
+    return _ranked(printed.shape, (row, place, by >= 2 * r), x, counts, far, own_half)
 
 
 def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> tuple[Array, Places]:
@@ -154,19 +154,24 @@ def _open_by(key: Key, way: Way, printed: Array) -> Array:
     return np.asarray(open_by)
 
 
-def _ranked(shape: tuple[int, ...], row: Places, place: Places, x: Array, counts: Counts, far: Array, half: Array) -> list[Array]:
+def _ranked(
+    shape: tuple[int, ...], at: tuple[Places, Places, Flags], x: Array, counts: Counts, far: Array, half: Array
+) -> list[Array]:
     """Return tables of what was found: in each row first the cell on which most others agree, then the most exact one.
 
-    If a cell has several values with equal support, the one less `far` from the printed value is taken.
+    `at` are the row and place of each value, and whether a step tells it or a velocity: a cell may have one value by each. If it
+    has several with equal support, the one less `far` from the printed value is taken.
     """
+    row, place, by_step = at
     best = np.lexsort((half, far, -counts))
     best = best[counts[best] >= _AGREE]
-    _, first = np.unique(row[best] * shape[1] + place[best], return_index=True)
+    _, first = np.unique((row[best] * shape[1] + place[best]) * 2 + by_step[best], return_index=True)
     best = best[first]
     tables = [np.full(shape, np.nan) for _ in range(_TRIED)]
     taken = np.zeros(shape[0], dtype=int)
     for one in best[np.lexsort((half[best], -counts[best]))].tolist():
-        if taken[row[one]] < _TRIED:
-            tables[taken[row[one]]][row[one], place[one]] = x[one]
+        found, cell = taken[row[one]], (row[one], place[one])
+        if found < _TRIED and not any(abs(table[cell] - x[one]) <= half[one] for table in tables[:found]):
+            tables[found][cell] = x[one]
             taken[row[one]] += 1
     return tables[: max(taken, default=0)]

@@ -141,10 +141,18 @@ def test_of_each_row_the_cell_of_which_most_speaks_comes_first_and_of_equal_ones
     row, place = np.array([0, 0, 0, 1, 1, 1, 0, 0]), np.array([0, 1, 0, 2, 1, 0, 2, 1])
     x, counts = np.array([10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0]), np.array([2, 3, 4, 2, 2, 1, 2, 3])
     far, half = np.array([0, 0, 3, 0, 0, 0, 0, 1]), np.array([0.1, 0.2, 0.1, 0.1, 0.1, 0.1, 0.3, 0.1])
-    first, second, third = _ranked((2, 3), row, place, x, counts, far, half)
+    by_step = np.zeros(8, dtype=bool)
+    first, second, third = _ranked((2, 3), (row, place, by_step), x, counts, far, half)
     assert np.nan_to_num(first).tolist() == [[12, 0, 0], [0, 14, 0]]
     assert second[0, 1] == 11.0 and second[1, 2] == 13.0 and third[0, 2] == 16.0 and np.isnan(third[1]).all()
-    assert _ranked((2, 3), row, place, x, np.full(8, 1), far, half) == []
+    assert _ranked((2, 3), (row, place, by_step), x, np.full(8, 1), far, half) == []
+
+
+@pytest.mark.parametrize(("other", "values"), [(10.3, (10.0, 10.3)), (10.19, (10.0,)), (9.81, (10.0,)), (9.79, (10.0, 9.79))])
+def test_a_cell_has_a_value_by_a_step_beside_that_by_a_velocity_if_these_differ(other, values):
+    at = np.array([0, 0]), np.array([1, 1]), np.array([False, True])
+    found = _ranked((1, 2), at, np.array([10.0, other]), np.array([3, 2]), np.zeros(2), np.array([0.1, 0.2]))
+    assert [table[0, 1] for table in found] == list(values)
 
 
 @pytest.mark.parametrize(("moved", "gains", "silent"), [
