@@ -48,6 +48,7 @@ def line_of(begin):
             [("ANGLE", "in VMy, 249.2 rad is 39.7 turns; 249.2 deg?")],
         ),
         ('"V1*sin(p*t + alpha)"', '"V1*sin(p*t + 6.28)"', "VMy", []),
+        ('"V1*sin(p*t + alpha)"', '"V1*sin(p*t + 6.29)"', "VMy", [("ANGLE", "in VMy, 6.29 rad is 1 turn; 6.29 deg?")]),
         ('"1.63 rad"', '"193 rad"', "phi1", [("ANGLE", "phi1 = 193 rad is 30.7 turns; 193 deg?")]),
         (
             '"1.63 rad"', "93.4", "phi1",
