@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 
@@ -98,7 +99,7 @@ def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:
     columns = [closure.free.index(place) for place in moved]
     kept = kept_at_start(closure.equations, len(columns))
     rows, target = [*kept], np.zeros(len(closure.names))
-    target[rows] = [*kept.values()]
+    target[rows] = [float(value) for value in kept.values()]
     for _ in range(MAX_NEWTON):
         residual, jacobian = closure.residual(0.0, q, target)
         step = np.linalg.lstsq(jacobian[np.ix_(rows, columns)], -residual[rows], rcond=None)[0]
@@ -112,19 +113,20 @@ def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:
     raise InputError([_fault(say("fault.V333"), variant.coordinates[moved[0]], variant)])
 
 
-def kept_at_start(equations: VelocityEquations, most: int) -> dict[int, float]:
+def kept_at_start(equations: VelocityEquations, most: int) -> dict[int, Fraction]:
     """Return the position equations, by index, that hold at the start for other data, with their values.
 
     A loop is zero, and what else is held keeps its value before; only loops if there are more than `most` of both.
     """
     positions, before = equations.positions, equations.variant.before or equations.variant
-    loops = {place: 0.0 for place, position in enumerate(positions) if position.closes}
+    loops = {place: Fraction(0) for place, position in enumerate(positions) if position.closes}
     held = [place for place, position in enumerate(positions) if position.target == "start" and place not in loops]
     if not loops or not held or len(loops) + len(held) > most:
         return loops
     values, _ = compile_values(replace(equations, variant=before), [positions[place].expression for place in held])
     with suppress(ArithmeticError, ValueError):
-        return loops | dict(zip(held, values(0.0, *(one.start_or_guess for one in before.coordinates)), strict=True))
+        now = values(0.0, *(one.start_or_guess for one in before.coordinates))
+        return loops | {place: Fraction(repr(float(value))) for place, value in zip(held, now, strict=True)}
     return loops
 
 
