@@ -70,7 +70,7 @@ def test_how_an_angle_counts_is_read_in_closures_too(coupler, rocker, factor, to
 
 
 @pytest.mark.parametrize(("name", "factor", "told"), [
-    ("slider-crank-without-rod-angle", "s3 - r1*cos(theta1)", "s3 - r1*cos(theta1) is zero"),  # the rod stands upright, not link 1
+    ("slider-crank-without-rod-angle", "s3 - r1*cos(theta1)", "s3 - r1*cos(theta1) is zero"),  # the rod is upright
     ("four-bar-by-its-points", "d*sin(phi3) + a*sin(phi1 - phi3)", "d*sin(phi3) + a*sin(phi1 - phi3) is zero"),  # rod and rocker
     ("four-bar-by-squared-lengths", "yB*xC - yB*d", "yB*xC - yB*d is zero"),
 ])  # fmt: skip
