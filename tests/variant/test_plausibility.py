@@ -238,3 +238,10 @@ def test_an_end_to_which_the_step_does_not_lead_is_told(step: str, told: list[tu
 def test_a_negative_ordinate_that_no_equation_contains_is_no_length_of_a_link() -> None:
     text = mechanism("slider-crank-equations", ("[given]", '[given]\nyD = "-0.1 m"'))
     assert not [one for one in parse_variant(text).plausibility if one.code == "LENGTH"]
+
+
+@pytest.mark.parametrize("points", ['["D", "B"]', '["D", "A", "B"]'])
+def test_a_block_that_is_pinned_to_its_guide_cannot_slide(points):
+    variant = parse_variant(mechanism("shaper-equations", ('3 = { points = ["D", "B"]', f"3 = {{ points = {points}")))
+    told = [str(remark.sentence) for remark in variant.plausibility]
+    assert any(one.startswith("link 2 slides along link 3, but both hold A: pinned there,") for one in told) is ("A" in points)
