@@ -260,9 +260,9 @@ def _written_out(text: str, wanted: str) -> Sentence | None:
     if tree is None or value is None or (tree.args[0] if tree.op == "neg" else tree).op == "number":
         return None
     meant = unit or units.advised_unit(wanted) or ("rad" if "pi" in tree.names() else "")
-    if meant == "rad" and len(degrees := f"{math.degrees(value):.12g}") <= _TYPED:
-        return say("fault.V162", found=text[:60], advised=f"{degrees} deg")
-    return say("fault.V162", found=text[:60], advised=f"{value:.15g} {meant}".strip())
+    degrees = f"{math.degrees(value):.12g}"
+    advised = f"{degrees} deg" if meant == "rad" and len(degrees) <= _TYPED else f"{value:.15g} {meant}".strip()
+    return say("fault.V162", found=text[:60], advised=advised)
 
 
 def _split(text: str) -> tuple[Formula | None, str, str]:
