@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -52,7 +52,7 @@ def new_variant(
     else:
         contents = {target: _template(stem, language) if kinds is None else _chain(stem, kinds)}
     if more is not None:
-        contents[target] = _with_forces(contents[target], stem, more)
+        contents[target] = _with_forces(contents, target, more)
     for path, content in contents.items():
         if path.exists() and (path == target or path.read_bytes() != content):
             raise InputError(say("fault.C027", path=path))
@@ -95,16 +95,26 @@ def _chain(stem: str, kinds: str) -> bytes:
         raise InputError(say("fault.C073", number=error.number, kind=named[error.number - 1])) from error
 
 
-def _with_forces(content: bytes, stem: str, more: str) -> bytes:
-    """Return a file with sections of masses and forces added.  Raises `InputError` for another section, or if it has them."""
+def _with_forces(contents: Mapping[Path, bytes], target: Path, more: str) -> bytes:
+    """Return a file, one of `contents`, with sections of masses and forces added.
+
+    Raises `InputError` for another section, if it has them, and if the file would not run with them.
+    """
+    from coursework.api import make_run
     from coursework.effects.draft import with_forces
 
     if more != "forces":
         raise InputError(say("fault.C075", found=more))
-    variant = parse_variant(content, f"{stem}.toml")
+    content, files = contents[target], {str(path): content for path, content in contents.items()}
+    variant = parse_variant(content, target.name, files)
     if variant.forces is not None:
         raise InputError(say("fault.C076"))
-    return with_forces(variant, content.decode("utf-8"), in_language).encode("utf-8")
+    made = with_forces(variant, content.decode("utf-8"), in_language).encode("utf-8")
+    try:
+        make_run(parse_variant(made, target.name, files), quantities=["forces"]).results.force_checks  # noqa: B018
+    except InputError as refused:
+        raise InputError(say("fault.C079", name=target.name, why=refused.faults[0].message)) from refused
+    return made
 
 
 def _asked(draft: Draft) -> Iterator[Quantity[Any]]:

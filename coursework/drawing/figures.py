@@ -73,7 +73,8 @@ def draw_start(
     if all_rows(equations, motion):
         t, coordinates = np.append(t, motion.t), np.vstack([coordinates, motion.coordinates])
     board, svg = _mechanism(mechanism, outline, read(t, coordinates), values, dragged=not row)
-    angles = say("drawing.mechanism.angles") if "data-angle" in svg else ""
+    turned = "angles_against" if "&lt; 0" in svg else "angles"
+    angles = say(f"drawing.mechanism.{turned}") if "data-angle" in svg else ""
     told = {"scale": board.scale_text, "driven": _driven_words(outline, equations.variant), "angles": angles}
     caption = say("drawing.mechanism.later", row=row + 1, time=time, **told) if row else say("drawing.mechanism.caption", **told)
     alt = say("drawing.mechanism.alt_later", row=row + 1) if row else say("drawing.mechanism.alt")

@@ -21,11 +21,13 @@ from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import Sheet
 from coursework.drawing.paper.symbols import ratio
 from coursework.mechanism.mechanism import build
+from coursework.report.wording.data_meanings import meanings
 from coursework.run import Run
 from coursework.variant.catalogue import names
 from coursework.variant.formula.tree import spelled
 from tests.drawing import measured
 from tests.hard.scenes import scene
+from tests.mechanisms.library import mechanism
 from tests.report.own import STEPHENSON
 from tests.sample import sampled
 from tests.solved import solved
@@ -119,6 +121,33 @@ def test_a_point_of_a_coupler_is_drawn_from_the_joint_it_is_placed_from() -> Non
 def test_links_follow_from_the_points_where_a_file_has_neither_links_nor_groups() -> None:
     bare = outline_of("31", links=())
     assert [(bar.link, bar.corners) for bar in bare.bars] == [("1", ("D", "A")), ("2", ("A", "B")), ("3", ("B", "M", "C"))]
+
+
+BY_SQUARES = {
+    "as coordinates": ("(xC - xB)^2 + (yC - yB)^2 - r2^2", "(xC - xB)^2 + (yC - yB)^2 - r2^2"),
+    "by points, the length first": ("(xC - xB)^2 + (yC - yB)^2 - r2^2", "r2^2 - (C.x - B.x)^2 - (B - C).y^2"),
+    "multiplied out": ("(xC - xB)^2 + (yC - yB)^2 - r2^2", "xB*(xB - 2*xC) + xC^2 + yB^2 + yC^2 - 2*yB*yC - r2^2"),
+}
+
+
+@pytest.mark.parametrize("spelling", BY_SQUARES.values(), ids=BY_SQUARES)
+def test_a_link_of_which_only_the_square_of_its_length_is_given_is_drawn_and_told(spelling: tuple[str, str]) -> None:
+    text = mechanism("four-bar-by-squared-lengths", spelling)
+    built = build(parse_variant(re.sub(r"\[links\]\n(\d = .*\n)+", "", text)))
+    outline = read_outline(built)
+    assert outline is not None
+    assert {bar.corners for bar in outline.bars} == {("A", "B"), ("D", "C"), ("B", "C")}
+    assert len({bar.link for bar in outline.bars}) == 3
+    assert set(outline.hinges) == {"A", "D"}
+    told = meanings(built)
+    assert [told[name] for name in ("r1", "r2", "r3")] == ["AB", "BC", "DC"]
+
+
+def test_a_crank_without_a_named_begin_turns_about_the_point_at_the_origin() -> None:
+    text = mechanism("slotted-lever", ("D = ", 'O = "(0, 0)"\nD = '))
+    outline = read_outline(build(parse_variant(text)))
+    assert outline is not None and [bar.corners for bar in outline.bars] == [("O", "A")]
+    assert outline.hinges == ("O",)
 
 
 def test_a_sleeve_is_a_block_with_open_ends_and_its_bar_goes_through() -> None:

@@ -1,4 +1,4 @@
-"""Every coordinate that is an angle has one arc on Figure 1: from its axis, about its origin, in its positive sense."""
+"""Every coordinate that is an angle has one arc on Figure 1: from its axis, about its origin, in the sense of its value."""
 
 from __future__ import annotations
 
@@ -54,9 +54,9 @@ def test_every_angle_has_one_arc_as_large_as_it_is_drawn(name: str) -> None:
     for angle in counted:
         arc = arc_of(drawing.svg, angle)
         value = run.scene.start[motion.coordinate_names.index(angle)] if row == 1 else float(motion.column(angle)[row - 1])
-        size = math.degrees(value % math.tau)
+        size = math.degrees(-value if -math.pi < value < -0.03 else value % math.tau)
         if math.degrees(0.03) < size < 360 - 1e-6:
-            assert turned(arc) > 0 or angle == "theta"
+            assert (turned(arc) > 0) is (not -math.pi < value < -0.03) or angle == "theta"
             assert abs(math.degrees(turned(arc))) == pytest.approx(size, abs=1.0)
         else:
             assert math.degrees(turned(arc)) == pytest.approx(math.degrees(0.6), abs=1.0)
@@ -86,14 +86,23 @@ def test_arcs_begin_on_their_axis_and_end_on_their_link() -> None:
 @pytest.mark.parametrize(
     ("degrees", "size", "said"),
     [
-        ("-40", 320.0, "q2"), ("400", 40.0, "q2"), ("1.8", 1.8, "q2"), ("1.6", 34.4, "q2\u00a0≈ 0"), ("0", 34.4, "q2\u00a0= 0"),
-        ("360", 34.4, "q2\u00a0= 0"), ("-1.6", 34.4, "q2\u00a0≈ 0"), ("-1.8", 358.2, "q2"),
+        ("-40", -40.0, "q2\u00a0< 0"), ("-170", -170.0, "q2\u00a0< 0"), ("-190", 170.0, "q2"),
+        ("400", 40.0, "q2"), ("1.8", 1.8, "q2"), ("1.6", 34.4, "q2\u00a0≈ 0"), ("0", 34.4, "q2\u00a0= 0"),
+        ("360", 34.4, "q2\u00a0= 0"), ("-1.6", 34.4, "q2\u00a0≈ 0"), ("-1.8", -1.8, "q2\u00a0< 0"),
     ],
 )  # fmt: skip
-def test_an_angle_is_drawn_in_its_positive_sense_and_one_of_nought_is_told(degrees: str, size: float, said: str) -> None:
+def test_an_angle_is_drawn_in_the_sense_of_its_value_and_one_of_nought_is_told(degrees: str, size: float, said: str) -> None:
     svg = svg_of(mechanism("three-arms", ('"30 deg"', f'"{degrees} deg"')))
     assert math.degrees(turned(arc_of(svg, "q2"))) == pytest.approx(size, abs=0.2)
     assert said in {word.text for word in measured.words(svg)}
+
+
+@pytest.mark.parametrize(("degrees", "against"), [("-40", True), ("40", False)])
+def test_the_caption_tells_of_an_arc_against_the_positive_sense(degrees: str, against: bool) -> None:
+    run = solve(parse_variant(mechanism("three-arms", ('"30 deg"', f'"{degrees} deg"'))), quantities=["table"])
+    caption = draw_start(run.scene.mechanism, run.scene.equations, run.motion, run.scene.start).caption  # type: ignore[union-attr]
+    assert "in its positive sense" in caption
+    assert ("one marked < 0 runs against it." in caption) is against
 
 
 def test_an_arrow_ends_each_arc() -> None:

@@ -103,7 +103,7 @@ def test_a_table_of_keys_says_which():
 
 @pytest.mark.parametrize(
     ("written", "advised"),
-    [("1/90 s", "0.0111111111111111 s"), ("1000/90 ms", "11.1111111111111 ms"), ("2*pi/(90*n) s", "2*pi/(90*n)")],
+    [("1/90 s", "1/90"), ("1000/90 ms", "0.001*(1000/90)"), ("2*pi/(90*n) s", "2*pi/(90*n)")],
 )
 def test_a_formula_with_a_unit_behind_it(written, advised):
     (line,) = told(SHAPER.replace('step = "1/90"', f'step = "{written}"'))

@@ -48,6 +48,7 @@ def line_of(begin):
             [("ANGLE", "in VMy, 249.2 rad is 39.7 turns; 249.2 deg?")],
         ),
         ('"V1*sin(p*t + alpha)"', '"V1*sin(p*t + 6.28)"', "VMy", []),
+        ('"V1*sin(p*t + alpha)"', '"V1*sin(p*t + 6.29)"', "VMy", [("ANGLE", "in VMy, 6.29 rad is 1 turn; 6.29 deg?")]),
         ('"1.63 rad"', '"193 rad"', "phi1", [("ANGLE", "phi1 = 193 rad is 30.7 turns; 193 deg?")]),
         (
             '"1.63 rad"', "93.4", "phi1",
@@ -237,3 +238,10 @@ def test_an_end_to_which_the_step_does_not_lead_is_told(step: str, told: list[tu
 def test_a_negative_ordinate_that_no_equation_contains_is_no_length_of_a_link() -> None:
     text = mechanism("slider-crank-equations", ("[given]", '[given]\nyD = "-0.1 m"'))
     assert not [one for one in parse_variant(text).plausibility if one.code == "LENGTH"]
+
+
+@pytest.mark.parametrize("points", ['["D", "B"]', '["D", "A", "B"]'])
+def test_a_block_that_is_pinned_to_its_guide_cannot_slide(points):
+    variant = parse_variant(mechanism("shaper-equations", ('3 = { points = ["D", "B"]', f"3 = {{ points = {points}")))
+    told = [str(remark.sentence) for remark in variant.plausibility]
+    assert any(one.startswith("link 2 slides along link 3, but both hold A: pinned there,") for one in told) is ("A" in points)

@@ -32,6 +32,8 @@ SLIPS = [
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "− w2"', {"V078": "Write w2 alone: [points] show that the link turns"}),
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "w2 "', {"V078": 'Did you mean "w2"?'}),
     ('"0.02 s"', '"1/50 rad"', {"V160": 'Write "0.02 s".'}),
+    ('"0.02 s"', '"1/60 s"', {"V160": 'Write "1/60".'}),
+    ('"0.02 s"', '"1/3600 min"', {"V160": 'Write "60*(1/3600)".'}),
     ('["A", "M"]', '["A", "A"]', {"V157": "A stands twice in this list."}),
     ('hinges = ["O"]', 'hinges = ["O", "O"]', {"V157": "O stands twice in this list."}),
     ("[given] ", "[givens] ", {"V011": 'Did you mean "given"?'}),

@@ -19,7 +19,7 @@ def four_bar():
 
 
 def without_origin(variant):
-    return replace(variant, path=None, name="", lines={}, reread=None, changes={})
+    return replace(variant, path=None, name="", lines={}, reread=None, changes={}, before=None)
 
 
 def test_period_texts_and_check_follow_the_data():
@@ -98,6 +98,31 @@ def test_a_loop_that_equations_belong_to_is_closed_anew_too(name):
     kept = coordinates[-1]
     said = coursework.solve(variant.with_data(given=longer, start={kept: variant.coordinates[-1].start}), quantities=["table"])
     assert said.scene.start[-1] == variant.coordinates[-1].start
+
+
+LEVER = (  # the pin C of the four-bar moves in the slot of a lever about (d, -d)
+    (
+        "[time]",
+        f'th = {{ start = "{math.atan2(0.29864227162241325 + 0.42, 0.3914904647494083 - 0.42)!r} rad", rate = "w3" }}\n[time]',
+    ),
+    ("[points]", '[[constraint]]\nequation = "vyC*cos(th) - vxC*sin(th) = w3*sqrt((xC - d)^2 + (yC + d)^2)"\n[points]'),
+    ("holds = [", 'holds = ["(xC - d)*sin(th) - (yC + d)*cos(th)", '),
+)
+
+
+@pytest.mark.parametrize("longer", [{"r2": 0.41}, {"d": 0.43, "r3": 0.31}])
+def test_what_is_held_beside_a_loop_is_kept(longer):
+    variant = parse_variant(mechanism("four-bar-by-squared-lengths", *LEVER))
+    run = coursework.solve(variant.with_data(longer), quantities=["table", "checks"])
+    start = dict(zip([one.name for one in variant.coordinates], run.scene.start, strict=True))
+    assert LOOPS["four-bar-by-squared-lengths"](run.variant.values, start) < 1e-12
+    d = run.variant.values["d"]
+    assert start["th"] == pytest.approx(math.atan2(start["yC"] + d, start["xC"] - d), abs=1e-12)
+    assert next(check.verdict for check in run.checks if check.code == "START") == "PASS"
+    many = coursework.solve_many(variant, {key: [value] for key, value in longer.items()})
+    assert [many.values[0, 0, many.columns.index(one)] for one in start] == pytest.approx(list(start.values()), abs=1e-10)
+    once_more = coursework.solve(variant.with_data({"w": 9.0}).with_data(longer), quantities=["table"])
+    assert once_more.scene.start == pytest.approx(run.scene.start, abs=1e-12)
 
 
 def test_what_geometry_does_not_hold_stays_as_it_was():

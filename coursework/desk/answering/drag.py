@@ -94,7 +94,7 @@ def _sketched(variant: Variant, moving: Sequence[Written], values: Array) -> Var
         replace(one, start=None, start_guess=one.start_or_guess) if one.name in follow
         else replace(one, start=now.get(one.name, one.start)) for one in variant.coordinates
     )  # fmt: skip
-    return replace(variant, given=given, coordinates=starts)
+    return replace(variant, given=given, coordinates=starts, before=variant.before or variant)
 
 
 def _places(variant: Variant) -> dict[str, complex]:

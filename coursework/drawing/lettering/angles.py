@@ -1,4 +1,4 @@
-"""Angles as arcs between two directions, with letters: those that a file gives, and coordinates in their positive sense.
+"""Angles as arcs between two directions, with letters: those that a file gives, and coordinates in the sense of their value.
 
 The given ones are slopes of guides and bends of links.  A coordinate has an arrow at its end; its arc says data-angle="phi1".
 Enters: a `Painter` whose mechanism is drawn, and the `Mechanism`.  Leaves: thin arcs, and `Arc` for their letters.
@@ -97,7 +97,10 @@ def _coordinates(painter: Painter, mechanism: Mechanism, values: Mapping[str, fl
     """Yield the coordinates that are angles as they appear on the sheet, whose y points down."""
     for turn in _turns(painter, mechanism, values):
         places = tuple(_known(painter, painter.put(at)) for at in turn.at)
-        if SMALLEST < turn.size < math.tau - SMALLEST:  # nearly a whole turn counts as nearly 0
+        value = values[turn.coordinate]
+        if -math.pi < value < -SMALLEST:  # the short way, against its sense, as its value says
+            yield Angle(turn.coordinate, places, turn.axis.conjugate(), -turn.sense * value, counted=True, tail=" < 0")
+        elif SMALLEST < turn.size < math.tau - SMALLEST:  # nearly a whole turn counts as nearly 0
             yield Angle(turn.coordinate, places, turn.axis.conjugate(), -turn.sense * turn.size, counted=True)
         else:
             tail = " = 0" if min(turn.size, math.tau - turn.size) < NOUGHT else " ≈ 0"
@@ -184,7 +187,7 @@ def _place(painter: Painter, angle: Angle, radii: Sequence[float]) -> Arc | None
             long = radius * abs(angle.turn)
             cost = OVER * cost + LONGER * long + TOO_SHORT * max(0.0, ROOM - long) if angle.counted else cost + FARTHER * radius
             hidden = painter.at_joint(points[-1]) or painter.in_ground(points[-1])
-            if angle.counted and (hidden or (angle.tail and sides)):
+            if angle.counted and (hidden or (abs(angle.turn) == SENSE and sides)):
                 cost += HIDDEN
             if cost < best - 1e-9:
                 best, chosen = cost, (at, points, lines)
@@ -203,9 +206,9 @@ def _place(painter: Painter, angle: Angle, radii: Sequence[float]) -> Arc | None
 
 
 def _sides(angle: Angle) -> Iterator[complex]:
-    """Yield the directions of both sides of an angle; for an angle of 0 only its axis."""
+    """Yield the directions of both sides of an angle; for an angle of 0, whose arc only shows a sense, only its axis."""
     yield angle.begin
-    if not angle.tail:
+    if abs(angle.turn) != SENSE:
         yield angle.begin * cmath.exp(1j * angle.turn)
 
 

@@ -6,17 +6,22 @@ Used by `tracing.py`, `naming.py`, `dimensions.py` and `drawing/plans/plans.py`.
 
 from __future__ import annotations
 
-from collections.abc import Container
+import math
+from collections.abc import Container, Iterator, Mapping
+from contextlib import suppress
+from itertools import combinations
 from string import ascii_uppercase
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, named, signed, terms
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, signed, terms
 from coursework.variant.record.held import held_vectors, is_origin
 from coursework.variant.record.variant import Variant
 
 # The terms of an angle that move, with their signs.
 Turning = frozenset[tuple[Formula, int]]
+_TWO, _MOST_POINTS = Formula("number", name="2"), 40
+_SHARES, _SAME = (0.6180339887498949, 0.7548776662466927), 1e-9  # shares of 1: coordinates taken at random
 
 
 def arm_base(formula: Formula, coordinate: str) -> str:
@@ -60,7 +65,7 @@ def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:
 def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
     """Return the length formulas by pair of points, as in "B = A + r2 @ phi2", "P = C - (0, R)" or a group.
 
-    If a point lies at the origin, "D = (d, 0)" gives its distance from that point too.
+    If a point lies at the origin, "D = (d, 0)" and "A = r @ phi" give their distance from that point too.
     """
     variant = mechanism.variant
     minus = [Formula("-", (named(name), formula)) for name, formula in mechanism.points]
@@ -79,12 +84,47 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
         said = [length for part in parts if part.op != "name" and (length := _length(part)) is not None]
         if len(parts) == 3 and len(ends) == 2 and len(said) == 1:
             found.setdefault(ends, said[0])
+    for ends, length in squared_lengths(mechanism):
+        found.setdefault(ends, length)
     origin = next((name for name, formula in mechanism.points if is_origin(formula)), "")
     for name, formula in mechanism.points:
-        length = _length(formula) if origin and formula.op == "pair" else None
+        length = _length(formula) if origin and formula.op in {"pair", "@"} else None
         if length is not None:
             found.setdefault(frozenset((origin, name)), length.args[0] if length.op == "neg" else length)
     return found
+
+
+def squared_lengths(mechanism: Mechanism) -> Iterator[tuple[frozenset[str], Formula]]:
+    """Yield the lengths that a file gives by their squares, x^2 + y^2 - r^2, however the square of a distance is written."""
+    variant = mechanism.variant
+    sums = [*variant.holds, *(Formula("-", one.sides) for one in mechanism.constraints if one.is_closure)]
+    squares = [
+        (one, sign, part.args[0])
+        for one in sums
+        for part, sign in signed(one)
+        if part.op == "^" and part.args[1] == _TWO and variant.values.keys() >= {*part.names()}
+    ]
+    poses = [_anywhere(mechanism, share) for share in _SHARES] if squares else []
+    for one, sign, length in squares:
+        for ends in combinations([name for name, _ in mechanism.points][:_MOST_POINTS], 2):
+            with suppress(FormulaFault, KeyError):  # a law of time has no value here
+                if all(_is_square(one, sign, abs(pose[ends[0]] - pose[ends[1]]), length, pose) for pose in poses):
+                    yield frozenset(ends), length
+
+
+def _is_square(formula: Formula, sign: int, apart: float, length: Formula, pose: Mapping[str, complex]) -> bool:
+    wanted = -sign * (apart**2 - evaluate_any(length, pose).real ** 2)
+    return math.isclose(evaluate_any(formula, pose).real, wanted, rel_tol=_SAME, abs_tol=_SAME)
+
+
+def _anywhere(mechanism: Mechanism, share: float) -> dict[str, complex]:
+    """Return the points (x + iy) and all other names in a position that need not close, each coordinate another number."""
+    pose: dict[str, complex] = {**mechanism.variant.values, "pi": math.pi}
+    pose |= {one.name: 1 + share * place % 1 for place, one in enumerate(mechanism.variant.coordinates, start=1)}
+    with suppress(FormulaFault, KeyError):
+        for name, formula in mechanism.points:
+            pose[name] = evaluate_any(formula, pose)
+    return pose
 
 
 def stretching(mechanism: Mechanism) -> frozenset[frozenset[str]]:

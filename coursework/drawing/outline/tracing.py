@@ -3,22 +3,22 @@
 Enters: a `Mechanism`.  Leaves: its `Outline`, None if the file places no points.
 Used by `drawing/figures.py`, `drawing/trajectories.py`, `plans/`, `report/live/drawn.py` and `moving_picture.py`.
 If a file has [links], they are drawn as listed; else links follow from the joints of its groups, and, if it has neither,
-from points such as "A = D + r1 @ phi1".
+from points such as "A = D + r1 @ phi1" and from squares of lengths.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from coursework.drawing.outline.lengths import Turning, arm_base, gaps_of, rigid_arm, unnamed_joints
+from coursework.drawing.outline.lengths import Turning, arm_base, gaps_of, rigid_arm, squared_lengths, unnamed_joints
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, led_by_law, link_names, riders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, named, number, terms
 from coursework.variant.record.entries import reached
-from coursework.variant.record.held import between_points
+from coursework.variant.record.held import between_points, is_origin
 from coursework.variant.record.variant import Variant
 
 
@@ -39,6 +39,8 @@ def read_outline(mechanism: Mechanism) -> Outline | None:
     elif mechanism.variant.groups:
         pencil.groups(chain_of_groups(mechanism.variant, dict(mechanism.points)))
     pencil.arms()
+    if not (mechanism.variant.links or mechanism.variant.groups):
+        pencil.rods([ends for ends, _ in squared_lengths(mechanism)])
     return pencil.outline()
 
 
@@ -166,12 +168,23 @@ class _Pencil:
         if reached(corners[:1], self.points).isdisjoint(c.name for c in self.variant.coordinates):
             self.hinges.append(corners[0])
 
+    def rods(self, pairs: Sequence[frozenset[str]]) -> None:
+        """Draw the links of which a file gives only the square of a length between two points."""
+        moving = {coordinate.name for coordinate in self.variant.coordinates}
+        for ends in pairs:
+            corners = sorted(
+                ends, key=lambda end: (not moving.isdisjoint(reached([end], self.points)), [*self.points].index(end))
+            )
+            self.arm(corners, [str(number) for number in range(1, len(self.bars) + 2)], "")
+
     def arms_of(self, coordinate: str) -> dict[Turning, list[tuple[str, str]]]:
         """Return the ends of the arms of a coordinate: A = D + r1 @ phi1, A + r2 @ phi2 = E, (E - A - r2 @ phi2).x held.
 
         They are of one link if their angles have the same terms that move.  An angle phi1 + phi2 is one of phi2, the later one.
         """
-        formulas = [(name, formula) for name, formula in self.points.items() if not name.startswith("~")]
+        written = [(name, formula) for name, formula in self.points.items() if not name.startswith("~")]
+        origin = next((named(name) for name, formula in written if is_origin(formula)), None)  # where "A = r @ phi1" begins
+        formulas = [(name, Formula("+", (origin, one)) if origin and one.op == "@" else one) for name, one in written]
         for left, right in self.closures:
             tip = next((side for side in (right, left) if side.op == "name" or side in self.named), left)
             formulas += [(self.name_of(tip), side) for side in (left, right) if arm_base(side, coordinate)]

@@ -100,10 +100,20 @@ def _factor(tree: Formula, variant: Variant) -> str:
         return say(key, link=_link(angles[0], variant), direction=direction)
     if tree.op == "call" and tree.name == "cos" and len(angles) == 1 and tree.args[0].names() == (angles[0],):
         return say("determinant.right_angle", link=_link(angles[0], variant))
-    if tree.op in {"+", "-"} and all(_FROM_X in _axes(angle, variant) for angle in angles):
-        return say("determinant.arms", links=_listed(angles, variant))
+    if angles and tree.op in {"+", "-"} and all(_FROM_X in _axes(angle, variant) for angle in angles) and _of_arms(tree, angles):
+        return say("determinant.arms", links=tuple(_link(angle, variant, _OF) for angle in angles))
     key = "determinant.zero" if set(tree.names()) - {"pi", *variant.values} else "determinant.always_zero"
     return say(key, formula=spelled(tree)) if tree.names() else ""
+
+
+def _of_arms(tree: Formula, angles: Sequence[str]) -> bool:
+    """Return whether each term of a sum is an arm turned by one angle, or each by the same angles.
+
+    In s - r*cos(phi1) and in d*sin(phi3) + a*sin(phi1 - phi3) it is a link without an angle of its own that counts.
+    """
+    calls = [[node for node in term.walk() if node.op == "call"] for term in terms(tree)]
+    turned = [frozenset(name for call in found for name in call.names() if name in angles) for found in calls]
+    return all(len(found) == 1 for found in calls) and (len({*turned}) == 1 or all(len(one) == 1 for one in turned))
 
 
 def _counted_alike(angles: list[str], argument: Formula, variant: Variant) -> bool:
@@ -209,8 +219,3 @@ def _bodies(angle: str, variant: Variant) -> list[str]:
     chain = linkage(variant, dict(variant.points)) if variant.groups and not variant.links else None
     names = link_names(chain, variant) if chain else {}
     return [name for body, name in names.items() if chain and chain.coordinates[body] == angle]
-
-
-def _listed(angles: list[str], variant: Variant) -> object:
-    """Return the links of these angles in the form used after "of": "of links 3 and 4"."""
-    return tuple(_link(angle, variant, _OF) for angle in angles) if angles else say("determinant.of_links")

@@ -146,7 +146,7 @@ def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: t
 
 def require_mode(group: str, mode: int, modes: Mapping[int, str]) -> None:
     """Raise `ValueError` unless `mode` is one of `modes` (number -> key of its meaning)."""
-    if mode not in modes:
+    if not np.isscalar(mode) or mode not in modes:
         known = ", ".join(f"{number:+d} ({say(meaning, **TEXTBOOK)})" for number, meaning in modes.items())
         raise ValueError(say("group.no_mode", group=group, mode=repr(mode), known=known))
 

@@ -1,6 +1,6 @@
 """The line along which a block slides: a guide shifted by its offset.
 
-Enters: a `Guide`.  Leaves: points of the line and the motion of its material points.  Used by RRP, RPP, PRP.
+Enters: a `Guide`, else `ValueError`.  Leaves: points of the line and the motion of its material points.  Used by RRP, RPP, PRP.
 
 The pin of a block moves on the line through K + h n.  Because h is constant, this point belongs to the guide.
 So K + h n, with its own velocity and acceleration, can replace K everywhere, and the formulas need no h.
@@ -19,6 +19,8 @@ class Line:
     __slots__ = ("e", "guide", "k", "owner")
 
     def __init__(self, guide: Guide, owner: str) -> None:
+        if not isinstance(guide, Guide):
+            raise ValueError(f"{owner}: a Guide(through, angle) was expected, found {guide!r:.60}.")
         self.guide = guide
         self.owner = owner
         self.e: Vectors = direction(guide.angle)

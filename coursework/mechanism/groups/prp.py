@@ -37,8 +37,8 @@ def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> Grou
     >>> found.coordinates.round(4).tolist(), found.meets.position.round(9).tolist()  # m
     ([[0.4243, 0.3]], [[0.3, 0.3]])
     """
-    n = count_rows("PRP", guide_i=guide_i.rows, guide_j=guide_j.rows)
     i, j = Line(guide_i, "PRP, guide i"), Line(guide_j, "PRP, guide j")
+    n = count_rows("PRP", guide_i=guide_i.rows, guide_j=guide_j.rows)
     w = j.k - i.k
     sine = np.sin(guide_j.angle - guide_i.angle)
     turned = np.maximum(np.abs(guide_i.angle), np.abs(guide_j.angle))

@@ -41,8 +41,8 @@ def rpp(b: At, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = F
     ([[0.4, 0.3]], [[2.0, 1.0]])
     """
     b, t_i = pair_of(b), numbers("RPP, the slide angle", slide_angle)
-    n = count_rows("RPP", B=b.rows, guide=guide.rows, slide_angle=len(t_i))
     line = Line(guide, "RPP, guide")
+    n = count_rows("RPP", B=b.rows, guide=guide.rows, slide_angle=len(t_i))
     at_b, e = vectors(b.position), line.e
     f = e * direction(t_i)
     w = at_b - line.k

@@ -42,8 +42,8 @@ def rrp(b: At, guide: Guide, *, length: Length, mode: int, positions_only: bool 
     """
     assembly.require_mode("RRP", mode, MODES)
     b, (r, dr, ddr) = pair_of(b), assembly.length("RRP, the rod", length)
-    n = count_rows("RRP", B=b.rows, guide=guide.rows, rod=len(r))
     line = Line(guide, "RRP, guide")
+    n = count_rows("RRP", B=b.rows, guide=guide.rows, rod=len(r))
     at_b, e = vectors(b.position), line.e
     w = at_b - line.k
     q = cross(e, w)  # B lies this far to the left of the line of C

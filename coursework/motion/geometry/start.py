@@ -1,17 +1,19 @@
 """The coordinates at t = 0: from the file, from a chain of groups, or adapted to changed data.
 
 Enters: velocity equations and the variant's start values.  Leaves: the start (m,), rad or m.
-Used by `way_to_motion.py` and by models of many sets.
+Used by `way_to_motion.py`, by models of many sets and by the live page.
 """
 
 from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations, differentiate
+from coursework.equations.reduction.system import compile_values
 from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.chain import chain_positions
 from coursework.motion.geometry.closure import MAX_NEWTON, Closure, compile_closure
@@ -95,9 +97,11 @@ def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:
     """Return the closed position nearest to `start`, changing only the coordinates in `moved`."""
     q = start.copy()
     columns = [closure.free.index(place) for place in moved]
-    rows = [index for index, position in enumerate(closure.equations.positions) if position.closes]
+    kept = kept_at_start(closure.equations, len(columns))
+    rows, target = [*kept], np.zeros(len(closure.names))
+    target[rows] = [float(value) for value in kept.values()]
     for _ in range(MAX_NEWTON):
-        residual, jacobian = closure.residual(0.0, q, np.zeros(len(closure.names)))
+        residual, jacobian = closure.residual(0.0, q, target)
         step = np.linalg.lstsq(jacobian[np.ix_(rows, columns)], -residual[rows], rcond=None)[0]
         size = float(np.max(np.abs(step), initial=0.0))
         if not size < _WIDE:
@@ -107,6 +111,23 @@ def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:
             return q
     variant = closure.equations.variant
     raise InputError([_fault(say("fault.V333"), variant.coordinates[moved[0]], variant)])
+
+
+def kept_at_start(equations: VelocityEquations, most: int) -> dict[int, Fraction]:
+    """Return the position equations, by index, that hold at the start for other data, with their values.
+
+    A loop is zero, and what else is held keeps its value before; only loops if there are more than `most` of both.
+    """
+    positions, before = equations.positions, equations.variant.before or equations.variant
+    loops = {place: Fraction(0) for place, position in enumerate(positions) if position.closes}
+    held = [place for place, position in enumerate(positions) if position.target == "start" and place not in loops]
+    if not loops or not held or len(loops) + len(held) > most:
+        return loops
+    values, _ = compile_values(replace(equations, variant=before), [positions[place].expression for place in held])
+    with suppress(ArithmeticError, ValueError):
+        now = values(0.0, *(one.start_or_guess for one in before.coordinates))
+        return loops | {place: Fraction(repr(float(value))) for place, value in zip(held, now, strict=True)}
+    return loops
 
 
 def _fault(message: Sentence, coordinate: Coordinate, variant: Variant) -> Fault:

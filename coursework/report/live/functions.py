@@ -16,6 +16,7 @@ from coursework.equations.codegen.programs import Assign, Bound, Statement
 from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
+from coursework.motion.geometry.start import kept_at_start
 from coursework.motion.schemes import Scheme, Sum
 from coursework.scene.scene import Scene
 from coursework.system.frozen import frozen
@@ -71,7 +72,7 @@ def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] 
     followed = {given.name: follow_from(variant, [("given", given.name)]) for given in variant.given}
     names = {name for follow in followed.values() for name in follow}
     moved = tuple(place for place, c in enumerate(variant.coordinates) if c.name in names)
-    zero = [position.expression for position in equations.positions if position.closes]
+    zero = [equations.positions[place].expression - value for place, value in kept_at_start(equations, len(moved)).items()]
     numbers = constants(variant)
 
     def written() -> tuple[str, tuple[tuple[str, int], ...]]:
@@ -85,7 +86,7 @@ def live_functions(scene: Scene, places: Sequence[Any], moving: Sequence[Piece] 
         return _written(scene, pieces, [*numbers])
 
     blocks = tuple((block.equations, block.unknowns) for block in scene.reduction.blocks)
-    text, laws = written() if moving else equations.once(("javascript", tuple(places), moved, blocks), written)
+    text, laws = written() if moving else equations.once(("javascript", tuple(places), tuple(zero), moved, blocks), written)
     return Functions(
         text, tuple(numbers.values()), _tables(scene, laws), len(zero), moved,
         tuple(name for name, follow in followed.items() if follow),

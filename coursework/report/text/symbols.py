@@ -28,6 +28,7 @@ _NAMED_AFTER = re.compile(r"(alpha|beta|gamma|delta|theta|phi|psi|omega|w)([a-z]
 _LETTER_HEAD = re.compile(r"([^\W\d_])(?:_(\w+)|(\d\w*)|([A-Z]\w*|[xyij]|(?<=[xyuv])[a-z]))")
 _WORD_HEAD = re.compile(r"([^\W\d_]{2,})(?:_(\w+)|(\d\w*))")
 _GREEK_SUBSCRIPT = re.compile(rf"({'|'.join(sorted((n for n in GREEK if len(n) > 2), key=len, reverse=True))})(\d*)")
+_DERIVATIVE = re.compile(r"(\w*?[^\W_])(?<!_d)_?dot(\d*)")  # x1_dot, phi_dot2, wdot
 _DOT_ABOVE = "\u0307"
 _DOTTED_OMEGA, _DOTTED_U = "ω" + _DOT_ABOVE, "u" + _DOT_ABOVE
 LINEAR = frozenset("uvV")  # letters of linear velocities
@@ -131,6 +132,10 @@ def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
         if inner.letter in LINEAR and rates.linear != _DOTTED_U:
             return Symbol(rates.linear, inner.subscript)
         return Symbol(inner.letter, inner.subscript, dotted=True)
+    if match := _DERIVATIVE.fullmatch(name):
+        inner = symbol(match[1] + match[2])
+        if not (inner.is_word or inner.dotted):
+            return Symbol(inner.letter, inner.subscript, dotted=True)
     if match := _GREEK_HEAD.fullmatch(name):
         return Symbol(GREEK[match[1]], _greek(match[2]))
     if match := _NAMED_AFTER.fullmatch(name):

@@ -15,7 +15,7 @@ from coursework.equations.reduction.symbolic import symbol
 from coursework.mechanism.groups import CannotAssemble, group_kind
 from coursework.motion.geometry.chain import dyad
 from coursework.motion.geometry.closed_start import OPEN
-from coursework.motion.geometry.start import START_TOLERANCE
+from coursework.motion.geometry.start import START_TOLERANCE, kept_at_start
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
 from coursework.system.angles import whole_turns
@@ -49,10 +49,11 @@ def start_of(model: Model, data: Data, numbers: Columns) -> Start:
         begin, doubtful = _by_groups(model, begin, numbers, follow)
         return Start(begin, begin, doubtful)
     rows = [position.expression for position in model.equations.positions if position.target == "zero"]
-    loops = [position.expression for position in model.equations.positions if position.closes]
     free = [place for place, c in enumerate(variant.coordinates) if c.rate not in variant.known_rates]
-    if follow and loops:
-        moved = [place for place in free if model.coordinates[place] in follow]
+    moved = [place for place in free if model.coordinates[place] in follow]
+    kept = kept_at_start(model.equations, len(moved)) if moved else {}
+    if kept:
+        loops = [model.equations.positions[place].expression - value for place, value in kept.items()]
         begin, settled = close(model, 0.0, begin, numbers, moved, loops)
         doubtful = doubtful | ~settled
     if not rows:

@@ -55,4 +55,5 @@ def _all_units() -> dict[str, tuple[Fraction, str]]:
 
 
 UNITS = _all_units()
+LATIN_OF = dict(zip(_CYRILLIC, _LATIN, strict=True))
 WITHOUT_SIGN = {unit.replace("*", ""): unit for unit in UNITS if "*" in unit}

@@ -45,6 +45,11 @@ def _all_units() -> dict[str, tuple[Fraction, str]]:
 
 
 UNITS = _all_units()
+# A Cyrillic word -> the Latin one of the same size, for units in two scripts: m/с.
+LATIN_OF = {
+    word: next(latin for latin, its in _LATIN[si].items() if its == size)
+    for si, words in _CYRILLIC.items() for word, size in words.items()
+}  # fmt: skip
 # SI unit -> (length, time) exponents, and the units that advice shows, the SI unit first.
 KINDS: dict[str, tuple[tuple[int, int], str]] = {
     "m": ((1, 0), "m, cm, mm"),

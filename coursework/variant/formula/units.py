@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping
 from fractions import Fraction
 from functools import lru_cache, partial
 
 from coursework.system.frozen import frozen
-from coursework.variant.formula.motion_units import KINDS, UNITS
+from coursework.variant.formula.motion_units import KINDS, LATIN_OF, UNITS
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
@@ -111,10 +111,11 @@ def read_mass(text: str | int | float, wanted: str = "") -> Quantity:
 
 def plain_mass_unit(unit: str) -> str:
     """Return a unit in the spelling of the tables, if it is one of theirs: "N·m" and "Nm" become N*m."""
-    from coursework.variant.formula.mass_units import WITHOUT_SIGN
+    from coursework.variant.formula.mass_units import LATIN_OF, WITHOUT_SIGN
+    from coursework.variant.formula.mass_units import UNITS as WITH_MASS
 
     plain = plain_unit(unit).replace("·", "*").replace("⋅", "*").replace("×", "*")
-    return WITHOUT_SIGN.get(plain, plain)
+    return WITHOUT_SIGN.get(plain) or _in_one_script(plain, WITH_MASS, LATIN_OF)
 
 
 def is_mass_quantity(text: str) -> bool:
@@ -141,8 +142,15 @@ def plain_unit(unit: str) -> str:
     plain = "".join(unit.split()).translate(_SIGNS).replace("**", "^").replace("^-^", "^-")
     if plain not in UNITS and not re.search("[A-Za-z]", cyrillic := plain.translate(_LOOK_ALIKE)):
         plain = cyrillic  # a second in Latin letters on a Cyrillic keyboard: 1/c
-    per = _PER.match(plain)
-    return f"{per[1] or 1}/{per[2]}{'^2' if per[3] == '2' else ''}" if per else plain
+    if per := _PER.match(plain):
+        plain = f"{per[1] or 1}/{per[2]}{'^2' if per[3] == '2' else ''}"
+    return _in_one_script(plain, UNITS, LATIN_OF)
+
+
+def _in_one_script(unit: str, known: Collection[str], latin_of: Mapping[str, str]) -> str:
+    """Return a unit with each word in Latin letters if that is one of the `known`: "m/с" becomes m/s."""
+    latin = re.sub(r"[^\W\d_]+", lambda word: latin_of.get(word[0], latin_of.get(word[0].translate(_LOOK_ALIKE), word[0])), unit)
+    return latin if unit not in known and latin in known else unit
 
 
 def is_quantity(text: str) -> bool:

@@ -42,7 +42,7 @@ def remarks_on(
     phases = {term.name for _, term in angles if term.op == "name"}  # names that are a whole term of an angle
     found = [
         *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
-        *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *_links_left_out(variant),
+        *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *_links_left_out(variant), *_pinned_sleeves(variant),
         *_idle(variant, dimensions), *_empty_guides(variant), *_untouched(variant), *_short_of_end(variant),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
@@ -159,6 +159,15 @@ def _links_left_out(variant: Variant) -> Iterator[_Found]:
     missing = [rate for rate in turning if all(link.rate != rate for link in variant.links)]
     if variant.links and missing:
         yield "LINKS", ("links",), say("remark.links", rates=", ".join(missing))
+
+
+def _pinned_sleeves(variant: Variant) -> Iterator[_Found]:
+    """Yield links that slide along a link with which they share a point: a pin there holds them."""
+    points = {link.name: link.points for link in variant.links}
+    for link in variant.links:
+        for point in link.points:
+            if point in points.get(link.slides or "", ()):
+                yield "LINKS", ("links", link.name), say("remark.pinned", link=link.name, other=link.slides, point=point)
 
 
 def _empty_guides(variant: Variant) -> Iterator[_Found]:

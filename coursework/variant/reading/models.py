@@ -5,11 +5,12 @@ Enters: `schema.py`.  Leaves: models, made when the first file with a fault is r
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from types import UnionType
-from typing import Annotated, Any, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
-from pydantic import BaseModel, ConfigDict, Field, create_model
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
+from pydantic_core import PydanticCustomError
 
 from coursework.variant.reading.schema import Section, VariantFile
 
@@ -32,10 +33,19 @@ def _type_of(kind: Any) -> Any:
         union: Any = Union[tuple(map(_type_of, inner))]  # noqa: UP007 (a union of as many types as there are)
         first = any(get_origin(each) is dict for each in inner)  # a table of known keys is tried before a table of arbitrary keys
         return Annotated[union, Field(union_mode="left_to_right")] if first else union
+    if origin is Literal:
+        return Annotated[kind, BeforeValidator(partial(_of_types, {*map(type, inner)}, ", ".join(map(repr, inner))))]
     if origin in {list, dict}:
         return origin[tuple(map(_type_of, inner))]
     is_table = isinstance(kind, type) and issubclass(kind, Section)
     return model_of(kind) if is_table else kind
+
+
+def _of_types(types: set[type], expected: str, value: Any) -> Any:
+    """Return a value; one of another type is refused, as pydantic takes true and 1.0 for 1."""
+    if type(value) not in types:
+        raise PydanticCustomError("literal_error", "{expected}", {"expected": expected})
+    return value
 
 
 def _default_of(kind: type[Section], name: str) -> Any:

@@ -36,6 +36,7 @@ _SCOPES = {
     "force": {"given", "drive", "coordinate", "function", "rate", "unknown", "point"},
 }
 _ADVISED = 100
+_TYPED = 9  # characters of a number that a person types
 _FORMULA_AND_UNIT = re.compile(r"\s*(.*[*/+)(].*?)\s+((?:[^\W\d_]|°)[^\s*()]*)\s*")
 _ENDS_IN_NUMBER = re.compile(r"(?<![\w./])[\d.]+$")
 Kind = Literal["scalar", "vector", "any"]
@@ -235,8 +236,8 @@ def _readers(source: Source) -> tuple[Callable[[str | int | float, str], units.Q
 def _without_unit(text: str, wanted: str = "") -> Sentence | None:
     """Return the message about a formula followed by a unit, such as "1/90 s"; None for any other text.
 
-    The advice is the value in this unit, or in `wanted` (an SI unit) if the unit is of another kind, with all digits: with nine
-    digits the last row of a table would be missed.
+    The advice is the value in this unit, or in `wanted` (an SI unit) if the unit is of another kind.  A value of many digits is
+    advised as the formula itself in `wanted`: no digit of it is missing, so neither is the last row of a table.
     The unit of "phi1 + 90 deg" belongs to the number, which would mean something else without it.
     """
     tree, formula, unit = _split(text)
@@ -247,6 +248,8 @@ def _without_unit(text: str, wanted: str = "") -> Sentence | None:
         return None
     unit = unit if wanted in {"", UNITS[unit][1]} else wanted
     advised = formula if value is None else f"{value:.15g} {unit}"
+    if value is not None and wanted and len(f"{value:.15g}") > _TYPED:
+        advised = formula if units.size_of(unit) == 1 else f"{units.size_of(unit):g}*({formula})"
     return say("fault.V160", found=text[:60], advised=advised)
 
 
@@ -257,7 +260,9 @@ def _written_out(text: str, wanted: str) -> Sentence | None:
     if tree is None or value is None or (tree.args[0] if tree.op == "neg" else tree).op == "number":
         return None
     meant = unit or units.advised_unit(wanted) or ("rad" if "pi" in tree.names() else "")
-    return say("fault.V162", found=text[:60], advised=f"{value:.15g} {meant}".strip())
+    degrees = f"{math.degrees(value):.12g}"
+    advised = f"{degrees} deg" if meant == "rad" and len(degrees) <= _TYPED else f"{value:.15g} {meant}".strip()
+    return say("fault.V162", found=text[:60], advised=advised)
 
 
 def _split(text: str) -> tuple[Formula | None, str, str]:

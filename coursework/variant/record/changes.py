@@ -34,7 +34,8 @@ def with_changes(read: Callable[[Mapping[KeyPath, Any]], Variant], variant: Vari
     pairs = zip(variant.coordinates, fresh.coordinates, strict=True)
     moved = (replace(now, start=None, start_guess=old.start_or_guess) if now.name in follow else now for old, now in pairs)
     own = None if "step" in changed.times else variant.time.own_step
-    return replace(fresh, coordinates=tuple(moved), time=replace(fresh.time, own_step=own), changes=changes)
+    time = replace(fresh.time, own_step=own)
+    return replace(fresh, coordinates=tuple(moved), time=time, changes=changes, before=variant.before or variant)
 
 
 def _new_values(variant: Variant, changed: Changes) -> dict[KeyPath, float | str]:

@@ -74,8 +74,7 @@ def no_column(name: object, known: tuple[str, ...]) -> InputError:
 
 def changed(values: Mapping[str, str]) -> str:
     """Return " (alpha = 0.02 rad)" for values that differ from the file, "" if there are none."""
-    listed = ", ".join(f"{name} = {value}" for name, value in values.items())
-    return f" ({listed})" if listed else ""
+    return f" ({', '.join(f'{name} = {value}' for name, value in values.items())})" if values else ""
 
 
 @frozen
@@ -124,6 +123,7 @@ class Variant:
     times: Mapping[KeyPath, Formula] = field(default_factory=dict, repr=False, compare=False)  # times given as formulas
     reread: Callable[[Variant, Changes], Variant] | None = field(default=None, repr=False, compare=False)
     changes: Mapping[KeyPath, float | str] = field(default_factory=dict, repr=False, compare=False)
+    before: Variant | None = field(default=None, repr=False, compare=False)  # whose start its `start_guess` are
     texts: Mapping[str, Texts] = field(default_factory=dict, repr=False, compare=False)
     bindings: tuple[Binding, ...] = ()
     forces: Forces | None = field(default=None, repr=False)
@@ -270,8 +270,8 @@ class Variant:
 
     def timed(self, step: float | None = None, end: float | None = None) -> Variant:
         """Return the variant with another step or end (s)."""
-        own = self.time.own_step or self.time.step
-        time = replace(self.time, step=step or self.time.step, end=end or self.time.end, own_step=own)
+        now = self.time
+        time = replace(now, step=step or now.step, end=end or now.end, own_step=now.own_step or now.step)
         others = [key for key in ("step", "end") if getattr(time, key) != getattr(self.time, key)]
         kept = tuple(one for one in self.plausibility if one.code != "END" or not others)  # it is about the file's own step
         changes: dict[KeyPath, float | str] = {**self.changes, **{("time", key): getattr(time, key) for key in others}}
@@ -295,6 +295,6 @@ class Variant:
         """
         if self.reread is None:
             raise InputError(say("fault.D004", name=self.name))
-        asked = (("step", step), ("end", end), ("period", period), ("check_row", check_row))
-        times = {key: value for key, value in asked if value is not None}
+        asked = {"step": step, "end": end, "period": period, "check_row": check_row}
+        times = {key: value for key, value in asked.items() if value is not None}
         return self.reread(self, Changes(_by_name(given), _by_name(start), _by_name(drive), times))

@@ -67,3 +67,13 @@ def test_three_equations_whose_determinant_is_a_sum_are_told_by_their_names() ->
 def test_how_an_angle_counts_is_read_in_closures_too(coupler, rocker, factor, told):
     text = mechanism("four-bar-loop", ("b @ phi2 = (d, 0) + c @ phi3", f"b @ {coupler} = (d, 0) + c @ {rocker}"))
     assert meaning(parse(factor), coursework.parse_variant(text), ()) == told
+
+
+@pytest.mark.parametrize(("name", "factor", "told"), [
+    ("slider-crank-without-rod-angle", "s3 - r1*cos(theta1)", "s3 - r1*cos(theta1) is zero"),  # the rod is upright
+    ("four-bar-by-its-points", "d*sin(phi3) + a*sin(phi1 - phi3)", "d*sin(phi3) + a*sin(phi1 - phi3) is zero"),  # rod and rocker
+    ("four-bar-by-squared-lengths", "yB*xC - yB*d", "yB*xC - yB*d is zero"),
+])  # fmt: skip
+def test_lever_arms_are_told_of_no_link_but_those_whose_arms_they_are(name, factor, told):
+    """Where a square of a length closes the loop, the link that matters has no angle in the determinant."""
+    assert meaning(parse(factor), coursework.parse_variant(mechanism(name)), ()) == told

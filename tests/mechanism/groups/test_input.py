@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from coursework.mechanism.groups import Guide, Pair, crank, rpp, rpr, rrp, rrr
+from coursework.mechanism.groups import Guide, Pair, crank, prp, rpp, rpr, rrp, rrr
 
 ORIGIN = Pair((0.0, 0.0))
 X_AXIS = Guide(ORIGIN, 0.0)
@@ -28,6 +28,16 @@ def row_of_pins(*places: float) -> Pair:
             lambda: rrp(ORIGIN, X_AXIS, length=1.0, mode=2),
             "RRP: assembly mode 2 does not exist. Modes: +1 (the larger s), -1",
         ),
+        (lambda: rrr(ORIGIN, ORIGIN, lengths=(1.0, 1.0), mode=[1]), "RRR: assembly mode [1] does not exist."),  # type: ignore[arg-type]
+        (
+            lambda: rrp(ORIGIN, [0, 1], length=1.0, mode=1),  # type: ignore[arg-type]
+            "RRP, guide: a Guide(through, angle) was expected, found [0, 1].",
+        ),
+        (
+            lambda: rpp(ORIGIN, row_of_pins(1.0), slide_angle=1.0),  # type: ignore[arg-type]
+            "RPP, guide: a Guide(through, angle) was expected, found Pair(",
+        ),
+        (lambda: prp(X_AXIS, 0.3), "PRP, guide j: a Guide(through, angle) was expected, found 0.3."),  # type: ignore[arg-type]
         (
             lambda: rrr(ORIGIN, ORIGIN, lengths=(0.4,), mode=1),  # type: ignore[arg-type]
             "RRR: two lengths were expected, of the link from B and of the link from D, found (0.4,).",

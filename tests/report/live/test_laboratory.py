@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 import re
 import unicodedata
 from pathlib import Path
@@ -14,7 +15,9 @@ import pytest
 import coursework
 from coursework.motion.schemes import SCHEMES
 from coursework.scene.motion_results import given_constants
+from tests.mechanisms.library import mechanism
 from tests.solved import solved
+from tests.variant.test_with_data import LEVER
 
 pytestmark = pytest.mark.browser
 PHASE = 0.1168893  # s: where variant 31 with alpha = 0.02 stops, from the closed form of its driven point
@@ -32,6 +35,17 @@ def test_where_links_do_not_close_there_is_no_error(written: Any, opened: Any) -
     assert page.page.inner_text("#lab-lost") == "With this value the links do not close."
     assert (page.value("#lab-error"), page.page.inner_text("#lab-error")) == ("", "–")
     assert page.page.inner_text("#live-away") == ""  # no table has ended where there is none
+
+
+def test_a_pin_stays_in_its_slot_for_other_data(written: Any, opened: Any) -> None:
+    variant = coursework.parse_variant(mechanism("four-bar-by-squared-lengths", *LEVER))
+    page = opened(written(variant))
+    page.set("#lab-datum-name", "r2", "change")
+    page.set("#lab-datum", 0.41)
+    read = "all => all.map(at => +at.dataset.value)"
+    _, xb, yb, xc, yc, th = page.page.eval_on_selector_all("#lab-table tbody tr:first-child td", read)[:6]
+    d = variant.values["d"]
+    assert [math.hypot(xc - xb, yc - yb), math.hypot(xc - d, yc), th] == pytest.approx([0.41, 0.3, math.atan2(yc + d, xc - d)])
 
 
 @pytest.mark.parametrize(

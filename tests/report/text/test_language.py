@@ -131,7 +131,7 @@ def test_a_finding_is_english_text_for_whoever_just_prints_it() -> None:
 def test_chinese_sets_a_space_beside_latin_letters_only() -> None:
     """What a gap brings decides; the spaces inside it, of a name or a path, are the user's own."""
     chinese = load_phrases("zh")
-    line = say("determinant.one_line", first=say("determinant.link", name="1"), second=say("determinant.of_links"))
+    line = say("determinant.one_line", first=say("determinant.link", name="1"), second="各构件")
     assert chinese.written(line) == "构件 1 与各构件位于一条直线上（拉直共线或重叠共线）"
     assert chinese.written(say("determinant.vertical", link="AB")) == "AB 竖直"
     assert chinese.listing(["中点法", "（甲）", "四阶龙格-库塔法"]) == "中点法、（甲）和四阶龙格-库塔法"

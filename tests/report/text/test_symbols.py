@@ -21,6 +21,9 @@ from coursework.words.templates import LONGEST, clean
         ("s_max", "s_max", 's_"max"'), ("a_b_c", "a_b_c", 'a_"b c"'), ("lift", "lift", '"lift"'), ("pin", "pin", '"pin"'),
         ("A.x", "x_A", "x_A"), ("B1.vy", "v_B1y", "v_(B 1 y)"), ("phi12", "φ₁₂", "φ_12"), ("phiA", "φ_A", "φ_A"), ("t", "t", "t"),
         ("us", "u_s", "u_s"), ("vq", "v_q", "v_q"), ("r_eta2", "r_η2", "r_(η 2)"), ("l_mu", "l_mu", 'l_"mu"'),
+        ("x1_dot", "x\u0307₁", "dot(x)_1"), ("phi_dot2", "φ̇₂", "dot(φ)_2"), ("xdot", "x\u0307", "dot(x)"),
+        ("dot", "dot", '"dot"'), ("x_ddot", "x_ddot", 'x_"ddot"'),
+        ("pivot_dot", "pivot_dot", '"pivot"_"dot"'), ("xB_dot", "x\u0307_B", "dot(x)_B"),
     ],
 )  # fmt: skip
 def test_names(name: str, text: str, typst: str) -> None:

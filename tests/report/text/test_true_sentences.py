@@ -216,8 +216,8 @@ def test_the_velocity_of_a_link_is_not_called_like_a_rate_counted_from_another_l
 def test_a_drive_that_jumps_makes_the_graphs_jump(real: ModuleType) -> None:
     law = '{ pieces = [["0 s", "n"], ["0.25 s", "2*n"]] }'
     run = solved(SHAPER.replace('w1 = "n"', f"w1 = {law}").replace('period = "2*pi/n"\n', ""), "table", "checks")
-    assert "no jump except where the drive changes its formula" in told(real, run, "control")
-    assert finding(run, "CONTINUITY").sentence.startswith("The exact motion jumps only where the drive changes its formula")
+    assert "no jump except in velocities where the drive jumps" in told(real, run, "control")
+    assert finding(run, "CONTINUITY").sentence.startswith("The exact motion jumps only in its velocities, where the drive jumps")
 
 
 def test_rows_that_a_scheme_ends_are_not_the_end_of_the_motion(real: ModuleType) -> None:

@@ -55,10 +55,22 @@ def test_a_break_of_the_drive_is_no_jump():
     )  # fmt: skip
     for step in (0.05, 0.02):
         judged = found(solve(text, step=step), "CONTINUITY")
-        assert judged.verdict == "PASS" and judged.sentence.startswith("The exact motion jumps only where the drive")
-    smooth = scene('phi = { start = "0 rad", rate = "w" }', given='r = "0.5 m"', step=0.05, end=0.5, equations=["r*w = v"],
-        drive='v = "2*t"')  # fmt: skip
-    assert found(solve(smooth), "CONTINUITY").sentence.startswith("The exact motion has no jump")
+        assert judged.verdict == "PASS" and judged.sentence.startswith(
+            "The exact motion jumps only in its velocities, where the drive jumps"
+        )
+
+
+@pytest.mark.parametrize(
+    "law", [
+        '"2*t"', '{ pieces = [["0 s", "2*t"], ["0.1 s", "0.2"]] }',
+        '{ pieces = [["0 s", "t^2"], ["0.13 s", "0.0169 + 0.26*(t - 0.13)"]] }',
+    ],
+)  # fmt: skip
+def test_a_drive_that_goes_on_where_it_changes_its_formula_does_not_jump(law):
+    text = scene('phi = { start = "0 rad", rate = "w" }', given='r = "0.5 m"', step=0.05, end=0.5, equations=["r*w = v"],
+        drive=f"v = {law}")  # fmt: skip
+    for step in (0.05, 0.02):
+        assert found(solve(text, step=step), "CONTINUITY").sentence.startswith("The exact motion has no jump")
 
 
 @pytest.mark.parametrize("step", [0.02, 0.01, 0.005])

@@ -25,6 +25,10 @@ HALVINGS = 40
 _FEWEST_ROWS = 2
 # A break within this share of its time of an interval counts as inside.
 _AT_BREAK = 1e-9
+# Just before a break, where the formula after it does not hold yet, rounding included.
+_BEFORE = 1e-12
+# A velocity that changes by less than this share of the largest goes on.
+_GOES_ON = 1e-6
 # Number of suspect intervals that are examined one by one.
 _MOST_SUSPECTS = 5
 
@@ -53,8 +57,7 @@ def continuity(evidence: Evidence) -> Finding:
     name, value = evidence.names[place], float(shares[row, place])
     found = {"name": name, "share": percent(value), "row": row + 1, "next": row + 2}
     if value <= LIMIT:
-        # At a break of a `pieces` law the velocities may jump, as the drive demands.
-        is_broken = bool(breaks(evidence.variant))
+        is_broken = _jumps_at_breaks(evidence)
         how = ("broken" if is_broken else "pass") if value else ("broken_same" if is_broken else "same")
         sentence = evidence.say(f"check.CONTINUITY.{how}", **found)
         return Finding("PASS", sentence, value, LIMIT, unit, name, row + 1)
@@ -73,6 +76,21 @@ def jump_of_exact(evidence: Evidence) -> Jump | None:
     order = np.argsort(-np.nan_to_num(found.shares(evidence), nan=np.inf), kind="stable")[:_MOST_SUSPECTS]
     jumps = (_looked_into(evidence, int(found.row[place]), int(found.column[place])) for place in order)
     return max((jump for jump in jumps if jump is not None), default=None)
+
+
+def _jumps_at_breaks(evidence: Evidence) -> bool:
+    """Return whether a velocity jumps at a break of a `pieces` law, which may also go on from the value that it had."""
+    exact = evidence.true
+    times = np.array([time for time in breaks(evidence.variant) if exact.t[0] < time < exact.t[-1]])
+    if not len(times):
+        return False
+    row = np.searchsorted(exact.t, times, side="right") - 1
+    _, position = _between(evidence, row, (times - exact.t[row]) / exact.step)
+    try:
+        before, after = (evidence.rates.table(at, position)[0] for at in (times * (1 - _BEFORE), times))
+    except (ArithmeticError, ValueError, OutsideTable):
+        return True
+    return not np.allclose(before, after, rtol=_GOES_ON, atol=_GOES_ON * float(np.abs(exact.velocities).max()))
 
 
 class _Brackets(NamedTuple):
