@@ -51,12 +51,15 @@ def looked(kind=_Looked, wrong=(), other=(), sure=(), told=(), own=None, printed
 
 
 def test_a_table_is_worth_the_cells_that_it_makes_right_less_those_that_it_makes_wrong_and_those_that_it_costs():
-    """From row 1 its velocities and the coordinate of row 2 are made; a told cell counts as a wrong one does."""
+    """From row 1 its velocities and the coordinate of row 2 are made; a told cell counts as a wrong one does.
+
+    Each of the three counts four, so that one more for a velocity decides between equally many.
+    """
     by = held((0, 1), (1, 0), (2, 1), (2, 2), (3, 0))
-    assert looked(wrong=[(0, 1), (0, 2), (1, 0)]).worth(PRINTED, by).tolist() == [2, 0, 0, 0]
-    assert looked(wrong=[(0, 1)], told=[(1, 0)]).worth(PRINTED, by).tolist() == [2, 0, 0, 0]
-    assert looked(wrong=[(2, 1), (3, 0)], sure=[(2, 2), (3, 1), (3, 2)]).worth(PRINTED, by).tolist() == [0, 0, 2, -2]
-    assert looked(wrong=[(2, 1), (3, 0)]).worth(moved(c20=9, c21=9, c11=7), by).tolist() == [0, -1, 1, 0]
+    assert looked(wrong=[(0, 1), (0, 2), (1, 0)]).worth(PRINTED, by).tolist() == [4 * 2 + 1, 0, 0, 0]
+    assert looked(wrong=[(0, 1)], told=[(1, 0)]).worth(PRINTED, by).tolist() == [4 * 2 + 1, 0, 0, 0]
+    assert looked(wrong=[(2, 1), (3, 0)], sure=[(2, 2), (3, 1), (3, 2)]).worth(PRINTED, by).tolist() == [0, 0, 4 * 2 + 1, -4 * 2 - 2]
+    assert looked(wrong=[(2, 1), (3, 0)]).worth(moved(c20=9, c21=9, c11=7), by).tolist() == [0, -4, 4 + 1, 0]
 
 
 def followed(monkeypatch, first, gains, later=None, others=(0, 0, 0, 0)):
