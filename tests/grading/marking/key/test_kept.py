@@ -4,6 +4,9 @@ import numpy as np
 
 import coursework
 from coursework.grading.marking.key.kept import FEW_NUMBERS, kept
+from coursework.grading.marking.key.key import key_of
+from coursework.grading.marking.table.cells import mark_cells
+from coursework.grading.marking.table.ways import StudentTable, own_ways
 
 MODEL = coursework.compile_model("31")
 TIMES, ROWS = np.array([0.0, 0.02]), np.array([[1.63, 3.37, 2.87], [1.6, 3.35, 2.9]])
@@ -38,3 +41,14 @@ def test_long_tables_are_not_kept():
     for _ in range(2):
         kept(ask, MODEL.data(), np.zeros(count), np.tile(ROWS[0], (count, 1)))
     assert ask.calls == 2
+
+
+def test_ways_and_marks_that_are_kept_are_those_of_the_floor_and_the_start_asked_for():
+    key = key_of(MODEL.variant)
+    student = StudentTable(key.table, np.full(key.table.shape, 1e-4))
+    floors = [own_ways(key, student, coarse).step.tolerance[1:, :3].min() for coarse in (1e-3, 2e-3, 1e-3)]
+    assert floors == [1e-3, 2e-3, 1e-3]
+    elsewhere = key.table + 0.01
+    assert not mark_cells(key, student).wrong[0, :3].any()
+    assert mark_cells(key, student, elsewhere).wrong[0, :3].all()
+    assert not mark_cells(key, student).wrong[0, :3].any()
