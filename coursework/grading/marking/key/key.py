@@ -18,6 +18,7 @@ from coursework.api import make_run
 from coursework.equations.reduction.structure import without_data
 from coursework.grading.marking.decimals import SHARED, SHOWN, SOLVED, decimals_asked, gap_of
 from coursework.grading.marking.key.branches import other_assemblies
+from coursework.grading.marking.key.kept import kept
 from coursework.grading.marking.key.misread import misread
 from coursework.grading.reading.expected import Grid, grid_of
 from coursework.many import Solutions, solve_many
@@ -63,7 +64,7 @@ class Key:
 
     def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
         """Return all velocities (n, r), in the table's order, at times (n,) and positions (n, m); `data` replaces some data."""
-        return self.model.rates(t, q, self._with(tuple(data.items())) if data else self._assigned)
+        return kept(self.model.rates, self._with(tuple(data.items())) if data else self._assigned, t, q)
 
     def sets_at(self, t: Array, q: Array, sets: Sequence[Mapping[str, float]]) -> Array:
         """Return the velocities (sets, n, r) with each of several `sets` of changed data."""
@@ -74,7 +75,7 @@ class Key:
 
     def block_at(self, block: int, t: Array, q: Array, velocities: Array) -> Array:
         """Return the velocities (n, size) of a block; those of earlier blocks are taken from `velocities` (n, r)."""
-        return self.model.block_velocities(block, t, q, velocities, self._assigned)
+        return kept(self._blocks[block], self._assigned, t, q, velocities)
 
     def misread(self, code: str) -> Callable[[Array, Array], Array] | None:
         """Return the velocities as a function of t and q with one misconception in the formulas, None if it cannot be there."""
@@ -84,7 +85,7 @@ class Key:
             with suppress(CourseworkError):
                 if changed:
                     model = model_of(changed)
-                    self._misread[code] = partial(model.rates, data=model.data(changed.values))
+                    self._misread[code] = partial(kept, model.rates, model.data(changed.values))
         return self._misread[code]
 
     @cached_property
@@ -95,6 +96,10 @@ class Key:
     def points(self) -> Sequence[tuple[str, Formula]]:
         """Return the names of the points and their formulas, points of groups included; each comes after those it refers to."""
         return build(self.variant).points
+
+    @cached_property
+    def _blocks(self) -> Sequence[Callable[..., Array]]:
+        return [partial(self.model.block_velocities, block) for block in range(len(self.blocks))]
 
     @cached_property
     def _assigned(self) -> Data:

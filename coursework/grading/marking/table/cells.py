@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,7 @@ Marks = NDArray[np.str_]
 
 _PART_OF_PLACE = 1e-3  # round-off, as a part of the unit of the last place
 _ROUND_OFF = 1e-12
+_KEPT = 64  # marks of so many tables
 WRONG, MISSING, GIVEN = "wrong", "missing", "given"
 # Ways in which a cell is right only from the student's own earlier cells.
 CARRIED = (ANGLES, EARLIER, STEP, STEP_TRUE)
@@ -112,7 +114,16 @@ def _cut_off(start: Array, printed: Array, units: Array) -> Flags:
 
 def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> Cells:
     """Return the marks of all cells; `table` (n, m + r) replaces the key's if the motion begins elsewhere."""
-    table = key.table if table is None else table
+    return _by_key(key, student) if table is None else _marked(key, student, table)
+
+
+@lru_cache(_KEPT)
+def _by_key(key: Key, student: StudentTable) -> Cells:
+    """Return the marks by the key; whether a table is clockwise, and each cause that takes it back, asks for the same."""
+    return _marked(key, student, key.table)
+
+
+def _marked(key: Key, student: StudentTable, table: Array) -> Cells:
     m, values = len(key.coordinates), student.values
     own = own_ways(key, student)
     units = student.units.copy()

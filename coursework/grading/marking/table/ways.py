@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.grading.marking.key.kept import FEW_NUMBERS
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.sensitivity import sensitivity
 from coursework.system.arrays import Array, Flags
@@ -32,6 +34,7 @@ _COARSE_MOST, _COARSE_GAP = 3e-4, 21.0  # the median may be at most _COARSE_MOST
 _RUNG, _ROUND_OFF = 1.25, 1e-6  # the floor grows in rungs by this factor
 # What rounding leaves does not depend on the row before; the deviations of another scheme's steps resemble it by more than this.
 _RESEMBLES = 0.5
+_KEPT = 512  # ways of so many tables
 
 
 KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocities", "step", "step true", "start"
@@ -46,7 +49,7 @@ class OwnRows:
     units: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class StudentTable:
     """A student's table on the key's grid: `values` (n, m + r) SI, NaN if missing; `units` of the last places, same shape.
 
@@ -111,6 +114,20 @@ class OwnWays:
 
 def own_ways(key: Key, student: StudentTable, coarse: float | None = None) -> OwnWays:
     """Return the ways from the cells that each cell was made from; `coarse` is the floor of coarse work if already known."""
+    values, units = student.values, student.units
+    if values.size > FEW_NUMBERS:
+        return _own_ways(key, student, coarse)
+    return _kept(key, values.shape, values.tobytes(), units.tobytes(), coarse)
+
+
+@lru_cache(_KEPT)
+def _kept(key: Key, shape: tuple[int, ...], values: bytes, units: bytes, coarse: float | None) -> OwnWays:
+    """Return the ways of a table given by its numbers: what cells were is guessed in many ways that come to the same table."""
+    table = StudentTable(np.frombuffer(values).reshape(shape), np.frombuffer(units).reshape(shape))
+    return _own_ways(key, table, coarse)
+
+
+def _own_ways(key: Key, student: StudentTable, coarse: float | None) -> OwnWays:
     step = _steps(key, student)
     computed_to = None
     if coarse is None:
