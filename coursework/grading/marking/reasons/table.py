@@ -13,7 +13,7 @@ from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
-from coursework.grading.marking.table.causes.misconceptions import OTHER_STEPS, Misconception
+from coursework.grading.marking.table.causes.misconceptions import OTHER_STEPS, ROWS_SHIFTED, Misconception
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
 from coursework.grading.marking.table_marks import TableMarks
@@ -27,6 +27,7 @@ from coursework.words.templates import clean
 _MANY = 0.1
 # With these causes the table is right if it is read otherwise; the columns as handed in then tell nothing about its steps.
 _READ_OTHERWISE = ("swapped_columns", "origin", "clockwise", "sign_drive")
+_VELOCITIES_SHIFTED = ("omega_late", "omega_early")
 _EXPLAINED = ("misconception", "start")
 _SEVERAL, _DATUM, _CONFUSION = ("start_", "equation_"), "datum_", "confusion_"
 _MOST_RUNS = 6
@@ -83,7 +84,8 @@ def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str]) -> It
         for code in named.ties:
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code, because)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
-        yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause, because)]))
+        partly = say(f"feedback.misconception.{'partly' if named is None else 'also'}")
+        yield Reason("table", "cause", joined([partly, _told(earned.cause, because)]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and found.wrong > _MANY * found.cells:
         if marked.own_line:
             own = say("feedback.misconception.own_equations", line=marked.own_line)
@@ -93,7 +95,9 @@ def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str]) -> It
 
 
 def _is_told(cause: str, named: Misconception) -> bool:
-    """Return whether a cause is already named; an angle counted from another axis ("origin_") names its start as well."""
+    """Return whether a cause is already named, by another name too: a start by its axis, rows by the velocities in them."""
+    if cause == ROWS_SHIFTED and named.code in _VELOCITIES_SHIFTED:
+        return True
     return cause in (named.code, *named.ties) or named.code == cause.replace("start_", "origin_", 1)
 
 

@@ -26,6 +26,8 @@ FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
 _OF_FREQUENCIES = (2 * np.pi, 0.5 / np.pi)  # turns per second taken for radians per second, and the other way round
 # Columns count as exchanged if, exchanged back, this part of them agrees with the key, or if their start values do.
 _LIKE_KEY = 0.5
+# From this part of the angles on, the rows stand where they belong.
+_IN_PLACE = 0.9
 _TURN = 2 * np.pi
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
@@ -123,10 +125,14 @@ def _whole(code: str, table: Array, units: Array) -> Claim:
 
 
 def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
-    """Yield the claim that a row stands twice or is left out, so that every row after it stands beside another time."""
+    """Yield the claim that a row stands twice or is left out, so that every row after it stands beside another time.
+
+    If the angles stand where they belong, another cause that explains as much is preferred: only the velocities are shifted.
+    """
     student = put_back(printed)
     if student is not None:
-        yield _as_euler("rows_shifted", student)
+        in_place = bool(printed.of_task[:, : printed.m].mean() >= _IN_PLACE)
+        yield replace(_as_euler("rows_shifted", student), is_read_off=in_place)
 
 
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
