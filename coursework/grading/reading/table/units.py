@@ -73,9 +73,10 @@ def _first(unit: str) -> str:
 
 def _together(columns: Sequence[GridColumn], values: Mapping[str, Sequence[float]]) -> str | None:
     """Return the unit of columns of one kind from the sizes of all their numbers, in whichever column each one is."""
-    cells = [(own, key) for column in columns for own, key in zip(values[column.name], column.values, strict=True)]
-    own, key = zip(*(map(abs, pair) for pair in cells if all(map(math.isfinite, pair))), strict=True) if cells else ((), ())
-    return _alike(_ratios(sorted(key), sorted(own)), PRINTED.get(columns[0].unit, {}), _WIDTH)
+    pairs = [pair for column in columns for pair in zip(values[column.name], column.values, strict=True)]
+    known = [pair for pair in pairs if all(map(math.isfinite, pair))]
+    own, key = (sorted(abs(pair[place]) for pair in known) for place in (0, 1))
+    return _alike(_ratios(key, own), PRINTED.get(columns[0].unit, {}), _WIDTH)
 
 
 def _is_exact(column: GridColumn, unit: str | None, values: Sequence[float]) -> bool:
