@@ -132,3 +132,13 @@ def test_a_neighbours_table_is_that_and_what_else_counts_is_no_second_cause():
         assert told[0].endswith("the table belongs to another variant of the class.")
         assert told[1].startswith("Your points are those of the cells that are right or would follow from this instead: ")
         assert len(told) == 2
+
+
+def test_centimetres_or_kilometres_for_metres_are_another_datum_as_any_value_is():
+    """No usual cause was found, and with the angles of a steady crank 20 points were left, with another value 24."""
+    for desk, name, factor in zip(variants(), ("r2", "r1", "a", "r1", "r", "a"), 3 * (100.0, 0.001), strict=True):
+        (found, table), (other, _) = (
+            desk.marked(Machine(desk.variant, data={name: part * desk.variant.values[name]}).table()) for part in (factor, 1.09)
+        )
+        assert f"datum_{name}" in codes(table)
+        close([found, other], near=1.2)

@@ -23,7 +23,8 @@ from coursework.variant.formula.units import size_of
 from coursework.variant.record.entries import Given
 
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
-_OF_FREQUENCIES = (2 * np.pi, 0.5 / np.pi)  # turns per second taken for radians per second, and the other way round
+# Turns per second taken for radians per second, or centimetres or millimetres for metres, and the other way round.
+_UNITS = {"1/s": (2 * np.pi, 0.5 / np.pi), "m": (100.0, 0.01, 1000.0, 0.001)}
 # Columns count as exchanged if, exchanged back, this part of them agrees with the key, or if their start values do.
 _LIKE_KEY = 0.5
 # From this part of the angles on, the rows stand where they belong.
@@ -40,7 +41,7 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     tried: list[tuple[str, dict[str, float]]] = [
         (f"datum_{datum.name}", {datum.name: factor * datum.value})
         for datum in given
-        for factor in (*FACTORS, *(_OF_FREQUENCIES if datum.si == "1/s" else ()))
+        for factor in (*FACTORS, *_UNITS.get(datum.si, ()))
         if factor or _may_vanish(printed, datum)
     ]
     tried += [

@@ -112,7 +112,7 @@ def test_what_follows_from_ones_own_wrong_equation_is_told_so():
     _, table = desk.marked(machine.table(), equations={"2": f"{line} = u"})
     told = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, Rubric(), 50.0, 60.0))
     assert table.earned.rule == "cells" and not codes(table)
-    assert "your own equations, of which line 2 is not right" in told and "None of the usual causes" not in told
+    assert "your own equations, of which line 2 is not right" in told and "No usual cause" not in told
 
 
 def test_a_table_with_times_of_its_own_is_told_the_step_of_these_times():
