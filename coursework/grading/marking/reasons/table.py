@@ -61,7 +61,9 @@ def table_reasons(key: Key, marked: TableMarks, rubric: Rubric, points: float, m
     if marked.first:
         yield Reason("table", "first", marked.first.sentence)
     found = counts(key, marked)
-    yield from _causes(found, marked, {f"{_CONFUSION}{one.datum}": one.because for one in rubric.confusions if one.because})
+    starts = [name for name, is_wrong in zip(key.names, marked.cells.wrong[0], strict=True) if is_wrong][: found.start]
+    because = {f"{_CONFUSION}{one.datum}": one.because for one in rubric.confusions if one.because}
+    yield from _causes(found, marked, because, tuple(starts))
     yield from _odd_rows(key, marked)
     if absent := lacking(key, marked.table):
         yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
@@ -74,8 +76,11 @@ def table_reasons(key: Key, marked: TableMarks, rubric: Rubric, points: float, m
     yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
 
 
-def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str]) -> Iterator[Reason]:
-    """Yield the likely cause and others that explain as much, or, if many cells are wrong, that no usual cause explains them."""
+def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str], starts: tuple[str, ...] = ()) -> Iterator[Reason]:
+    """Yield the likely cause and others that explain as much, or, if many cells are wrong, that no usual cause was found.
+
+    `starts` are the coordinates whose start is not the task's.
+    """
     named, earned = marked.misconception, marked.earned
     if named:
         share = str(int(100 * named.share + 1e-9))  # rounded down: 100 means the whole table
@@ -85,7 +90,7 @@ def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str]) -> It
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code, because)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
         partly = say(f"feedback.misconception.{'partly' if named is None else 'also'}")
-        yield Reason("table", "cause", joined([partly, _told(earned.cause, because)]))
+        yield Reason("table", "cause", joined([partly, _told(earned.cause, because, starts if earned.rule == "start" else ())]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and found.wrong > _MANY * found.cells:
         if marked.own_line:
             own = say("feedback.misconception.own_equations", line=marked.own_line)

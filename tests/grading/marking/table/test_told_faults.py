@@ -142,3 +142,16 @@ def test_centimetres_or_kilometres_for_metres_are_another_datum_as_any_value_is(
         )
         assert f"datum_{name}" in codes(table)
         close([found, other], near=1.2)
+
+
+def test_all_starts_that_are_not_the_tasks_are_told_where_they_explain_a_part():
+    """Angles counted from the start: all of them begin at nought, and only the first was told."""
+    desk = variants()[0]
+    table, m = desk.machine.table(), desk.machine.m
+    table[:, :m] -= table[0, :m].copy()
+    points, marked = desk.marked(table)
+    assert (marked.earned.rule, codes(marked)) == ("start", ())
+    told = [reason.text for reason in table_reasons(desk.key, marked, Rubric(), points, 60.0) if reason.kind == "cause"]
+    (part, starts) = told[0].split(": ")
+    assert part == "Part of the table follows from one thing" and len(told) == 1
+    assert starts == "the table was made from start values of phi1, phi2 and phi3 other than the task's."
