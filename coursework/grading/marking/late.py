@@ -1,7 +1,7 @@
 """What a late submission loses according to the rubric.
 
 Enters: the section `[late]` of the rubric, the time a submission was handed in.  Leaves: `Late`, minutes, shares.
-Used by `rubric.py`, `class_list.py`, `decisions.py`, `commands/grade.py`.
+Used by `rubric.py`, `class_list.py`, `decisions.py` and the command.
 """
 
 from __future__ import annotations
