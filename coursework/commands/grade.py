@@ -7,14 +7,12 @@ Used by `cli.py`.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import click
 
 from coursework.commands.screen import in_language, tell, tell_own_file
-from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, class_tables, read_source
+from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, class_tables, handed_in, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
 from coursework.grading.batch.gradebook import PAGES, Options, grade_class
 from coursework.grading.batch.journal import Journal
@@ -23,7 +21,7 @@ from coursework.grading.batch.work import Setup, Task, VariantSource
 from coursework.grading.batch.workers import trade_of
 from coursework.grading.batch.written import write_gradebook
 from coursework.grading.collecting.sources import Source, collect_one
-from coursework.grading.marking.late import LATE, UNKNOWN
+from coursework.grading.marking.late import LATE, OF_FILE, UNKNOWN
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.autograder import created_at
 from coursework.grading.platforms.canvas import read_gradebook
@@ -88,8 +86,10 @@ def grade_source(
             if len(graded.places) != len(listed.places):
                 raise RuntimeError(f"{len(listed.places)} submissions, {len(graded.places)} grades")
             _tell(listed, graded.fresh, len(graded.changes), out, written, {e.id: e.grade["status"] for e in graded.entries()})
-            if unknown := sum(_time_is_unknown(entry.grade) for entry in graded.entries()):
-                tell(say("screen.late_unknown", count=unknown))
+            times = [handed_in(opened, place) for place in listed.places] if marking.late else []
+            for key, word in (("late_unknown", UNKNOWN), ("late_by_file", OF_FILE)):
+                if count := sum(time.startswith(word) for time in times):
+                    tell(say(f"screen.{key}", count=count))
             if sheet and (locked := [place.id for place in listed.places if place.row and place.row.locked]):
                 who = joined(locked[:MOST_NAMED] + ["…"] * (len(locked) > MOST_NAMED), "join.comma")
                 tell(say("screen.locked", count=len(locked), who=who))
@@ -117,19 +117,17 @@ def _one(
     """Mark one submission and write only the results file of an autograder."""
     submission = collect_one(source)
     with Worker(trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)) as worker:
-        handed_in = _handed_in_alone(source, submission, results) if rubric.late else ""
-        outcome = worker.answer(Task(submission, variant, handed_in=handed_in))
+        time = _handed_in_alone(source, submission, results) if rubric.late else ""
+        outcome = worker.answer(Task(submission, variant, handed_in=time))
     autograder_results(outcome.grade, rubric, results, out / "results.json", language)
     return 0
 
 
-def _time_is_unknown(grade: Mapping[str, Any]) -> bool:
-    """Return whether the time of submission matters but is unknown."""
-    return grade.get("late") is None and any(note["code"] == "late" for note in grade["notes"])
-
-
 def _handed_in_alone(source: Path, submission: Submission, platform: str) -> str:
-    """Return the time of one submission from Gradescope, or whether Canvas marks one of its files as late."""
+    """Return the time of one submission from Gradescope, or whether Canvas marks one of its files as late.
+
+    The files' own times tell nothing: the platform writes the files when it has them marked.
+    """
     if platform == "gradescope" and (time := created_at(source)):
         return time
     owners = (canvas_owner(file.name) for file in submission.files)

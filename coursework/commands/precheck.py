@@ -30,4 +30,4 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
         tell(sentence)
     for note in found.notes:
         click.echo(f"  {before_a_person(in_language(note), read.columns)}")
-    return 0 if found.fine else 1
+    return 0 if found.fine and found.whole else 1

@@ -33,9 +33,10 @@ Told = Callable[[Sentence], None]
 
 @frozen
 class Prechecked:
-    """`fine`: every part could be marked; `has_table`: a table was read; sentences for the student, notes on the reading."""
+    """`fine`: all that is there could be marked, `whole`: every part is there; `has_table`: a table was read; what to tell."""
 
     fine: bool
+    whole: bool
     has_table: bool
     sentences: tuple[Sentence, ...]
     notes: tuple[str, ...]
@@ -59,7 +60,8 @@ def precheck(submission: Submission, variant: Variant, named: Callable[[str, tup
     if work.review:
         told.append(work.review)
     fine &= work.review is None
-    return Prechecked(fine, work.table is not None, tuple(told), tuple(note.text for note in work.notes))
+    whole = work.table is not None and (work.equations is not None or key.free is not None)  # of motion: a person marks them
+    return Prechecked(fine, whole, work.table is not None, tuple(told), tuple(note.text for note in work.notes))
 
 
 def _kinds(entry: FileEntry) -> Sentence:

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
+import coursework
 from coursework.commands.cli import main
 from coursework.words.data_folders import folder
 from tests.grading.batch.classroom import EQUATIONS, csv
@@ -83,12 +84,22 @@ def test_turning_counted_clockwise_is_said_and_contradicts_nothing(tmp_path: Pat
         (csv(students.table()).replace(b";w4", b";total"), "", "The columns headed total may be w4"),
         (csv(students.table()).replace(b";3,3700", b";"), "", "can be read: 1; the first is phi2 in row 1."),
         (csv(students.table()).replace(b";3,37", b";<3,37"), "", "the first is phi2 in row 1: “<3,37"),
+        (csv(students.table()), "", "Equations: none handed in."),
     ],
 )  # fmt: skip
 def test_what_could_not_be_marked_is_told(tmp_path: Path, table: bytes | None, equations: str, told: str) -> None:
     found = precheck(tmp_path, table, equations)
     assert found.exit_code == 1, found.output
     assert told in found.output
+
+
+def test_equations_of_motion_are_not_asked_for(tmp_path: Path) -> None:
+    """A person marks them."""
+    run = coursework.solve("falling-arm", scheme="euler")
+    table = run.table.to_csv().encode()
+    found = precheck(tmp_path, table, "", "--variant", "falling-arm")
+    assert "Equations: none handed in." in found.output
+    assert found.exit_code == 0, found.output
 
 
 def test_forms_that_were_mended_are_shown(tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from coursework.grading.batch.work import Task, VariantSource
 from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.collecting.matching import match
 from coursework.grading.collecting.sources import Source
-from coursework.grading.marking.late import LATE, UNKNOWN
+from coursework.grading.marking.late import LATE, OF_FILE, UNKNOWN
 from coursework.grading.platforms.roster import ACCEPTED, Student
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
 from coursework.grading.reading.equations.variant_files import is_variant_file
@@ -66,17 +66,23 @@ class ClassList:
                 self.sources[place.variant],
                 decisions,
                 place.accepted_decimals,
-                _handed_in(source, place) if timed else "",
+                handed_in(source, place) if timed else "",
             )
 
 
-def _handed_in(source: Source, place: Place) -> str:
-    """Return the worksheet's time, or LATE by Canvas, or UNKNOWN; "" if Canvas does not say late or nothing was handed in."""
+def handed_in(source: Source, place: Place) -> str:
+    """Return the worksheet's time, or LATE by Canvas, or that of the newest file after OF_FILE, or UNKNOWN.
+
+    It is "" if Canvas does not say late, or if nothing was handed in.
+    """
     if place.row and place.row.modified:
         return place.row.modified.isoformat()
     if any(file_list.late for file_list in place.file_lists):
         return LATE
-    return UNKNOWN if place.file_lists and source.platform != "canvas" else ""
+    if source.platform == "canvas" or not (place.file_lists and place.file_lists[0].files):
+        return ""
+    newest = source.newest(place.file_lists[0])
+    return f"{OF_FILE}{newest.isoformat()}" if newest else UNKNOWN
 
 
 def _collected(source: Source, place: Place) -> Submission:

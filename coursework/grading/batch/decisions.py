@@ -13,7 +13,7 @@ from dataclasses import asdict
 from typing import Any
 
 from coursework.grading.marking.grade import GRADED, rounded_points
-from coursework.grading.marking.late import UNKNOWN
+from coursework.grading.marking.late import OF_FILE, UNKNOWN
 from coursework.grading.marking.reasons.reasons import after_decision, decided, lost_by_time
 from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.platforms.cells_of_csv import read_cells
@@ -130,6 +130,9 @@ def _after_deadline(grade: dict[str, Any], rubric: Rubric, handed_in: str) -> di
         return changed
     if handed_in == UNKNOWN:
         changed["notes"] = [*changed["notes"], note("late", "late_unknown").plain()]
+    if handed_in.startswith(OF_FILE):
+        time = f"{rubric.late.time(handed_in):%Y-%m-%d %H:%M}"
+        changed["notes"] = [*changed["notes"], note("late", "late_by_file", time=time).plain()]
     if (found := rubric.late.share(handed_in)) is None:
         return changed
     minutes, share = found

@@ -11,6 +11,7 @@ import stat
 import zipfile
 import zlib
 from collections.abc import Callable, Iterable, Iterator
+from datetime import UTC, datetime
 from functools import partial
 from io import BytesIO
 from pathlib import Path, PurePosixPath
@@ -29,6 +30,7 @@ from coursework.words.sentences import say
 _MOST_PARTS = 200_000
 _ENTRY, _UTF8 = b"PK\x01\x02", 0x08  # an entry in a zip's directory, and the bit of its ninth byte that says: name in UTF-8
 HEAD = 4096  # bytes kept of a file that is too large: enough to tell its kind
+_NO_TIME = (1980, 1, 1, 0, 0, 0)
 _DEPTH = 6
 _SHOWN = 8  # names told of files that belong to nobody
 _FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY"))
@@ -64,6 +66,20 @@ class Source:
         """Return the submission of a file list, with each file read once; at most 50 files and 20 MB."""
         files, notes = _gathered((name, partial(self._read, place, name)) for name, place in file_list.files)
         return Submission(file_list.id, file_list.name, files, file_list.notes + notes, file_list.review)
+
+    def newest(self, file_list: FileList) -> datetime | None:
+        """Return when the newest file was changed, None if unknown; a zip gives no time zone, and 1980 if it has no time."""
+        times = [self._time(place) for _, place in file_list.files]
+        return max((time for time in times if time), default=None)
+
+    def _time(self, place: str) -> datetime | None:
+        try:
+            if self._zip is None:
+                return datetime.fromtimestamp((self.path / place).lstat().st_mtime, UTC)
+            written = self._parts[place].date_time
+            return datetime(*written) if written > _NO_TIME else None
+        except (OSError, OverflowError, ValueError):
+            return None
 
     def _read(self, place: str, name: str, left: int) -> SubmittedFile | Note:
         if self._zip is None:

@@ -1,7 +1,7 @@
 """What a late submission loses according to the rubric.
 
 Enters: the section `[late]` of the rubric, the time a submission was handed in.  Leaves: `Late`, minutes, shares.
-Used by `rubric.py`, `class_list.py`, `decisions.py`.
+Used by `rubric.py`, `class_list.py`, `decisions.py` and the command.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from coursework.system.frozen import frozen
 
 DAY = 24 * 60 * 60
 UNKNOWN, LATE = "unknown", "late"  # written instead of a time: it is not known, or the platform says only "late"
+OF_FILE = "file "  # written before a time that no platform gives: that of the newest file
 _SPAN = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(s|min|h|d)")
 _SECONDS = {"s": 1, "min": 60, "h": 3600, "d": DAY}
 
@@ -38,12 +39,15 @@ class Late:
             return None, min(self.at_most, self.lost_per_day)
         if handed_in in ("", UNKNOWN):
             return None
-        time = datetime.fromisoformat(handed_in)
-        time = time if time.tzinfo else time.replace(tzinfo=self.deadline.tzinfo)
-        seconds = (time - self.deadline).total_seconds()
+        seconds = (self.time(handed_in) - self.deadline).total_seconds()
         if seconds <= max(0.0, span(self.grace) or 0.0):
             return None
         return math.ceil(seconds / 60), min(self.at_most, self.lost_per_day * math.ceil(seconds / DAY))
+
+    def time(self, handed_in: str) -> datetime:
+        """Return the time that is written, in the deadline's zone."""
+        time = datetime.fromisoformat(handed_in.removeprefix(OF_FILE))
+        return time.astimezone(self.deadline.tzinfo) if time.tzinfo else time.replace(tzinfo=self.deadline.tzinfo)
 
     def plain(self) -> dict[str, Any]:
         """Return the section as it was used, for grades.json."""

@@ -1,6 +1,8 @@
 """Work after the deadline: just inside and outside grace and a day, in any zone and language; what nobody knows costs nothing."""
 
 import json
+import os
+import zipfile
 from datetime import datetime, timedelta
 
 import jsonschema
@@ -100,11 +102,23 @@ def test_what_is_no_time_is_none(text):
     assert moodle_time(text) is None
 
 
+DEADLINE = datetime.fromisoformat("2026-12-01T23:59:00+08:00")
+
+
+def changed(folder, *times):
+    """Give the files of a folder times of their last change, by name; the last of these to the rest."""
+    for number, file in enumerate(sorted(folder.iterdir())):
+        time = times[min(number, len(times) - 1)].timestamp()
+        os.utime(file, (time, time))
+
+
 def moodle_class(root, times):
     """Return the arguments of a class with a worksheet, a student a time."""
     lines = []
     for number, time in enumerate(times, start=7000):
-        hand_in(root / "in" / f"Ann {number}_{number}_assignsubmission_file", students.slip(10, 1, 1.05))
+        folder = root / "in" / f"Ann {number}_{number}_assignsubmission_file"
+        hand_in(folder, students.slip(10, 1, 1.05))
+        changed(folder, DEADLINE - timedelta(days=1))
         lines.append(f'Participant {number},Ann {number},a@x,s,,100.00,Yes,"{time}",-,\r\n')
     (root / "sheet.csv").write_bytes((SHEET + "".join(lines)).encode())
     (root / "rubric.toml").write_text(RUBRIC, encoding="utf-8")
@@ -119,7 +133,8 @@ def test_a_late_class(tmp_path):
     arguments = moodle_class(tmp_path, [moodle(0), moodle(15), moodle(16), moodle(1441), moodle(99999), "-"])
     done = grade(*arguments)
     assert done.exit_code == 0, done.output
-    assert "Submissions whose time is not known, nothing deducted: 1." in done.output
+    assert "the times of their files, which copying may have changed: 1." in done.output
+    assert "not known" not in done.output
     out = tmp_path / "out"
     jsonschema.validate(json.loads((out / "grades.json").read_text(encoding="utf-8")), SCHEMA)
     found = list(submissions(out).values())
@@ -134,7 +149,7 @@ def test_a_late_class(tmp_path):
         assert len(said) == (entry["late"] is not None or entry is found[-1])
         page = (out / entry["page"]).read_text(encoding="utf-8")
         assert all(text in page for text in said)
-    assert "not known" in found[-1]["notes"][-1]["text"]
+    assert "its newest file was last changed on 2026-11-30 23:59" in found[-1]["notes"][-1]["text"]
     page = (out / found[2]["page"]).read_text(encoding="utf-8")
     assert '<th scope="row">late</th><td>−10</td>' in page
     assert "(0 d 0 h 16 min): 10 of 100 points are lost." in rows(out)[found[2]["id"]]["sentence"]
@@ -181,6 +196,40 @@ def test_canvas_says_who_is_late(tmp_path):
     found = submissions(tmp_path / "out")
     assert (found["101"]["late"], found["101"]["score"]) == ({"minutes": None, "lost": 10.0}, 90)
     assert (found["102"]["late"], found["102"]["score"], found["102"]["notes"]) == (None, 100, [])
+
+
+@pytest.mark.parametrize("zipped", [False, True])
+def test_where_no_platform_says_when_the_newest_file_does(tmp_path, zipped):
+    """A zip has no zone: its times are of the deadline's.  The least time that it can have says nothing."""
+    source, none = tmp_path / "in", datetime(1980, 1, 1)
+    after = {"ann": (-30, -20), "bob": (-3000, 1500), "cid": (16, 14), "dan": (14,), "eve": None}
+    for name, minutes in after.items():
+        hand_in(source / name)
+        changed(source / name, *([DEADLINE + timedelta(minutes=one) for one in minutes] if minutes else [DEADLINE]))
+    if zipped:
+        with zipfile.ZipFile(tmp_path / "in.zip", "w") as archive:
+            for name, minutes in after.items():
+                for number, file in enumerate(sorted((source / name).iterdir())):
+                    local = DEADLINE + timedelta(minutes=minutes[min(number, len(minutes) - 1)]) if minutes else none
+                    archive.writestr(zipfile.ZipInfo(f"{name}/{file.name}", local.timetuple()[:6]), file.read_bytes())
+        source = tmp_path / "in.zip"
+    (tmp_path / "rubric.toml").write_text(RUBRIC, encoding="utf-8")
+    done = grade(source, tmp_path / "out", "--rubric", tmp_path / "rubric.toml")
+    assert done.exit_code == 0, done.output
+    found = submissions(tmp_path / "out")
+    assert [found[name]["late"] for name in ["ann", "bob", "cid", "dan"]] == [
+        None, {"minutes": 1500, "lost": 20.0}, {"minutes": 16, "lost": 10.0}, None,
+    ]  # fmt: skip
+    assert found["eve"]["late"] is None
+    times = {"ann": "2026-12-01 23:39", "bob": "2026-12-03 00:59", "cid": "2026-12-02 00:15", "dan": "2026-12-02 00:13"}
+    for name, time in times.items():
+        page = (tmp_path / "out" / found[name]["page"]).read_text(encoding="utf-8")
+        assert f"No platform says when this was handed in; its newest file was last changed on {time}" in page
+    page = (tmp_path / "out" / found["eve"]["page"]).read_text(encoding="utf-8")
+    assert ("When this was handed in is not known; nothing was deducted." in page) is zipped
+    assert f"may have changed: {5 - zipped}." in done.output
+    assert ("Submissions whose time is not known, nothing deducted: 1." in done.output) is zipped
+    assert "Marked now: 0" in grade(source, tmp_path / "out", "--rubric", tmp_path / "rubric.toml").output
 
 
 @pytest.mark.parametrize(("name", "score"), [("leeann_LATE_101_1_", 90), ("", 100)])

@@ -11,24 +11,29 @@ from dataclasses import replace
 
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 
-_DASHED = re.compile(r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—−]\s)")
+_BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—−]"
+_DASHED, _CLOSELY = re.compile(rf"{_BEGINS}\s)"), re.compile(rf"{_BEGINS})")  # the second without a blank behind the dash
 _SIGNS = re.compile(r"[\s\-–—−(]*")
 
 
 def as_lists_or_minus(lines: Sequence[EquationLine]) -> Iterator[Sequence[EquationLine]]:
-    """Yield the lines with their dashes as marks of a list, if all lines have one, and as minus signs; else as they are."""
+    """Yield the lines with their dashes as marks of a list, if all lines have one, and as minus signs; else as they are.
+
+    A dash without a blank behind it may be a mark too where every line begins with a dash, though a minus is likelier.
+    """
     read = [line for line in lines if line.tree is not None]
     dashed = [_DASHED.match(line.text) is not None for line in read]
-    if len(read) < 2 or not any(dashed):
+    closely = all(_CLOSELY.match(line.text) for line in read)
+    if len(read) < 2 or not (closely or any(dashed)):
         yield lines
         return
-    for is_minus in (False, True) if all(dashed) else (True,):
-        yield [_meant(line, is_minus) for line in lines]
+    for is_minus in (False, True) if all(dashed) else (True, False) if closely else (True,):
+        yield [_meant(line, is_minus, _CLOSELY if closely else _DASHED) for line in lines]
 
 
-def _meant(line: EquationLine, is_minus: bool) -> EquationLine:
+def _meant(line: EquationLine, is_minus: bool, dash: re.Pattern[str]) -> EquationLine:
     """Return a line with those of its readings alone that keep its dash as a minus, or that leave it out; if any do."""
-    begun = _DASHED.match(line.text)
+    begun = dash.match(line.text)
     if begun is None or line.tree is None:
         return line
     handed_in = _signs(line.text[begun.end() :])
@@ -36,7 +41,7 @@ def _meant(line: EquationLine, is_minus: bool) -> EquationLine:
     kept = [
         one
         for one, text in written
-        if (_signs(text) == handed_in) == is_minus and not ((found := _DASHED.match(text)) and found[0].strip())
+        if (_signs(text) == handed_in) == is_minus and not ((found := dash.match(text)) and found[0].strip())
     ]
     if not kept:
         return line

@@ -52,7 +52,9 @@ def _written_out(variant: Variant, equations: VelocityEquations) -> Variant | No
         return None
     begun = tuple(replace(one, start=one.start or 0.0) for one in variant.coordinates)  # the start does not change velocities
     lines = tuple(Constraint(name, "", *both) for name, both in sides)
-    return replace(variant, constraints=lines, coordinates=begun, groups=(), points=(), links=(), holds=(), driven=None)
+    return replace(
+        variant, constraints=lines, coordinates=begun, groups=(), points=(), links=(), holds=(), driven=None, bindings=()
+    )
 
 
 def _with_sines_exchanged(variant: Variant) -> Variant:

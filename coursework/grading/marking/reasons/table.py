@@ -13,7 +13,7 @@ from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
-from coursework.grading.marking.table.causes.misconceptions import OTHER_STEPS, Misconception
+from coursework.grading.marking.table.causes.misconceptions import OTHER_STEPS, ROWS_SHIFTED, Misconception
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
 from coursework.grading.marking.table_marks import TableMarks
@@ -27,6 +27,7 @@ from coursework.words.templates import clean
 _MANY = 0.1
 # With these causes the table is right if it is read otherwise; the columns as handed in then tell nothing about its steps.
 _READ_OTHERWISE = ("swapped_columns", "origin", "clockwise", "sign_drive")
+_VELOCITIES_SHIFTED = ("omega_late", "omega_early")
 _EXPLAINED = ("misconception", "start")
 _SEVERAL, _DATUM, _CONFUSION = ("start_", "equation_"), "datum_", "confusion_"
 _MOST_RUNS = 6
@@ -60,7 +61,9 @@ def table_reasons(key: Key, marked: TableMarks, rubric: Rubric, points: float, m
     if marked.first:
         yield Reason("table", "first", marked.first.sentence)
     found = counts(key, marked)
-    yield from _causes(found, marked, {f"{_CONFUSION}{one.datum}": one.because for one in rubric.confusions if one.because})
+    starts = [name for name, is_wrong in zip(key.names, marked.cells.wrong[0], strict=True) if is_wrong][: found.start]
+    because = {f"{_CONFUSION}{one.datum}": one.because for one in rubric.confusions if one.because}
+    yield from _causes(found, marked, because, tuple(starts))
     yield from _odd_rows(key, marked)
     if absent := lacking(key, marked.table):
         yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
@@ -73,8 +76,11 @@ def table_reasons(key: Key, marked: TableMarks, rubric: Rubric, points: float, m
     yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
 
 
-def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str]) -> Iterator[Reason]:
-    """Yield the likely cause and others that explain as much, or, if many cells are wrong, that no usual cause explains them."""
+def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str], starts: tuple[str, ...] = ()) -> Iterator[Reason]:
+    """Yield the likely cause and others that explain as much, or, if many cells are wrong, that no usual cause was found.
+
+    `starts` are the coordinates whose start is not the task's.
+    """
     named, earned = marked.misconception, marked.earned
     if named:
         share = str(int(100 * named.share + 1e-9))  # rounded down: 100 means the whole table
@@ -83,7 +89,8 @@ def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str]) -> It
         for code in named.ties:
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code, because)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
-        yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause, because)]))
+        partly = say(f"feedback.misconception.{'partly' if named is None else 'also'}")
+        yield Reason("table", "cause", joined([partly, _told(earned.cause, because, starts if earned.rule == "start" else ())]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and found.wrong > _MANY * found.cells:
         if marked.own_line:
             own = say("feedback.misconception.own_equations", line=marked.own_line)
@@ -93,7 +100,9 @@ def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str]) -> It
 
 
 def _is_told(cause: str, named: Misconception) -> bool:
-    """Return whether a cause is already named; an angle counted from another axis ("origin_") names its start as well."""
+    """Return whether a cause is already named, by another name too: a start by its axis, rows by the velocities in them."""
+    if cause == ROWS_SHIFTED and named.code in _VELOCITIES_SHIFTED:
+        return True
     return cause in (named.code, *named.ties) or named.code == cause.replace("start_", "origin_", 1)
 
 

@@ -32,7 +32,7 @@ WORD = re.compile(r"[^\W\d]\w*")
 _PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # the parts of names written without a sign between them
 OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
 _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-DASH = re.compile(r"^\s*[-–—−]\s+")
+DASH = re.compile(r"^\s*[-–—−]\s*")
 # A name and the formula of a residual, as in F(2) = r1*w1…, which is handed to a root finder.
 _FUNCTION_OF_ROOTS = re.compile(r"\s*[^\W\d]\w{0,20}\s*(?:[(\[][\w\s,]{1,40}[)\]])?\s*=([^=]+)")
 TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # a mark of an equation even if its names are unknown

@@ -41,6 +41,14 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
         most = usual.most_common(1)[0][0] if usual else _together(alike, values) or _first(unit)
         found.update({column.name: most for column in alike if not found[column.name]})
 
+    def moved_with(column: GridColumn, factor: float = 1.0) -> tuple[list[float], list[float]]:
+        moves = [factor * (later - before) for before, later in pairwise(values[column.name])]
+        return moves, [grid.step * rate for rate in values[column.rate][:-1]]
+
+    in_doubt = [column for column in there if found[column.name] == "deg" and not heads[column.name] and column.rate in named]
+    for column in in_doubt if "rad" in found.values() else ():
+        if found[column.rate] in {"1/s", None}:
+            found[column.name] = _alike(_ratios(*reversed(moved_with(column))), {"rad": 1.0}, _WIDTH) or "deg"
     turning = [column for column in there if column.unit == "1/s"]
     for unit in {column.unit: None for column in there if column not in turning}:
         settle(unit)
@@ -53,9 +61,7 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
         for column in there:
             if named.get(column.rate) in turning and (not found[column.rate] or (not heads[column.rate] and not is_sure)):
                 factor = factor_of(column, found[column.name] or "")
-                moves = [factor * (later - before) for before, later in pairwise(values[column.name])]
-                made_with = [grid.step * rate for rate in values[column.rate][:-1]]
-                found[column.rate] = _alike(_ratios(moves, made_with), known, _WIDTH) or found[column.rate]
+                found[column.rate] = _alike(_ratios(*moved_with(column, factor)), known, _WIDTH) or found[column.rate]
     if turning:
         settle("1/s")
     return {name: unit or "" for name, unit in found.items()}
@@ -67,9 +73,10 @@ def _first(unit: str) -> str:
 
 def _together(columns: Sequence[GridColumn], values: Mapping[str, Sequence[float]]) -> str | None:
     """Return the unit of columns of one kind from the sizes of all their numbers, in whichever column each one is."""
-    cells = [(own, key) for column in columns for own, key in zip(values[column.name], column.values, strict=True)]
-    own, key = zip(*(map(abs, pair) for pair in cells if all(map(math.isfinite, pair))), strict=True) if cells else ((), ())
-    return _alike(_ratios(sorted(key), sorted(own)), PRINTED.get(columns[0].unit, {}), _WIDTH)
+    pairs = [pair for column in columns for pair in zip(values[column.name], column.values, strict=True)]
+    known = [pair for pair in pairs if all(map(math.isfinite, pair))]
+    own, key = (sorted(abs(pair[place]) for pair in known) for place in (0, 1))
+    return _alike(_ratios(key, own), PRINTED.get(columns[0].unit, {}), _WIDTH)
 
 
 def _is_exact(column: GridColumn, unit: str | None, values: Sequence[float]) -> bool:

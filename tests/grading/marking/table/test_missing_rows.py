@@ -51,3 +51,15 @@ def test_some_rows_of_a_table_without_work_earn_no_more_than_all_of_them_may(nam
             thinned = np.full(table.shape, np.nan)
             thinned[::pace] = table[::pace]
             assert share(name, thinned) <= MOST, (label, pace)
+
+
+def test_columns_with_a_head_and_no_number_are_missing():
+    """Without a single velocity, or a single angle, no unit could be told, and the grader stopped."""
+    for desk in variants()[::2]:
+        m = desk.machine.m
+        for empty in (slice(m, None), slice(0, m), slice(0, 1)):
+            table = desk.machine.table()
+            table[:, empty] = np.nan
+            points, marked = desk.marked(table)
+            assert marked.cells.missing[1:, empty].all()
+            assert 0 <= points < 60

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes.claims import TableUnderTest
@@ -105,3 +106,52 @@ def test_a_term_left_out_or_a_cell_that_a_formula_keeps_to_is_worth_what_a_sign_
         assert f"equation_{name}" in codes(table)
         points.append(found)
     close(points)
+
+
+def test_a_start_in_degrees_among_radians_is_a_wrong_start_in_radians():
+    """Of one angle the number of degrees was put into radians: its column was read as degrees, and no cause was named."""
+    for desk in variants():
+        angles = [place for place, one in enumerate(desk.variant.coordinates) if one.unit == "rad"]
+        for place in angles:
+            start = desk.machine.start.copy()
+            start[place] = round(np.degrees(start[place]))
+            points, table = desk.marked(desk.machine.table(start=start))
+            assert {column.unit for column in table.table.columns[: len(angles)]} == {"rad"}
+            assert (points, codes(table)) == (57.0, (f"start_{desk.key.names[place]}",))
+
+
+def test_a_neighbours_table_is_that_and_what_else_counts_is_no_second_cause():
+    """Some cells would follow from another datum too, and it was said that a part of the table does."""
+    desks = variants()[2:4]
+    for mine, theirs in (desks, desks[::-1]):
+        desk = Desk(mine.variant)
+        desk.marker = Marker(desk.key, Rubric(), {"other": theirs.machine.table()})
+        points, table = desk.marked(theirs.machine.table())
+        assert (codes(table), table.earned.rule) == (("variant_other",), "misconception")
+        told = [reason.text for reason in table_reasons(desk.key, table, Rubric(), points, 60.0) if reason.kind == "cause"]
+        assert told[0].endswith("the table belongs to another variant of the class.")
+        assert told[1].startswith("Your points are those of the cells that are right or would follow from this instead: ")
+        assert len(told) == 2
+
+
+def test_centimetres_or_kilometres_for_metres_are_another_datum_as_any_value_is():
+    """No usual cause was found, and with the angles of a steady crank 20 points were left, with another value 24."""
+    for desk, name, factor in zip(variants(), ("r2", "r1", "a", "r1", "r", "a"), 3 * (100.0, 0.001), strict=True):
+        (found, table), (other, _) = (
+            desk.marked(Machine(desk.variant, data={name: part * desk.variant.values[name]}).table()) for part in (factor, 1.09)
+        )
+        assert f"datum_{name}" in codes(table)
+        close([found, other], near=1.2)
+
+
+def test_all_starts_that_are_not_the_tasks_are_told_where_they_explain_a_part():
+    """Angles counted from the start: all of them begin at nought, and only the first was told."""
+    desk = variants()[0]
+    table, m = desk.machine.table(), desk.machine.m
+    table[:, :m] -= table[0, :m].copy()
+    points, marked = desk.marked(table)
+    assert (marked.earned.rule, codes(marked)) == ("start", ())
+    told = [reason.text for reason in table_reasons(desk.key, marked, Rubric(), points, 60.0) if reason.kind == "cause"]
+    (part, starts) = told[0].split(": ")
+    assert part == "Part of the table follows from one thing" and len(told) == 1
+    assert starts == "the table was made from start values of phi1, phi2 and phi3 other than the task's."

@@ -89,6 +89,25 @@ def test_a_dash_before_every_line_may_be_its_minus():
     assert found.share == 1.0
 
 
+@pytest.mark.parametrize("marks", ["----", "–––––", ("- ", "-", "- ", "-"), ("-", "-", "-", "- ")])
+def test_a_dash_with_no_blank_behind_it_in_every_line_marks_them(marks):
+    """The first line alone was right with its dash as a minus, and of the whole list 10 points of 40 were left."""
+    written = [f"{mark}{line}" for mark, line in zip(marks, LINES, strict=False)]
+    assert marked("\n".join(written)).share == 1.0
+    turned = [f"{mark}{line}" for mark, line in zip(marks, WRONG, strict=False)]
+    found = marked("\n".join(turned))
+    assert (found.independent, found.different) == (3, 1)
+
+
+def test_minus_signs_that_begin_all_lines_are_no_marks_for_that():
+    signs = str.maketrans("+-", "-+")
+    minus = [f"-{line.translate(signs)}" for line in (LINES[0], LINES[1], LINES[3])]
+    found = marked("\n".join([*minus, LINES[2]]))
+    assert LINES[2].startswith("-") and found.share == 1.0
+    found = marked("\n".join([*minus, LINES[2].replace("-", "", 1)]))  # the last line has no dash: all others have their minus
+    assert [mark.verdict for mark in found.marks] == ["right", "right", "right", "wrong"]
+
+
 def test_where_other_lines_have_no_dash_it_is_a_minus():
     found = marked("\n".join([*LINES[:3], f"- {LINES[3]}"]))
     assert [mark.verdict for mark in found.marks] == ["right"] * 3 + ["wrong"]

@@ -166,12 +166,11 @@ def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
     above[0] = printed.q[0]
     claim = printed.claim("angles_above", None, (printed.key.velocities_at(printed.key.t, above), shifted(tolerance, 1)))
     yield replace(claim, table=partial(_of_angles_above, printed.key))
-    claim = printed.claim("rows_above", None, (shifted(found, 1), shifted(tolerance, 1)))
-    yield replace(claim, table=partial(_of_rows_above, printed.key))
-    for code, by in (("omega_late", 1), ("omega_early", -1)):
-        used = shifted(printed.w, -by)
-        units = np.nan_to_num(shifted(printed.w_units[:, :m], -by))
-        yield printed.claim(code, printed.steps(h * used, h * units), (shifted(found, by), shifted(tolerance, by)))
+    made = partial(_of_rows_above, printed.key)
+    for code, by, used, table in (("rows_above", 1, 0, made), ("omega_late", 1, 1, None), ("omega_early", -1, -1, None)):
+        rates, units = shifted(printed.w, -used), np.nan_to_num(shifted(printed.w_units[:, :m], -used))
+        claim = printed.claim(code, printed.steps(h * rates, h * units), (shifted(found, by), shifted(tolerance, by)))
+        yield replace(claim, table=table)
 
 
 def _steps(printed: TableUnderTest) -> Iterator[Claim]:

@@ -23,9 +23,12 @@ from coursework.variant.formula.units import size_of
 from coursework.variant.record.entries import Given
 
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
-_OF_FREQUENCIES = (2 * np.pi, 0.5 / np.pi)  # turns per second taken for radians per second, and the other way round
+# Turns per second taken for radians per second, or centimetres or millimetres for metres, and the other way round.
+_UNITS = {"1/s": (2 * np.pi, 0.5 / np.pi), "m": (100.0, 0.01, 1000.0, 0.001)}
 # Columns count as exchanged if, exchanged back, this part of them agrees with the key, or if their start values do.
 _LIKE_KEY = 0.5
+# From this part of the angles on, the rows stand where they belong.
+_IN_PLACE = 0.9
 _TURN = 2 * np.pi
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
@@ -38,7 +41,7 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     tried: list[tuple[str, dict[str, float]]] = [
         (f"datum_{datum.name}", {datum.name: factor * datum.value})
         for datum in given
-        for factor in (*FACTORS, *(_OF_FREQUENCIES if datum.si == "1/s" else ()))
+        for factor in (*FACTORS, *_UNITS.get(datum.si, ()))
         if factor or _may_vanish(printed, datum)
     ]
     tried += [
@@ -123,10 +126,14 @@ def _whole(code: str, table: Array, units: Array) -> Claim:
 
 
 def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
-    """Yield the claim that a row stands twice or is left out, so that every row after it stands beside another time."""
+    """Yield the claim that a row stands twice or is left out, so that every row after it stands beside another time.
+
+    If the angles stand where they belong, another cause that explains as much is preferred: only the velocities are shifted.
+    """
     student = put_back(printed)
     if student is not None:
-        yield _as_euler("rows_shifted", student)
+        in_place = bool(printed.of_task[:, : printed.m].mean() >= _IN_PLACE)
+        yield replace(_as_euler("rows_shifted", student), is_read_off=in_place)
 
 
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
@@ -134,7 +141,7 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
     yield from _exchanged(printed)
     key, student, m = printed.key, printed.student, printed.m
     for place in range(m):
-        if key.variant.coordinates[place].unit != "rad":
+        if key.variant.coordinates[place].unit != "rad" or not np.isfinite(student.values[:, place]).any():
             continue
         for sign in (1.0, -1.0):
             shift = np.nanmedian(student.values[:, place] - sign * key.table[:, place])

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import re
 
+import numpy as np
 import pytest
 
+from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.key.misread import misread
+from coursework.grading.marking.table.causes.misconceptions import explanations
+from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.motion.settings import Settings
 from coursework.scene.scene import Scene
 from coursework.variant.formula.tree import spelled
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.data_folders import folder
+from tests.mechanisms.library import mechanism
 
 SPLIT = 'equation = "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0"'
 TEXT = (folder("variants") / "31.toml").read_text(encoding="utf-8")
@@ -43,3 +48,18 @@ def test_every_sine_of_its_kind_is_taken_for_degrees(code: str, in_drive: bool, 
     assert any(signs) is (code == "sign_drive")
     laws = {law.name: [spelled(formula) for formula in law.formulas] for law in changed.drive}
     assert laws["VMy"][-1].lstrip("-").startswith("V1*cos(" if code == "cosine_drive" else ("V1*sin(", "(V1*sin("))
+
+
+def test_velocities_that_the_geometry_gives_are_written_out_with_it() -> None:
+    """They were still looked up at points that were written out, and each wrong table stopped the marks: KeyError."""
+    key = key_of(parse_variant(mechanism("shaper-with-more-velocities")))
+    table = key.table.copy()
+    table[:, len(key.coordinates) :] *= 1.1
+    cells = mark_cells(key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4)))
+    explanations(key, cells)
+    at_rest = key.misread("degree_mode")
+    assert at_rest is not None
+    turned = key.table[:1, : len(key.coordinates)] * np.where(
+        [one.unit == "rad" for one in key.variant.coordinates], 180 / np.pi, 1
+    )
+    assert at_rest(key.t[:1], turned) == pytest.approx(key.table[:1, len(key.coordinates) :])

@@ -112,7 +112,7 @@ def test_what_follows_from_ones_own_wrong_equation_is_told_so():
     _, table = desk.marked(machine.table(), equations={"2": f"{line} = u"})
     told = " ".join(str(reason.text) for reason in table_reasons(desk.key, table, Rubric(), 50.0, 60.0))
     assert table.earned.rule == "cells" and not codes(table)
-    assert "your own equations, of which line 2 is not right" in told and "None of the usual causes" not in told
+    assert "your own equations, of which line 2 is not right" in told and "No usual cause" not in told
 
 
 def test_a_table_with_times_of_its_own_is_told_the_step_of_these_times():
@@ -208,3 +208,15 @@ def test_start_values_with_digits_cut_off_are_those_of_the_task():
     for printed, right in ((2.87, True), (2.86, False), (2.88, False)):
         begins = _cut_off(np.array([[2.876, -0.28]]), np.array([[printed, -0.28]]), np.full((1, 2), 0.01))
         assert begins.tolist() == [[right, True]]
+
+
+@pytest.mark.parametrize(("by", "code"), [(1, "omega_late"), (-1, "omega_early")])
+def test_velocities_in_the_next_row_are_told_as_that_alone(by, code):
+    """Every angle stands in its place, so no row is shifted, and none follows from the velocity printed above it."""
+    for desk in variants():
+        table, m = desk.machine.table(), desk.machine.m
+        table[max(by, 0) : len(table) + min(by, 0), m:] = table[max(-by, 0) : len(table) - max(by, 0), m:].copy()
+        points, marked = desk.marked(table)
+        assert codes(marked) == (code,)
+        causes = [one for one in table_reasons(desk.key, marked, Rubric(), points, 60.0) if one.kind == "cause"]
+        assert len(causes) == 1
