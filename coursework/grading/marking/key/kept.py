@@ -15,7 +15,7 @@ from coursework.system.arrays import Array
 
 Asked = tuple[tuple[int, ...], bytes]
 # So many results are kept in a process, each of at most so many numbers: some tens of megabytes.
-_KEPT, FEW_NUMBERS = 8192, 1024
+_KEPT, FEW_NUMBERS = 4096, 1024
 
 
 def kept(function: Callable[..., Array], data: Data, *rows: Array) -> Array:
