@@ -1,6 +1,7 @@
 """Code generated from a file of the package, compiled once an installation, as Python compiles the package's own modules.
 
-Enters: the file, what makes Python of its text, and of what else that is made.  Leaves: compiled code.  Used by `templates.py`.
+Enters: the file, what makes Python of its text, and of what else that is made.  Leaves: compiled code.
+Used by `templates.py` and `words_file.py`.
 
 Compiled code is kept in the folder from which Python reads this module compiled, by the loader that reads it, and on its terms:
 `PYTHONDONTWRITEBYTECODE` and `PYTHONPYCACHEPREFIX` hold for both, and where that folder cannot be written code is generated at
@@ -52,4 +53,4 @@ class _Loader(SourceFileLoader):
 
     def source_to_code(self, data: Any, path: Any, *_: Any, **how: Any) -> CodeType:  # type: ignore[override]  # static in an ABC
         """Return the code generated from the content of the file."""
-        return super().source_to_code(self._made(data.decode("utf-8")), path, **how)
+        return super().source_to_code(self._made(data.decode("utf-8").replace("\r\n", "\n")), path, **how)

@@ -19,7 +19,7 @@ from coursework.words.data_folders import REPORTS, folder, folder_of_package
 from coursework.words.errors import InputError
 from coursework.words.scripts import OPEN_SPACE, closed_up
 from coursework.words.sentence import Sentence
-from coursework.words.words_file import read_words
+from coursework.words.words_file import read_words, words_of
 
 ENGLISH = "en"
 # Name of a rule -> the plural form for a whole number.  "other" is used for a number that is not whole and for a form that the
@@ -224,7 +224,7 @@ def _phrases(place: Path, language: str) -> Phrases:
 
 def _read(path: Path, language: str) -> dict[str, Any]:
     try:
-        return read_words(path.read_text(encoding="utf-8"))
+        return words_of(path) if path.parent == folder_of_package(REPORTS) else read_words(path.read_text(encoding="utf-8"))
     except ValueError as error:  # not TOML or not UTF-8
         if language == ENGLISH:
             raise  # the error itself could not be written
