@@ -24,7 +24,9 @@ _WIDE, _STOPS = (("\u3000", "\u303f"), ("\u3400", "\u9fff"), ("\uff00", "\uff65"
 
 def is_chinese(text: str) -> bool:
     """Return whether a text contains a Chinese sign; it is tested without a pattern, and first by the largest character."""
-    return max(text, default="") >= HAN[0] and any(HAN[0] <= sign <= HAN[2] or HAN[3] <= sign <= HAN[5] for sign in text)
+    return (
+        not text.isascii() and max(text) >= HAN[0] and any(HAN[0] <= sign <= HAN[2] or HAN[3] <= sign <= HAN[5] for sign in text)
+    )
 
 
 def wide_letters(text: str) -> int:
