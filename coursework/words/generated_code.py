@@ -1,7 +1,7 @@
 """Code generated from a file of the package, compiled once an installation, as Python compiles the package's own modules.
 
-Enters: the file, what makes Python of its text, and of what else that is made.  Leaves: compiled code.
-Used by `templates.py` and `words_file.py`.
+Enters: the file, what makes Python or a value of its text, and of what else that is made.  Leaves: compiled code; the value.
+Used by `sentences.py`, `templates.py` and `report/live/script.py`.
 
 Compiled code is kept in the folder from which Python reads this module compiled, by the loader that reads it, and on its terms:
 `PYTHONDONTWRITEBYTECODE` and `PYTHONPYCACHEPREFIX` hold for both, and where that folder cannot be written code is generated at
@@ -18,6 +18,8 @@ from types import CodeType
 from typing import Any
 from zlib import crc32
 
+from coursework.words.data_folders import REPORTS, folder_of_package
+
 
 def generated_code(file: Path, made: Callable[[str], str], of: str) -> CodeType:
     """Return the code that `made` generates from the text of `file` and from what `of` names, such as a version.
@@ -27,6 +29,24 @@ def generated_code(file: Path, made: Callable[[str], str], of: str) -> CodeType:
     code = _Loader(file, made, of).get_code(file.name)
     assert code is not None  # only a loader of compiled libraries returns None
     return code
+
+
+def made_once(file: Path, made: Callable[[str], Any]) -> Any:
+    """Return what `made` makes of the text of `file`, which JSON can write; of a file of the package it is made only once.
+
+    It is made anew when the file or the module of `made` has changed.  Raises what `made` raises.
+    """
+    if folder_of_package(REPORTS) not in file.parents:  # an instructor's own piece
+        return made(file.read_text(encoding="utf-8"))
+
+    def as_code(text: str) -> str:
+        import json
+
+        return f"import json\nvalue = json.loads({json.dumps(made(text), ensure_ascii=False)!r})"  # compiled faster than a dict
+
+    scope: dict[str, Any] = {}
+    exec(generated_code(file, as_code, str(Path(made.__code__.co_filename).stat().st_mtime_ns)), scope)
+    return scope["value"]
 
 
 class _Loader(SourceFileLoader):

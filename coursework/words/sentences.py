@@ -17,9 +17,10 @@ from typing import Any
 
 from coursework.words.data_folders import REPORTS, folder, folder_of_package
 from coursework.words.errors import InputError
+from coursework.words.generated_code import made_once
 from coursework.words.scripts import OPEN_SPACE, closed_up
 from coursework.words.sentence import Sentence
-from coursework.words.words_file import read_words, words_of
+from coursework.words.words_file import read_words
 
 ENGLISH = "en"
 # Name of a rule -> the plural form for a whole number.  "other" is used for a number that is not whole and for a form that the
@@ -224,7 +225,8 @@ def _phrases(place: Path, language: str) -> Phrases:
 
 def _read(path: Path, language: str) -> dict[str, Any]:
     try:
-        return words_of(path) if path.parent == folder_of_package(REPORTS) else read_words(path.read_text(encoding="utf-8"))
+        words: dict[str, Any] = made_once(path, read_words)
+        return words
     except ValueError as error:  # not TOML or not UTF-8
         if language == ENGLISH:
             raise  # the error itself could not be written

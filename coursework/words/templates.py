@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from coursework.words.custom_templates import line_in_templates, templates_in_use
 from coursework.words.data_folders import REPORTS, folder, folder_of_package
 from coursework.words.errors import CourseworkError, Fault, InputError
-from coursework.words.generated_code import generated_code
+from coursework.words.generated_code import generated_code, made_once
 from coursework.words.scripts import HAN_HERE, is_chinese, made_for
 from coursework.words.sentences import say
 
@@ -107,8 +107,11 @@ def _look(place: Path, *names: str) -> str:
     """Return look.css and further stylesheets, without comments and unneeded blanks."""
     from markupsafe import Markup
 
-    texts = ((place / f"{name}.css").read_text(encoding="utf-8") for name in ("look", *names))
-    return Markup(_BARE.sub(lambda found: found[1] or found[2] or "", "".join(texts)).replace(";}", "}"))
+    return Markup("".join(made_once(place / f"{name}.css", _bare) for name in ("look", *names)))
+
+
+def _bare(style: str) -> str:
+    return _BARE.sub(lambda found: found[1] or found[2] or "", style).replace(";}", "}")
 
 
 def unreadable(piece: Path) -> Fault | None:

@@ -1,36 +1,19 @@
 """A words file -> its sentences, in a fifth of the standard reader's time, as every command has to wait for it.
 
-Enters: a text, or a file of the package, which is read once an installation.  Leaves: nested dicts.  Used by `sentences.py`.
+Enters: a text.  Leaves: nested dicts.  Used by `sentences.py`.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
-
-from coursework.words.generated_code import generated_code
 
 _LINE = re.compile(
     r"""(?:([\w-]+|"[^"\\\n]*")((?:\.[\w-]+)*) = (?:"([^"\\\x00-\x08\n-\x1f\x7f]*)"|("(?:\\.|[^"\\\n])*"|'[^'\n]*'))"""
     r"""|\[([\w.-]+)\])?[ \t]*(?:#[^\x00-\x08\n-\x1f\x7f]*)?\n""",
     re.ASCII,
 )
-
-
-def words_of(file: Path) -> dict[str, Any]:
-    """Return the contents of a words file of the package.  Raises `ValueError` as `tomllib` does."""
-    scope: dict[str, Any] = {}
-    exec(generated_code(file, _as_code, ""), scope)
-    words: dict[str, Any] = scope["words"]
-    return words
-
-
-def _as_code(text: str) -> str:
-    import json
-
-    return f"import json\nwords = json.loads({json.dumps(read_words(text), ensure_ascii=False)!r})"  # compiled faster than a dict
 
 
 def read_words(text: str) -> dict[str, Any]:

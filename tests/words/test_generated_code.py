@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -78,6 +79,25 @@ def test_code_is_kept_only_where_and_when_python_keeps_that_of_the_module(
     monkeypatch.setattr(sys, "dont_write_bytecode", False)
     monkeypatch.setattr(sys, "pycache_prefix", str(file / "no folder"))
     assert [answer(file), answer(file)] == [(2, True)] * 2
+
+
+def test_a_value_is_made_once_of_a_piece_of_the_package_and_anew_with_other_code(
+    kept: Path, file: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    code = file.with_name("makes.py")
+    code.touch()
+    texts: list[str] = []
+    scope: dict[str, Any] = {"texts": texts}
+    exec(compile("def made(text):\n    texts.append(text)\n    return {'сума \"': [text, None, 2.5]}", str(code), "exec"), scope)
+    expected = {'сума "': ["1+1", None, 2.5]}
+    assert [module.made_once(file, scope["made"]) for _ in range(2)] == [expected] * 2
+    assert (len(texts), files(kept, file.name)) == (2, [])  # a piece of an instructor's own
+    monkeypatch.setattr(module, "folder_of_package", lambda _: file.parent)
+    assert [module.made_once(file, scope["made"]) for _ in range(3)] == [expected] * 3
+    assert len(texts) == 3
+    os.utime(code, (1, 1))
+    assert [module.made_once(file, scope["made"]) for _ in range(3)] == [expected] * 3
+    assert len(texts) == 4
 
 
 def test_own_pieces_are_neither_kept_nor_read_from_what_is_kept(kept: Path, tmp_path: Path) -> None:
