@@ -12,18 +12,21 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from itertools import pairwise
 
 HAN = "\u2e80-\u9fff\uff00-\uffef"  # signs without spaces between them; a line may break after each
 HAN_HERE = "\ue011"
 # A mark for a space beside a gap: Chinese has a space beside Latin letters and digits, but not between its own signs or beside
 # its full stops and parentheses; which of these the gap brings is known only when it is filled.
 OPEN_SPACE = "\ue00f"
-_WIDE, _STOPS = "\u3000-\u303f\u3400-\u9fff\uff00-\uff65", "、。，；：！？（）"
+_WIDE, _STOPS = (("\u3000", "\u303f"), ("\u3400", "\u9fff"), ("\uff00", "\uff65")), frozenset("、。，；：！？（）")
 
 
 def is_chinese(text: str) -> bool:
     """Return whether a text contains a Chinese sign; it is tested without a pattern, and first by the largest character."""
-    return max(text, default="") >= HAN[0] and any(HAN[0] <= sign <= HAN[2] or HAN[3] <= sign <= HAN[5] for sign in text)
+    return (
+        not text.isascii() and max(text) >= HAN[0] and any(HAN[0] <= sign <= HAN[2] or HAN[3] <= sign <= HAN[5] for sign in text)
+    )
 
 
 def wide_letters(text: str) -> int:
@@ -59,17 +62,23 @@ def _compiled(pattern: str, han: str) -> re.Pattern[str]:
 
 def unfolded(text: str) -> str:
     """Return a text without the line ends that would become spaces where Chinese has none."""
-    return closed_up(text.replace("\n", OPEN_SPACE), "\n") if max(text, default="") >= _WIDE[0] else text
+    return closed_up(text.replace("\n", OPEN_SPACE), "\n") if max(text, default="") >= _WIDE[0][0] else text
 
 
 def closed_up(text: str, space: str = " ") -> str:
     """Return a text with `OPEN_SPACE` replaced by `space`, or removed where Chinese has no space."""
-    if OPEN_SPACE not in text:
-        return text
-    return (_no_space().sub("", text) if is_chinese(text) else text).replace(OPEN_SPACE, space)
+    if OPEN_SPACE not in text or not is_chinese(text):
+        return text.replace(OPEN_SPACE, space)
+    pieces = text.split(OPEN_SPACE)
+    between = ("" if _has_no_space(*pair) else space for pair in pairwise(pieces))
+    return "".join(map(str.__add__, ("", *between), pieces))
 
 
-@cache
-def _no_space() -> re.Pattern[str]:
-    """Return the pattern of open spaces to remove; it is compiled only for texts that need it, so not for English."""
-    return re.compile(f"(?<=[{_WIDE}]){OPEN_SPACE}(?=[{_WIDE}])|(?<=[{_STOPS}]){OPEN_SPACE}|{OPEN_SPACE}(?=[{_STOPS}])")
+def _has_no_space(before: str, after: str) -> bool:
+    """Return whether Chinese has no space between two pieces; told without a pattern, as those are slow to compile."""
+    last, first = before[-1:], after[:1]
+    return last in _STOPS or first in _STOPS or (_is_wide(last) and _is_wide(first))
+
+
+def _is_wide(sign: str) -> bool:
+    return any(first <= sign <= last for first, last in _WIDE)

@@ -17,6 +17,7 @@ from typing import Any
 
 from coursework.words.data_folders import REPORTS, folder, folder_of_package
 from coursework.words.errors import InputError
+from coursework.words.generated_code import made_once
 from coursework.words.scripts import OPEN_SPACE, closed_up
 from coursework.words.sentence import Sentence
 from coursework.words.words_file import read_words
@@ -224,7 +225,8 @@ def _phrases(place: Path, language: str) -> Phrases:
 
 def _read(path: Path, language: str) -> dict[str, Any]:
     try:
-        return read_words(path.read_text(encoding="utf-8"))
+        words: dict[str, Any] = made_once(path, read_words)
+        return words
     except ValueError as error:  # not TOML or not UTF-8
         if language == ENGLISH:
             raise  # the error itself could not be written

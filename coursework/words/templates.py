@@ -15,14 +15,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coursework.words.custom_templates import line_in_templates, templates_in_use
-from coursework.words.data_folders import folder
+from coursework.words.data_folders import REPORTS, folder, folder_of_package
 from coursework.words.errors import CourseworkError, Fault, InputError
+from coursework.words.generated_code import generated_code, made_once
 from coursework.words.scripts import HAN_HERE, is_chinese, made_for
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
-    from jinja2 import Template
+    from jinja2 import Environment, Template
 
+# How every template is read; what else the environment holds is in no template's code.
+_OPTIONS: dict[str, Any] = {"autoescape": True, "trim_blocks": True, "lstrip_blocks": True, "optimized": False}
 READ = frozenset({".j2", ".toml", ".css", ".js", ".typ"})  # endings of the pieces that are text
 LONGEST = 2000  # most characters of one text; Typst would take half a minute for a word of 1 MB
 _LINE_END = rf"(?<=[{HAN_HERE}])[ \t]*\n\s*(?=[{HAN_HERE}])"
@@ -78,16 +81,25 @@ def _template(place: Path, name: str) -> Template:
 
     from coursework.words.page_runs import said, said_cell, said_text
 
-    looks = Environment(
-        loader=FileSystemLoader(place, encoding="utf-8"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        optimized=False,  # a page is rarely filled more than once
-    )
+    own: Any = FileSystemLoader(place, encoding="utf-8") if place != folder_of_package(REPORTS) else _Package()
+    looks = Environment(loader=own, undefined=StrictUndefined, **_OPTIONS)
     looks.globals.update(said=said, said_text=said_text, said_cell=said_cell, look=partial(_look, place))
     return looks.get_template(name)
+
+
+class _Package:
+    """Loads the package's own templates for jinja2, each compiled once an installation."""
+
+    def load(self, environment: Environment, name: str, content: Any) -> Template:
+        import jinja2
+
+        file = folder_of_package(REPORTS) / name
+
+        def made(text: str) -> str:
+            return environment.compile(text, name, str(file), raw=True)
+
+        code = generated_code(file, made, f"{jinja2.__version__} {_OPTIONS}")
+        return environment.template_class.from_code(environment, code, content)
 
 
 @lru_cache
@@ -95,8 +107,11 @@ def _look(place: Path, *names: str) -> str:
     """Return look.css and further stylesheets, without comments and unneeded blanks."""
     from markupsafe import Markup
 
-    texts = ((place / f"{name}.css").read_text(encoding="utf-8") for name in ("look", *names))
-    return Markup(_BARE.sub(lambda found: found[1] or found[2] or "", "".join(texts)).replace(";}", "}"))
+    return Markup("".join(made_once(place / f"{name}.css", _bare) for name in ("look", *names)))
+
+
+def _bare(style: str) -> str:
+    return _BARE.sub(lambda found: found[1] or found[2] or "", style).replace(";}", "}")
 
 
 def unreadable(piece: Path) -> Fault | None:

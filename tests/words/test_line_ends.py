@@ -15,6 +15,7 @@ def kept(sentence: str) -> list[str]:
     ("sentence", "together"),
     [
         ("an error of 70 % (row 20)", ["70 %", "row 20"]),
+        ("an error of 70\u202f% (row\u200920)", ["70\u202f%", "row\u200920"]),
         ("h = 0.02 s, steps: 24", ["h = 0.02 s,", "steps: 24"]),
         ("with h = {h} s in row {row}", ["h = {h} s", "row {row}"]),
         ("the speed V/ω₀ and −2 φ1", ["V/ω₀", "−2 φ1"]),

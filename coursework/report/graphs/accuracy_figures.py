@@ -160,13 +160,14 @@ def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
 
     order = sorted(range(len(named)), key=lambda k: (stands[k][0].cost, -width(named[k][0])))
     best = settle({}, order)
+    least = cost(best)
     everywhere = [(name, place) for name in order for place in range(len(stands[name]))]
     for k, place in 2 * everywhere:
         met = masks[begins[k] + place]
         kept = {other: own for other, own in best.items() if other != k and not met >> begins[other] + own & 1}
         other = settle(kept | {k: place}, [name for name in order if name != k and name not in kept])
-        if cost(other) < cost(best) - 1e-9:
-            best = other
+        if (found := cost(other)) < least - 1e-9:
+            best, least = other, found
     chosen = [(stands[k][best[k]], named[k][2]) for k in range(len(named))]
     belows = accumulate((len(stand.rows) for stand, _ in chosen), initial=1)
     return "".join(_written(stand, piece, below) for (stand, piece), below in zip(chosen, belows, strict=False))

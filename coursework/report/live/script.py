@@ -19,6 +19,7 @@ from string import ascii_letters
 from typing import Any
 
 from coursework.words.data_folders import folder
+from coursework.words.generated_code import made_once
 
 _TYPES = re.compile(r"/\*\* .*? \*/ ?")  # comments for a type checker
 _TEXT = re.compile(r"""("(?:[^"\\\n]|\\.)*"|`[^`\n]*`)""")
@@ -119,7 +120,11 @@ def _piece(name: str) -> str:
 
 @lru_cache
 def _text(path: Path) -> str:
-    return _tight(_NO_CODE.sub("", _TYPES.sub("", path.read_text(encoding="utf-8"))).strip())
+    return str(made_once(path, _bare))
+
+
+def _bare(text: str) -> str:
+    return _tight(_NO_CODE.sub("", _TYPES.sub("", text)).strip())
 
 
 def _tight(code: str) -> str:

@@ -138,6 +138,7 @@ def test_chinese_sets_a_space_beside_latin_letters_only() -> None:
     assert chinese.listing(["x", "y", "z"]) == "x、y 和 z"
     assert "我的 作业/31" in chinese.written(say("screen.written_to", out="我的 作业/31", files="report.html"))
     assert unfolded("到达死点，\n那里 V_M\n本应为零\n。") == "到达死点，那里 V_M\n本应为零。"
+    assert unfolded("第\n3\n步\n：x\nя（1）\n") == "第\n3\n步：x\nя（1）"
 
 
 def test_a_key_that_does_not_exist_is_a_fault() -> None:
