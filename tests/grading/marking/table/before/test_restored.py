@@ -58,7 +58,12 @@ def test_a_table_is_worth_the_cells_that_it_makes_right_less_those_that_it_makes
     by = held((0, 1), (1, 0), (2, 1), (2, 2), (3, 0))
     assert looked(wrong=[(0, 1), (0, 2), (1, 0)]).worth(PRINTED, by).tolist() == [4 * 2 + 1, 0, 0, 0]
     assert looked(wrong=[(0, 1)], told=[(1, 0)]).worth(PRINTED, by).tolist() == [4 * 2 + 1, 0, 0, 0]
-    assert looked(wrong=[(2, 1), (3, 0)], sure=[(2, 2), (3, 1), (3, 2)]).worth(PRINTED, by).tolist() == [0, 0, 4 * 2 + 1, -4 * 2 - 2]
+    assert looked(wrong=[(2, 1), (3, 0)], sure=[(2, 2), (3, 1), (3, 2)]).worth(PRINTED, by).tolist() == [
+        0,
+        0,
+        4 * 2 + 1,
+        -4 * 2 - 2,
+    ]
     assert looked(wrong=[(2, 1), (3, 0)]).worth(moved(c20=9, c21=9, c11=7), by).tolist() == [0, -4, 4 + 1, 0]
 
 
