@@ -91,6 +91,12 @@ class ForceScheme:
         held = self.holds.get(self.body_named(name), ())
         return named(held[0]) if held else None
 
+    @property
+    def pinned(self) -> tuple[tuple[str, Formula], ...]:
+        """Return each moving body with each point at which a pin joins it."""
+        pins = ((name, one.at) for one in self.unknowns if one.direction.kind == "x" for name in (one.on, one.off))
+        return tuple((name, at) for name, at in pins if at is not None and name in self.by_name)
+
     def holder(self, point: str) -> str:
         """Return the body that holds a point: the frame if the point is fixed, a block before the link it is hinged to."""
         holders = [name for name in in_order(self.holds) if point in self.holds[name]]

@@ -145,7 +145,8 @@ def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:
         yield from _numbers(spring.stiffness, spring.free, spring.damping)
     for rubs in forces.friction:
         yield from _numbers(rubs.coefficient, rubs.radius, rubs.length, rubs.arm)
-    for name in (*(mass.body for mass in forces.masses), *(load.on for load in forces.loads)):
+    yield from ((point, True, RATE) for _, point in scheme.pinned)
+    for name in (*scheme.by_name, *(load.on for load in forces.loads)):
         if (own := scheme.own_point(name)) is not None:
             yield from ((own, True, PLACE), (own, True, RATE))
     if forces.flywheel is not None:

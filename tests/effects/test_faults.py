@@ -67,6 +67,15 @@ def test_fault(name, old, new, code, told):
     assert line is None or f"bad.toml:{line}" in message, message
 
 
+def test_a_link_whose_length_follows_a_law_has_no_force_analysis():
+    """What lengthens the crank works too: virtual power gave another M than the reactions, and blamed the rows for it."""
+    law = '[functions]\nr = "0.0508*(1 + 0.02*sin(theta1))"\n\n[time]'
+    text = mechanism("example-2-forces", ('lengths     = ["r1"]', 'lengths     = ["r"]'), ("[time]", law))
+    line = next(place for place, each in enumerate(text.splitlines(), start=1) if each.startswith("1 = { mass"))
+    with pytest.raises(coursework.InputError, match=f"V735 bad.toml:{line}  masses.1: point B does not stand still in .* link 1"):
+        _ = coursework.solve(coursework.parse_variant(text, "bad.toml")).results.forces
+
+
 def test_a_file_with_a_motor_may_name_the_scheme_of_motion_under_forces():
     text = mechanism("example-2-motor", ('step   = "0.01 s"', 'step = "0.01 s"\nscheme = "semi-implicit"'))
     assert coursework.parse_variant(text).time.scheme == "semi-implicit"

@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from coursework.effects.effects import Action, actions_of
-from coursework.effects.force_scheme import drives_of
+from coursework.effects.force_scheme import Body, drives_of
 from coursework.effects.kinetostatics.energy import Energy, energy_of, reduced_inertia
 from coursework.effects.kinetostatics.groups import by_groups
 from coursework.effects.kinetostatics.kinetostatics import Reactions, react
@@ -25,7 +25,7 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.system.arrays import Array
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -139,28 +139,36 @@ def analyse(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, 
 
 
 def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
-    """Raise `InputError` for centres of mass not fixed in their links, and for forces on a link at points outside it."""
+    """Raise `InputError` for pins and centres of mass not fixed in their links, and for forces on a link at points outside it."""
     scheme, variant = rows.scheme, equations.variant
     centres = {body.name: body.centre for body in scheme.bodies}
-    listed: list[tuple[tuple[str, ...], str, Formula | None]] = [
+    listed: list[tuple[tuple[str, ...], str, Formula | None]] = [(("masses", name), name, at) for name, at in scheme.pinned]
+    listed += [
         (("masses", mass.body, "centre"), mass.body, centres[scheme.body_named(mass.body)]) for mass in scheme.forces.masses
     ]
     listed += [(("forces", load.name, "at"), load.on, load.at) for load in scheme.forces.loads if load.force is not None]
     faults = []
     for path, name, at in listed:
         body = scheme.by_name[scheme.body_named(name)]
-        own = scheme.own_point(name)
-        if own is None or at is None or own == at or not rows.count:
+        if at is None or not rows.count or _is_fixed(rows, body, scheme.own_point(name), at):
             continue
-        # Positions of a scheme drift, and the links with them; only its first row is closed.
-        kept = slice(None) if rows.motion.scheme == EXACT else slice(1)
-        turned = (1j * rows.omega(body) * (rows.vector(at) - rows.vector(own)))[kept]
-        moved = rows.vector(at, RATE)[kept]
-        off = np.abs(moved - rows.vector(own, RATE)[kept] - turned).max()
-        if off > _OFF_AXES * max(np.abs(moved).max(), np.abs(turned).max()):
-            line = scheme.forces.lines.get(path) or scheme.forces.lines.get(path[:2], 1)
-            held = ", ".join(scheme.holds.get(body.name, ()))
-            told = say("fault.V731", name=body.name) if path[0] == "masses" else say("fault.V732", name=body.name, held=held)
-            faults.append(Fault(told, variant.file, line, 0, ".".join(path)))
+        line = scheme.forces.lines.get(path) or scheme.forces.lines.get(path[:2], 1)
+        if path[0] == "forces":
+            told = say("fault.V732", name=body.name, held=", ".join(scheme.holds.get(body.name, ())))
+        else:
+            told = say("fault.V731" if len(path) > 2 else "fault.V735", name=body.name, point=spelled(at))
+        faults.append(Fault(told, variant.file, line, 0, ".".join(path)))
     if faults:
         raise InputError(faults)
+
+
+def _is_fixed(rows: Rows, body: Body, own: Formula | None, at: Formula) -> bool:
+    """Return whether a point moves with a body, as its `own` point does."""
+    if own is None or own == at:
+        return True
+    # Positions of a scheme drift, and the links with them; only its first row is closed.
+    kept = slice(None) if rows.motion.scheme == EXACT else slice(1)
+    turned = (1j * rows.omega(body) * (rows.vector(at) - rows.vector(own)))[kept]
+    moved = rows.vector(at, RATE)[kept]
+    off = np.abs(moved - rows.vector(own, RATE)[kept] - turned).max()
+    return bool(off <= _OFF_AXES * max(np.abs(moved).max(), np.abs(turned).max()))
