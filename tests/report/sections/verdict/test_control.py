@@ -35,5 +35,5 @@ def test_jumps_of_the_drive_alone_are_told_without_a_column_that_is_off_by_nothi
     run = solved("engine-start", quantities=["checks"])
     told = next(one.sentence for one in run.checks if one.code == "CONTINUITY")
     assert told.endswith("from row to row as it does.")
-    assert "no jump except where the drive changes" in real.text_of(real.parts(run, "control"))
+    assert "no jump except in velocities where the drive jumps" in real.text_of(real.parts(run, "control"))
     assert "not both back" in next(one.sentence for one in run.checks if one.code == "PERIOD-POSITION")
