@@ -6,6 +6,8 @@ from types import ModuleType
 
 import pytest
 
+import coursework
+from tests.mechanisms.library import mechanism
 from tests.solved import solved
 
 
@@ -31,9 +33,16 @@ def test_under_forces_the_scales_told_are_those_of_its_checks(real: ModuleType) 
     assert not [word for word in ("range", "period", "shortest length") if word in page]
 
 
-def test_jumps_of_the_drive_alone_are_told_without_a_column_that_is_off_by_nothing(real: ModuleType) -> None:
-    run = solved("engine-start", quantities=["checks"])
+@pytest.mark.parametrize(
+    ("piece", "sentence"),
+    [("wb", "The graphs have no jump."), ("1.1*wb", "The graphs have no jump except in velocities where the drive jumps.")],
+)
+def test_jumps_of_the_drive_alone_are_told_without_a_column_that_is_off_by_nothing(
+    real: ModuleType, piece: str, sentence: str
+) -> None:
+    text = mechanism("engine-start", ('["0.4 s", "wb"]', f'["0.4 s", "{piece}"]'))
+    run = coursework.solve(coursework.parse_variant(text, "own.toml"), quantities=["checks"])
     told = next(one.sentence for one in run.checks if one.code == "CONTINUITY")
     assert told.endswith("from row to row as it does.")
-    assert "no jump except in velocities where the drive jumps" in real.text_of(real.parts(run, "control"))
+    assert sentence in real.text_of(real.parts(run, "control"))
     assert "not both back" in next(one.sentence for one in run.checks if one.code == "PERIOD-POSITION")
