@@ -177,7 +177,8 @@ def _turns_of_moves(column: GridColumn, values: Sequence[float], moves: Sequence
     it, or the values alone if a velocity between is misprinted too.  If it agrees with the key it was put right: it keeps its
     number.
     """
-    numbers, held, known = [round(_apart(column, values)[0] / _TURN)], [True], 0
+    first = _apart(column, values)[0]
+    numbers, held, known = [round(first / _TURN)], [_is_whole(first)], 0
     sure, moved = 0, 0.0
     for row, move in enumerate(moves, start=1):
         lack, moved = values[row] - values[row - 1] - move, moved + move
@@ -191,7 +192,7 @@ def _turns_of_moves(column: GridColumn, values: Sequence[float], moves: Sequence
             numbers.append(numbers[sure] + round(told / _TURN))
         if held[-1] or _is_whole(since):
             sure, moved = row, 0.0
-    if sum(held) - 1 < _HELD * known or len({*compress(numbers, held)}) == 1:
+    if sum(held[1:]) < _HELD * known or len({*compress(numbers, held)}) < 2:
         return ()
     rows = zip(numbers, held, values, column.values, strict=True)
     return tuple(0 if not holds and abs(own - key) <= _BEGINS else number for number, holds, own, key in rows)

@@ -100,6 +100,14 @@ def test_a_cell_that_is_right_as_it_stands_keeps_its_turns():
     assert whole_turns(key, [-2.3, -2.1, math.nan, 1.6]) == (-1, -1, -1, 0)
 
 
+def test_a_start_in_degrees_above_angles_in_radians_is_no_turns_away():
+    """Of 120.32 for 2.1 rad 19 turns were taken off, which leave 0.94; turns that do lead to the key are taken off still."""
+    angles = [2.1, 2.3, 2.5, 2.7, 2.9, 3.1]
+    key, moves = GridColumn("phi1", "rad", tuple(angles)), [0.2] * 5
+    assert whole_turns(key, [math.degrees(2.1), *angles[1:]], moves) == ()
+    assert whole_turns(key, [angles[0] + 19 * TURN, *angles[1:]], moves) == (19, 0, 0, 0, 0, 0)
+
+
 def test_rows_that_a_notebook_prints_with_names_are_no_equations():
     printed = [" ".join(f"{name}={cell}" for name, cell in zip(HEAD, row, strict=True)) for row in ROWS]
     output = {"output_type": "stream", "name": "stdout", "text": [f"{line}\n" for line in printed]}
