@@ -98,7 +98,7 @@ def test_new_with_forces_runs_as_it_is(folder, arguments):
 def test_new_with_forces_writes_no_file_that_a_run_refuses(law, folder):
     refused = call("new", "mine", "--with", "forces", "--from", law)
     assert refused.exit_code == 2
-    told = "mine.toml would be refused, so it is not written: the centre of mass does not stand still in the axes of link 1."
+    told = "mine.toml would be refused, so it is not written: point A does not stand still in the axes of link 1:"
     assert told in refused.stderr and "Leave --with forces out." in refused.stderr
     assert not list(folder.iterdir())
 

@@ -14,8 +14,8 @@ from coursework.scene.model.data import Data
 from coursework.system.arrays import Array
 
 Asked = tuple[tuple[int, ...], bytes]
-# So many results are kept in a process, each of at most so many numbers: some tens of megabytes.
-_KEPT, FEW_NUMBERS = 4096, 1024
+# So many results are kept in a process, each of at most so many numbers: some megabytes.
+_KEPT, FEW_NUMBERS = 768, 1024
 
 
 def kept(function: Callable[..., Array], data: Data, *rows: Array) -> Array:

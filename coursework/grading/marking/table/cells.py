@@ -34,7 +34,7 @@ Marks = NDArray[np.str_]
 
 _PART_OF_PLACE = 1e-3  # round-off, as a part of the unit of the last place
 _ROUND_OFF = 1e-12
-_KEPT = 64  # marks of so many tables
+_KEPT = 8  # marks of so many tables
 WRONG, MISSING, GIVEN = "wrong", "missing", "given"
 # Ways in which a cell is right only from the student's own earlier cells.
 CARRIED = (ANGLES, EARLIER, STEP, STEP_TRUE)

@@ -34,7 +34,7 @@ _COARSE_MOST, _COARSE_GAP = 3e-4, 21.0  # the median may be at most _COARSE_MOST
 _RUNG, _ROUND_OFF = 1.25, 1e-6  # the floor grows in rungs by this factor
 # What rounding leaves does not depend on the row before; the deviations of another scheme's steps resemble it by more than this.
 _RESEMBLES = 0.5
-_KEPT = 512  # ways of so many tables
+_KEPT = 48  # ways of so many tables, those of one that is being marked
 
 
 KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocities", "step", "step true", "start"
