@@ -135,8 +135,7 @@ def _entry(fault: Fault, slip: Slip, desk: Desk) -> dict[str, Any]:
 
 def _text(one: Constraint, desk: Desk) -> tuple[int, str]:
     """Return the offset (from 0) and the text of an equation; (0, "") if it contains escapes."""
-    place = desk.variant.constraints.index(one)
-    begin, end = place_of(desk.text, ("constraint", place, one.key)) or (0, 0)
+    begin, end = place_of(desk.text, one.path) or (0, 0)
     begin += desk.text.startswith("\n", begin)  # a line break after three quotes is not part of the value
     text = desk.text[begin:end]
     return (begin, text) if "\\" not in text else (0, "")

@@ -71,10 +71,9 @@ class Formulas:
         for section, law in in_order(self.variant):
             if reason := self._of_law(section, law):
                 return reason
-        for index, constraint in enumerate(self.variant.constraints):
-            path: KeyPath = ("constraint", index, constraint.key)
+        for constraint in self.variant.constraints:
             for side in constraint.sides:
-                if reason := self._of(path, f"constraint {constraint.name}", side):
+                if reason := self._of(constraint.path, f"constraint {constraint.name}", side):
                     return reason
         return None
 

@@ -257,7 +257,7 @@ def frequencies_turned_twice(variant: Variant) -> Iterator[tuple[str, KeyPath, S
 
 def _place(path: KeyPath, variant: Variant) -> str:
     if path[0] == "constraint":
-        return say("place.constraint", name=variant.constraints[int(path[1])].name)
+        return say("place.constraint", name=next(one.name for one in variant.constraints if one.path == path))
     return str(path[1])
 
 
@@ -267,8 +267,8 @@ def _laws(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
             if law.formula:
                 yield (section, law.name), law.formula
             yield from (((section, law.name, "pieces", place, 1), formula) for place, (_, formula) in enumerate(law.pieces))
-    for index, constraint in enumerate(variant.constraints):
-        yield from ((("constraint", index, constraint.key), side) for side in constraint.sides)
+    for constraint in variant.constraints:
+        yield from ((constraint.path, side) for side in constraint.sides)
     yield from variant.times.items()
 
 

@@ -23,6 +23,7 @@ from coursework.variant.judging.dimension_check import check_dimensions
 from coursework.variant.judging.plausibility import remarks_on
 from coursework.variant.judging.whole_file import faults_of_the_whole
 from coursework.variant.reading import schema
+from coursework.variant.reading.driven_rates import with_driven_rates
 from coursework.variant.reading.names import Names
 from coursework.variant.reading.parts import Parts
 from coursework.variant.reading.sections import (
@@ -116,6 +117,7 @@ def _build(source: Source, name: str, path: Path | None, judge: Judge | None = N
         raise InputError([*parts.faults, *(judge(variant) if judge and whole else [])])
     variant = replace(variant, times=parts.times)
     remarks = remarks_on(variant, dimensions, source, parts.grads)
+    variant = with_driven_rates(variant)
     return replace(variant, plausibility=remarks, reread=partial(with_changes, partial(_read_again, source, name, path)))
 
 
@@ -227,7 +229,7 @@ def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constrain
         text = "0 = 0"
     left, right = parts.equation(path, text, closure=entry.closure is not None)
     name = str(entry.name)[:40] or str(index + 1)
-    return Constraint(name, entry.because, left, right, entry.closure is not None, parts.source.positions.find(path)[0])
+    return Constraint(name, entry.because, left, right, entry.closure is not None, parts.source.positions.find(path)[0], index)
 
 
 def _named(constraints: list[Constraint]) -> tuple[Constraint, ...]:

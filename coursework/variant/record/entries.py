@@ -156,7 +156,10 @@ def whole_steps(step: float, end: float) -> int:
 
 @frozen
 class Constraint:
-    """`left = right`: a velocity equation or, with `is_closure`, an equation of positions; `line` is its line in the file."""
+    """`left = right`: a velocity equation or, with `is_closure`, an equation of positions.
+
+    `line` is its line in the file, `place` its number there, from 0.
+    """
 
     name: str
     because: str
@@ -164,6 +167,7 @@ class Constraint:
     right: Formula
     is_closure: bool = False
     line: int = 0
+    place: int = 0
 
     @property
     def sides(self) -> tuple[Formula, Formula]:
@@ -176,9 +180,9 @@ class Constraint:
         return Formula("-", self.sides)
 
     @property
-    def key(self) -> str:
-        """Return the key under which the file has the equation."""
-        return "closure" if self.is_closure else "equation"
+    def path(self) -> tuple[str, int, str]:
+        """Return the path of the equation in the file."""
+        return "constraint", self.place, "closure" if self.is_closure else "equation"
 
 
 @frozen

@@ -79,7 +79,7 @@ def _judged(variant: Variant, path: KeyPath, name: str, formula: Formula, values
     except FormulaFault as fault:
         place = ".".join(map(str, path[:2]))
         if path[0] == "constraint":
-            place = say("place.constraint", name=variant.constraints[int(path[1])].name)
+            place = say("place.constraint", name=next(one.name for one in variant.constraints if one.path == path))
         place = say("place.column", place=place, column=fault.column)
         reason = joined([fault.message, say("hint.just_before")]) if _is_rounding(formula, values, t) else fault.message
         told = say("fault.V019", time=t, reason=reason)

@@ -58,10 +58,10 @@ def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dime
 def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyPath, Formula]) -> Iterator[Place]:
     """Yield constraints, geometry, drive, functions, forces and times; `times` are the formulas of [time] and of pieces."""
     velocities = {*variant.rates, *(name for name, _ in variant.unknowns)}
-    for index, constraint in enumerate(variant.constraints):
+    for constraint in variant.constraints:
         # An equation that is not linear is refused for that reason later, by the code that solves it.
         if constraint.is_closure or max(_degree(side, velocities) for side in (constraint.left, constraint.right)) <= 1:
-            yield _constraint(index, constraint)
+            yield _constraint(constraint)
     yield from _geometry(variant)
     for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
         for law in laws:
@@ -78,9 +78,10 @@ def lengths_of(variant: Variant) -> Iterator[Formula]:
     yield from (length for group in variant.groups for length in group.lengths)
 
 
-def _constraint(index: int, constraint: Constraint) -> Place:
-    place = ("constraint", index, constraint.key)
-    return Place(place, constraint.sides, None, say("place.constraint", name=constraint.name), not constraint.is_closure)
+def _constraint(constraint: Constraint) -> Place:
+    return Place(
+        constraint.path, constraint.sides, None, say("place.constraint", name=constraint.name), not constraint.is_closure
+    )
 
 
 def _degree(tree: Formula, velocities: set[str]) -> int:

@@ -186,9 +186,9 @@ class Variant:
         """Yield the formulas of points, constraints, held expressions and directions, each with its path; laws are excluded."""
         for name, formula in self.points:
             yield ("points", name), formula
-        for index, constraint in enumerate(self.constraints):
+        for constraint in self.constraints:
             for side in constraint.sides:
-                yield ("constraint", index, constraint.key), side
+                yield constraint.path, side
         for index, formula in enumerate(self.holds):
             yield ("closure", "holds", index), formula
         for binding in self.bindings:

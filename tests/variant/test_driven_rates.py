@@ -1,0 +1,105 @@
+"""A constraint that only gives a rate is a drive: the same page as with the line in [drive], whatever way it is written."""
+
+import re
+
+import pytest
+
+import coursework
+
+FIVE_BAR = """
+format = 1
+[given]
+a = "80 mm"
+b = "250 mm"
+c = "220 mm"
+d = "60 mm"
+L = "300 mm"
+n1 = "90 rpm"
+T = "1 s"
+[coordinates]
+alpha = { start = "40 deg", rate = "wa" }
+beta = { start = "0.70708915440986 rad", rate = "wb" }
+gamma = { start = "118.517504498272 deg", rate = "wg" }
+delta = { start = "20 deg", rate = "wd" }
+[time]
+step = "2 ms"
+end = "0.4 s"
+[points]
+O = "(0, 0)"
+A = "a @ alpha"
+P = "A + b @ beta"
+Q = "(L, 0)"
+B = "Q + d @ delta"
+[links]
+1 = { points = ["O", "A"], rate = "wa" }
+2 = { points = ["A", "P"], rate = "wb" }
+3 = { points = ["B", "P"], rate = "wg" }
+4 = { points = ["Q", "B"], rate = "wd" }
+[frame]
+hinges = ["O", "Q"]
+[masses]
+2 = { mass = "1.2 kg", inertia = "rod" }
+[forces]
+gravity = "9.81 m/s^2"
+[ask]
+quantities = ["table", "checks", "forces"]
+[[constraint]]
+closure = "P = B + c @ gamma"
+"""
+AS_DRIVES = '[drive]\nwa = "n1"\nwd = "-2*n1*(1 + t/T)"\n'
+DRIVEN = coursework.parse_variant(FIVE_BAR + AS_DRIVES)
+PRECEDING = "n1 = wa", "wa - n1 = 0", "2*n1 - 2*wa = 0", "-wa = -n1", "wa/n1 = 1", "L*wa + d*n1 = L*n1 + d*n1"
+
+
+def written(*equations, text=FIVE_BAR):
+    return coursework.parse_variant(text + "".join(f'[[constraint]]\nequation = "{one}"\n' for one in equations))
+
+
+@pytest.mark.parametrize("equation", ["wa = n1", *PRECEDING])
+def test_a_rate_given_by_a_constraint_is_a_drive(equation):
+    run, same = coursework.solve(written(equation, "0 = wd/2 + n1*(1 + t/T)")), coursework.solve(DRIVEN)
+    assert run.variant.known_rates == same.variant.known_rates == ("wa", "wd")
+    assert run.table.to_numpy() == pytest.approx(same.table.to_numpy(), rel=1e-12, abs=1e-12)
+    assert [one.name for one in run.equations] == ["1x", "1y"]
+    assert all(one.verdict in {"PASS", "SKIP", "COARSE"} for one in run.checks)
+    assert run.scene.closure.complete
+
+
+def test_the_start_that_closes_keeps_the_cranks():
+    text = FIVE_BAR.replace("0.70708915440986 rad", "0.6 rad").replace("118.517504498272 deg", "110 deg")
+    with pytest.raises(coursework.InputError, match=re.escape("alpha = 40 deg, beta = 0.707089")) as caught:
+        coursework.solve(written("wa = n1", "wd = n1", text=text)).table  # noqa: B018
+    assert "delta = 20 deg" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "equations",
+    [
+        ("wa = n1", "wd = 2*wa"),  # gears: one drives the other
+        ("wa = n1", "wd = 0"),  # a link that does not turn is held, not driven
+        ("wa = n1", "wd + wg = n1"),
+        ("wa = n1", "wd*cos(delta) = n1"),
+        ("wa = n1", "wd = n1", "wd = 2*n1"),  # two constraints that contradict each other are told as such
+    ],
+)
+def test_what_is_geometry_stays_an_equation(equations):
+    assert "wd" not in written(*equations).known_rates
+    assert [one.right.op for one in written(*equations).constraints]
+
+
+def test_lines_and_places_of_the_file_remain():
+    broken = written("wa = n1*T/(t - 0.1)", "wd = n1")
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.solve(broken).table  # noqa: B018
+    lines = [*(FIVE_BAR + '[[constraint]]\nequation = "wa').splitlines()]
+    assert {fault.line for fault in caught.value.faults} == {len(lines)}
+
+
+def test_a_wheel_train_of_the_catalogue():
+    """The angle of the one wheel is given, that of the other follows from rolling: only the first is a drive."""
+    text = coursework.load("cardan").path.read_text(encoding="utf-8")
+    moved = text.replace('[drive]                        # the line of centres turns uniformly\nw1 = "w0"', "")
+    assert moved != text
+    variant = written("w1 = w0", text=moved)
+    assert variant.known_rates == ("w1",)
+    assert coursework.solve(variant).table.equals(coursework.solve("cardan").table)
