@@ -24,6 +24,7 @@ from coursework.variant.judging.plausibility import remarks_on
 from coursework.variant.judging.whole_file import faults_of_the_whole
 from coursework.variant.reading import schema
 from coursework.variant.reading.driven_rates import with_driven_rates
+from coursework.variant.reading.implied_closure import with_implied_closure
 from coursework.variant.reading.names import Names
 from coursework.variant.reading.parts import Parts
 from coursework.variant.reading.sections import (
@@ -117,7 +118,7 @@ def _build(source: Source, name: str, path: Path | None, judge: Judge | None = N
         raise InputError([*parts.faults, *(judge(variant) if judge and whole else [])])
     variant = replace(variant, times=parts.times)
     remarks = remarks_on(variant, dimensions, source, parts.grads)
-    variant = with_driven_rates(variant)
+    variant = with_implied_closure(with_driven_rates(variant))
     return replace(variant, plausibility=remarks, reread=partial(with_changes, partial(_read_again, source, name, path)))
 
 

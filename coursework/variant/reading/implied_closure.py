@@ -1,0 +1,105 @@
+"""What [frame] and [drive] hold, where a file has no [closure]: hinges rest, points stay on rails, a driven point moves.
+
+Enters: a `Variant` as its file has it.  Leaves: the same, with what is held.  Used by `reader.py`.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from graphlib import CycleError, TopologicalSorter
+
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
+from coursework.variant.record.entries import reached
+from coursework.variant.record.no_value import in_order
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.positions import KeyPath
+
+_NUDGE = 1e-6  # rad or m, by which a coordinate is moved to see whether what is held depends on it
+_INDEPENDENT = 1e-4  # a row of derivatives that differs less from the others, relative to itself, says nothing of its own
+
+
+def with_implied_closure(variant: Variant) -> Variant:
+    """Return the variant with the [closure] that its [frame] and [drive] say, if the file has no other position equation.
+
+    Whatever is not independent at the start, or needs a table, is left to the author: then nothing is added.
+
+    >>> import coursework
+    >>> text = coursework.load("31").path.read_text(encoding="utf-8")
+    >>> bare = coursework.parse_variant(text.replace('driven = "M"', "").replace('holds  = ["C.y"]', ""))
+    >>> bare.driven, [coursework.variant.formula.tree.spelled(hold) for hold in bare.holds]
+    ('M', ['P.y'])
+    """
+    if variant.driven or variant.holds or variant.groups or variant.motor or any(one.is_closure for one in variant.constraints):
+        return variant
+    laws, points, moving = {law.name for law in variant.drive}, dict(variant.points), {one.name for one in variant.coordinates}
+    driven = next((point for point in points if {f"V{point}x", f"V{point}y"} <= laws), None)
+    held = [(path, hold) for path, hold in _held(variant) if not moving.isdisjoint(reached(hold.names(), points))]
+    rows = [hold for _, hold in held] + [_part(named(driven), axis) for axis in "xy" if driven]
+    free = [one for one in variant.coordinates if one.rate not in variant.known_rates]
+    if not held or len(rows) > len(free) or not _independent(_derivatives(variant, rows, [one.name for one in free])):
+        return variant
+    lines = {("closure", "holds", place): variant.nearest_line(*path) for place, (path, _) in enumerate(held)}
+    return replace(variant, driven=driven, holds=tuple(hold for _, hold in held), lines={**variant.lines, **lines})
+
+
+def _held(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
+    """Yield what stays, each with the path of the entry that says so."""
+    for place, hinge in enumerate(variant.frame.hinges):
+        yield from ((("frame", "hinges", place), _part(named(hinge), axis)) for axis in "xy")
+    for place, (through, angle) in enumerate(variant.frame.rails):
+        if {*angle.names()} <= {"pi", *variant.values}:
+            yield ("frame", "rails", place), _across(through, angle, variant)
+
+
+def _across(through: Formula, angle: Formula, variant: Variant) -> Formula:
+    """Return the distance of a point from the line through the origin along a rail."""
+    turned = evaluate_any(angle, {"pi": math.pi, **variant.values}).real
+    if abs(math.sin(turned)) < 1e-12:
+        return _part(through, "y")
+    if abs(math.cos(turned)) < 1e-12:
+        return _part(through, "x")
+    along, up = (Formula("call", (angle,), name) for name in ("cos", "sin"))
+    return Formula("-", (Formula("*", (_part(through, "y"), along)), Formula("*", (_part(through, "x"), up))))
+
+
+def _part(vector: Formula, axis: str) -> Formula:
+    return Formula("part", (vector,), axis)
+
+
+def _derivatives(variant: Variant, rows: Sequence[Formula], names: Sequence[str]) -> list[list[float]]:
+    """Return the derivatives of `rows` by the coordinates `names` at the start; empty if a value is not known."""
+    start = {one.name: one.start_or_guess for one in variant.coordinates if one.start_or_guess is not None}
+    try:
+        moved = [[_values(variant, rows, {**start, name: start[name] + way}) for way in (-_NUDGE, _NUDGE)] for name in names]
+    except (FormulaFault, ArithmeticError, ValueError, TypeError, LookupError, CycleError):
+        return []
+    return [[after[row] - before[row] for before, after in moved] for row in range(len(rows))]
+
+
+def _values(variant: Variant, rows: Sequence[Formula], position: Mapping[str, float]) -> list[float]:
+    values: dict[str, complex] = {"pi": math.pi, "t": 0.0, **variant.values, **position}
+    for _, law in in_order(variant):
+        values |= {law.name: evaluate_any(law.formulas[0], values)} if law.formulas else {}
+    points = dict(variant.points)
+    needs = {name: points.keys() & {*formula.names()} for name, formula in points.items()}
+    for name in TopologicalSorter(needs).static_order():
+        values[name] = evaluate_any(points[name], values)
+    return [evaluate_any(row, values).real for row in rows]
+
+
+def _independent(rows: Sequence[Sequence[float]]) -> bool:
+    """Return whether no row is a sum of multiples of those before it, by Gram and Schmidt's way."""
+    kept: list[list[float]] = []
+    for row in rows:
+        rest = [*row]
+        for one in kept:
+            along = sum(map(operator.mul, one, rest))
+            rest = [value - along * part for value, part in zip(rest, one, strict=True)]
+        size = math.hypot(*rest)
+        if not size > _INDEPENDENT * math.hypot(*row):
+            return False
+        kept.append([value / size for value in rest])
+    return bool(rows)

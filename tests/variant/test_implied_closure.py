@@ -1,0 +1,111 @@
+"""A file without [closure]: its hinges, rails and driven point hold what they say, so that wrong signs are found all the same."""
+
+import re
+
+import pytest
+
+import coursework
+from coursework.variant.formula.tree import spelled
+
+TURNED = """
+format = 1
+[given]
+R = "0.5 m"
+r = "0.1 m"
+l = "0.6 m"
+A = "1.2 rad"
+k = "2 1/s"
+beta = "25 deg"
+[drive]
+wc = "-A*k*sin(k*t)"
+[coordinates]
+theta = { start = "0.3 rad", rate = "wc" }
+phi = { start = "0 rad", rate = "wr" }
+chi = { start = "2.2 rad", rate = "wl" }
+[unknowns]
+v = { unit = "m/s", of = "S", along = "beta" }
+[time]
+step = "10 ms"
+end = "1 s"
+[[constraint]]
+name = "rolls"
+equation = "(R - r)*wc = -r*wr"
+[[constraint]]
+name = "across"
+equation = "(R - r)*wc*sin(theta - beta) + l*wl*cos(chi - beta) = 0"
+[[constraint]]
+name = "along"
+equation = "v = (R - r)*wc*cos(theta - beta) - l*wl*sin(chi - beta)"
+[points]
+O = "(0, 0)"
+C = "((R - r)*sin(theta), -(R - r)*cos(theta))"
+P = "(R*sin(theta), -R*cos(theta))"
+S = "C + l @ chi"
+[links]
+1 = { wheel = "C", contact = "P", rate = "wr" }
+2 = { points = ["C", "S"], rate = "wl" }
+[frame]
+rails = [{ through = "S", angle = "beta" }]
+circles = [{ center = "O", radius = "R" }]
+"""
+CUP = TURNED.replace('beta = "25 deg"\n', "").replace(" - beta", "").replace('"beta"', '"0 deg"')
+SIGNS = {"rolls": ("= -r*wr", "= r*wr"), "across": ("+ l*wl*cos", "- l*wl*cos"), "along": ("- l*wl*sin", "+ l*wl*sin")}
+
+
+def checks(text):
+    run = coursework.solve(coursework.parse_variant(text))
+    return {one.code: one.verdict for one in run.checks}, run
+
+
+@pytest.mark.parametrize("text", [CUP, TURNED, CUP.replace('through = "S"', 'through = "S + (0, r)"')])
+def test_right_equations_are_judged_right(text):
+    verdicts, run = checks(text)
+    assert verdicts["AGREEMENT"] == "PASS"
+    assert len(run.scene.closure.names) == 1
+
+
+@pytest.mark.parametrize("name", SIGNS)
+@pytest.mark.parametrize("text", [CUP, TURNED])
+def test_a_wrong_sign_is_refused(text, name):
+    with pytest.raises(
+        coursework.InputError, match=rf"V302 .*{name} contradicts the geometry of \[points\] and \[frame\]"
+    ) as caught:
+        checks(text.replace(*SIGNS[name]))
+    lines = [number for number, line in enumerate(text.splitlines(), start=1) if SIGNS[name][0] in line]
+    assert [fault.line for fault in caught.value.faults] == lines
+
+
+def bare(name):
+    text = coursework.load(name).path.read_text(encoding="utf-8")
+    return re.sub(r"(?m)^(driven|holds) *=.*\n(?:  +\".*\n)*\]?", "", text)
+
+
+@pytest.mark.parametrize(
+    ("name", "turned"),
+    [("31", ("VMy - 2*r3*w3", "VMy + 2*r3*w3")), ("31", ("+ r1*w1*sin(phi1) = 0", "- r1*w1*sin(phi1) = 0")), ("v102", ("", ""))],
+)
+def test_catalogue_without_closure(name, turned):
+    """Euler's table is that of the file with [closure]; what [frame] does not tell, here a rolling wheel, is not made up."""
+    text = bare(name)
+    assert "driven" not in re.sub("#.*", "", text).split("[closure]")[1].split("[ask]")[0]
+    variant = coursework.parse_variant(text)
+    assert variant.driven == "M"
+    assert coursework.solve(variant).table.equals(coursework.solve(name).table)
+    if turned[0]:
+        with pytest.raises(coursework.InputError, match="V302"):
+            checks(text.replace(*turned))
+
+
+def test_what_is_not_independent_is_left_to_the_author():
+    """Two rails along one line of one point, and a hinge beside the rail that holds half of it."""
+    for frame in (
+        'rails = [{ through = "S", angle = "0 deg" }, { through = "S", angle = "180 deg" }]',
+        'hinges = ["S"]\nrails = []',
+    ):
+        text = re.sub("rails = .*", frame, CUP)
+        assert coursework.parse_variant(text).holds == ()
+
+
+def test_what_the_file_holds_itself_is_all_that_is_held():
+    variant = coursework.parse_variant(CUP + '[closure]\nholds = ["S.y - 2*r"]\n')
+    assert [spelled(hold) for hold in variant.holds] == ["S.y - 2*r"]
