@@ -223,9 +223,17 @@ rails = [ { through = "T", angle = "90 deg" }, { through = "F", angle = "0" } ]
 
 
 def test_what_moves_undriven_is_not_said_to_rest() -> None:
-    """Of the ladder an equation, not [drive], says how fast its foot runs."""
-    check = solve(parse_variant(LADDER), quantities=["graph_check"]).graph_check
+    """Of the ladder an equation says how fast its foot runs, by where it is: no law of time drives it."""
+    check = solve(parse_variant(LADDER.replace('"u = v"', '"u = v*(1 + x/L)"')), quantities=["graph_check"]).graph_check
     assert check is not None and "nothing is driven" in check.unread
+
+
+def test_a_foot_that_an_equation_drives_evenly_begins_the_construction() -> None:
+    run = solve(parse_variant(LADDER), quantities=["graph_check"])
+    assert run.graph_check is not None and not run.graph_check.unread
+    phi = float(run.motion.column("phi")[run.graph_check.row - 1])
+    found = {name: value for name, value, *_ in run.graph_check.rows}
+    assert (found["w"], found["V_T"]) == pytest.approx((0.3 / 2.5 / math.sin(phi), 0.3 / abs(math.tan(phi))), rel=1e-9)
 
 
 def test_a_rate_that_forces_give_is_what_a_construction_begins_with() -> None:
