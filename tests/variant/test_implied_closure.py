@@ -109,3 +109,40 @@ def test_what_is_not_independent_is_left_to_the_author():
 def test_what_the_file_holds_itself_is_all_that_is_held():
     variant = coursework.parse_variant(CUP + '[closure]\nholds = ["S.y - 2*r"]\n')
     assert [spelled(hold) for hold in variant.holds] == ["S.y - 2*r"]
+
+
+ARM = """
+format = 1
+[given]
+R = "0.2 m"
+om = "3 rad/s"
+[drive]
+VMx = "-R*om*sin(om*t)"
+VMy = "R*om*cos(om*t)"
+[coordinates]
+rho = { start = "0.9 m", rate = "u" }
+psi = { start = "20 deg", rate = "w" }
+[time]
+step = "0.01 s"
+end = "1 s"
+[[constraint]]
+name = "a"
+equation = "VMx = u*cos(psi) - rho*w*sin(psi)"
+[[constraint]]
+name = "b"
+equation = "VMy = u*sin(psi) + rho*w*cos(psi)"
+[points]
+O = "(0, 0)"
+M = "rho @ psi"
+[links]
+1 = { points = ["O", "M"], rate = "w" }
+[frame]
+hinges = ["O"]
+"""
+
+
+def test_a_driven_point_alone_judges_the_arm_that_carries_it():
+    verdicts, run = checks(ARM)
+    assert (verdicts["AGREEMENT"], run.variant.driven, run.variant.holds) == ("PASS", "M", ())
+    with pytest.raises(coursework.InputError, match=r"V302 .*a contradicts the geometry of \[points\] and \[drive\]"):
+        checks(ARM.replace("- rho*w*sin(psi)", "+ rho*w*sin(psi)"))

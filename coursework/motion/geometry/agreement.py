@@ -176,9 +176,9 @@ def _clash(equations: VelocityEquations, derived: Sequence[VelocityEquation], ev
 def _sections(equations: VelocityEquations) -> tuple[str, str]:
     """Return the names of the sections of the file that describe its geometry."""
     if equations.from_closure:
-        lines = equations.variant.lines
-        from_frame = ("closure", "holds", 0) in lines and ("closure", "holds") not in lines
-        return "[points]", "[frame]" if from_frame else "[closure]"
+        if ("closure",) in equations.variant.lines:
+            return "[points]", "[closure]"
+        return "[points]", "[frame]" if equations.variant.holds else "[drive]"
     return "[points]", "[[group]]" if equations.variant.groups else "closure = …" if equations.positions else "[unknowns]"
 
 

@@ -39,7 +39,7 @@ def with_implied_closure(variant: Variant) -> Variant:
     held = [(path, hold) for path, hold in _held(variant) if not moving.isdisjoint(reached(hold.names(), points))]
     rows = [hold for _, hold in held] + [_part(named(driven), axis) for axis in "xy" if driven]
     free = [one for one in variant.coordinates if one.rate not in variant.known_rates]
-    if not held or len(rows) > len(free) or not _independent(_derivatives(variant, rows, [one.name for one in free])):
+    if len(rows) > len(free) or not _independent(_derivatives(variant, rows, [one.name for one in free])):
         return variant
     lines: dict[KeyPath, int] = {("closure", "holds", place): variant.nearest_line(*path) for place, (path, _) in enumerate(held)}
     return replace(variant, driven=driven, holds=tuple(hold for _, hold in held), lines={**variant.lines, **lines})
