@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
@@ -74,8 +75,8 @@ def test_written_equations_are_combinations_of_the_projections(name: str, beyond
 
 @pytest.mark.parametrize("wrong", ["VMy + 2*r3*w3*cos(phi3)", "VMy - 2.000001*r3*w3*cos(phi3)"])
 def test_a_wrong_sign_is_no_combination(wrong: str) -> None:
-    text = {"driven = ": "#driven = ", "holds  = ": "#holds = ", "rails  = ": "#rails = "}
-    assert "11" in found(changed({**text, "VMy - 2*r3*w3*cos(phi3)": wrong})).beyond
+    unjudged = replace(changed({"VMy - 2*r3*w3*cos(phi3)": wrong}), driven=None, holds=())
+    assert "11" in found(unjudged).beyond
 
 
 def test_a_right_equation_in_other_words_is_one() -> None:
