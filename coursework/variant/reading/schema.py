@@ -25,6 +25,8 @@ kinds crank, RRR, RRP, RPR, RPP, PRP; see `variants/example-1.toml` to `example-
     [friction]                  friction of pins, guides and wheels  coursework/variant/record/forces.py
     [motor] flywheel            what a flywheel on a link has to bring about  variants/example-2-forces.toml
     [closure], [ask]            which point is driven, what is held; quantities beside the table  variants/31.toml
+    no [closure]                what [frame] and [drive] hold instead  coursework/variant/reading/implied_closure.py
+    [[constraint]] w1 = n       a rate that time alone gives is a drive  coursework/variant/reading/driven_rates.py
 
 Units: m cm mm in ft, rad deg ° grad, s ms min, these per second or per minute (m/s, deg/s, rev/s, m/s^2 …), rpm, and the same
 in Cyrillic (мм, град, об/мин …).  1/s is rad/s, 1/min is rev/min, and "grad" is read as degrees.  Hz is refused because it does
