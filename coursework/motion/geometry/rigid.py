@@ -1,13 +1,13 @@
 """Whether [links] and [frame] agree with the points of a file: links keep their shape, hinges rest, guides lie along the motion.
 
 Enters: velocity equations and their closure.  Leaves: hinges with two names.  Raises `InputError` naming each link, rail, circle.
-Used by `unseen_signs.py`, `beginning.py` and `commands/check.py`.
+Used by `unseen_signs.py`, `beginning.py`, `equations.py` and `commands/check.py`.
 A guide across the motion of its slider changes no column of the table, but drawings, plans and forces depend on it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.closed_start import OPEN, closed_start
-from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.closure import Closure, largest_length
 from coursework.motion.geometry.open_loops import with_closed_loops
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -72,13 +72,23 @@ def _may_move(point: str, variant: Variant) -> bool:
 def hinges_with_two_names(equations: VelocityEquations, closure: Closure) -> tuple[tuple[str, str], ...]:
     """Return pairs of points of two links that coincide throughout: a joint that is not counted, because they share no name."""
     seen = _seen(equations, closure)
-    links = [{*link.points, link.wheel or ""} for link in equations.variant.links]
-    pairs = [pair for pair in combinations(seen.tracks, 2) if all(any(name in of for of in links) for name in pair)]
-    return tuple(
-        pair
-        for pair in pairs
-        if not any({*pair} <= of for of in links) and np.max(seen.apart(*pair)) <= OPEN * closure.scale and seen.keeps(*pair)
-    )
+    near = _of_two_links(equations.variant, seen.tracks)
+    return tuple(pair for pair in near if np.max(seen.apart(*pair)) <= OPEN * closure.scale and seen.keeps(*pair))
+
+
+def may_be_hinges(equations: VelocityEquations, start: Array) -> tuple[tuple[str, str], ...]:
+    """Return pairs of points of two links that lie in one place, or almost, at the start (m,)."""
+    vectors, near = equations.symbols.vectors, OPEN * largest_length(equations.variant)
+    found = compile_values(equations, [part for vector in vectors.values() for part in vector])[0](0.0, *start.tolist())
+    places = {name: complex(found[2 * place], found[2 * place + 1]) for place, name in enumerate(vectors)}
+    return tuple(pair for pair in _of_two_links(equations.variant, places) if abs(places[pair[0]] - places[pair[1]]) <= near)
+
+
+def _of_two_links(variant: Variant, points: Iterable[str]) -> list[tuple[str, str]]:
+    """Return the pairs of points of links that no link has both of."""
+    links = [{*link.points, link.wheel or ""} for link in variant.links]
+    pairs = [pair for pair in combinations(points, 2) if all(any(name in of for of in links) for name in pair)]
+    return [pair for pair in pairs if not any({*pair} <= of for of in links)]
 
 
 def _faults(equations: VelocityEquations, closure: Closure) -> list[Fault]:

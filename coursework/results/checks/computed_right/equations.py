@@ -10,6 +10,7 @@ import numpy as np
 
 from coursework.mechanism.proposal import proposals
 from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.rigid import may_be_hinges
 from coursework.results.checks.evidence import Evidence, worst
 from coursework.results.checks.result import Finding, skipped
 from coursework.words.sentence import Sentence
@@ -74,7 +75,10 @@ def agreement(evidence: Evidence) -> Finding:
     if evidence.closure is not None and (doubt := open_to_doubt(evidence.closure)):
         return Finding("SKIP", doubt[0], unjudged=doubt[1])
     if not _confirmed(evidence):
-        return Finding("SKIP", say("check.AGREEMENT.no_geometry"), headline=say("summary.no_geometry"))
+        met = may_be_hinges(evidence.equations, evidence.motion.coordinates[0])
+        joints = [say("check.AGREEMENT.meet", one=one, other=other) for one, other in met]
+        told = joined([say("check.AGREEMENT.no_geometry"), *joints])
+        return Finding("SKIP", told, headline=say("summary.no_geometry"))
     whole = float(len(written))
     return Finding("PASS", say("check.AGREEMENT.pass", all=len(written)), whole, whole, say_count("unit.equations", len(written)))
 
