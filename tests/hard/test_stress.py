@@ -1,6 +1,6 @@
 """Random mechanisms, feasible and not: every run ends in a right table, a located and explained stop, or a refusal.
 
-The suite takes 60 of them with fixed seeds; `python -m tests.hard.stress 10000` takes as many as you like.
+The suite takes 70 of them with fixed seeds; `python -m tests.hard.stress 10000` takes as many as you like.
 """
 
 import pytest
@@ -9,7 +9,7 @@ from tests.hard.stress import outcomes
 from tests.sample import first
 
 
-@pytest.mark.parametrize("count", first(1, (60, 160)))
+@pytest.mark.parametrize("count", first(1, (70, 160)))
 def test_no_outcome_is_unexplained(count):
     counts, faults, _ = outcomes(range(count))
     assert faults == []

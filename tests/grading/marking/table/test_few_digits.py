@@ -105,14 +105,15 @@ def test_a_table_is_a_causes_as_a_whole_where_nearly_all_of_it_is(spoiled, told)
     assert ("other_step" in codes(found)) is told
 
 
-def test_cells_put_right_are_none_against_what_made_the_table_as_a_whole():
+@pytest.mark.parametrize("last", first(1, (31, 33)))
+def test_cells_put_right_are_none_against_what_made_the_table_as_a_whole(last):
     """Seven cells of ten are enough for that: of the 100 velocities, the angles being too coarse, 71 that no misprint is in."""
     desk, chance = Desk(coursework.load("v107")), np.random.default_rng(5)
     table = Machine(desk.variant, drive_sign=-1.0).table()
     places = chance.permutation(np.argwhere(np.ones((25, 4)))) + np.array([0, desk.machine.m])
     table[tuple(places[:29].T)] += 0.4
     points = [desk.marked(table, digits=2)[0]]
-    for place in map(tuple, places[29:33]):
+    for place in map(tuple, places[29:last]):
         table[place] = desk.key.table[place]
         points.append(desk.marked(table, digits=2)[0])
     assert min(np.diff(points)) >= 0 and points[0] > 15, points
