@@ -16,12 +16,29 @@ SAMPLE = (
 )  # fmt: skip
 
 
+def later(thing: Any) -> Any:
+    """Return a parameter of a test, or a tuple of them, that is marked `long`."""
+    return pytest.param(*thing if isinstance(thing, tuple) else (thing,), marks=pytest.mark.long)
+
+
 def sampled(names: Iterable[str]) -> list[Any]:
     """Return the parameters of a test of `names`: those beside `SAMPLE` are marked `long`."""
-    return [name if name in SAMPLE else pytest.param(name, marks=pytest.mark.long) for name in names]
+    return [name if name in SAMPLE else later(name) for name in names]
+
+
+def first(count: int, things: Iterable[Any]) -> list[Any]:
+    """Return the parameters of a test of `things`: those behind the first `count` are marked `long`."""
+    return [thing if place < count else later(thing) for place, thing in enumerate(things)]
+
+
+def diagonal(step: int, firsts: Iterable[Any], seconds: Iterable[Any]) -> list[Any]:
+    """Return all pairs as the parameters of a test: each of both is asked, one pair of `step`, the others are marked `long`."""
+    others = [*seconds]
+    pairs = [(one, other, (row + column) % step) for row, one in enumerate(firsts) for column, other in enumerate(others)]
+    return [later((one, other)) if away else (one, other) for one, other, away in pairs]
 
 
 def sampled_pairs(names: Iterable[str], others: Iterable[str], kept: set[tuple[str, str]]) -> list[Any]:
     """Return all pairs as the parameters of a test: those that are not `kept` are marked `long`."""
     pairs = [(name, other) for name in names for other in others]
-    return [pair if pair in kept else pytest.param(*pair, marks=pytest.mark.long) for pair in pairs]
+    return [pair if pair in kept else later(pair) for pair in pairs]

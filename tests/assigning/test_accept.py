@@ -1,6 +1,7 @@
 """Which draws are accepted: against a closed form of variant 31, an integrator written by others, and limits from both sides."""
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -132,10 +133,15 @@ def test_the_band_is_held_around_the_median_of_the_pilot_stream():
         assert accepted.values == streams[accepted.id][accepted.attempt]
 
 
+@cache
+def sixty():
+    return acceptance().accepted([f"s{number}" for number in range(60)])
+
+
 @pytest.mark.parametrize("size", [2, 3, 5, 30])
 def test_nobody_is_farther_than_the_band_from_the_median_of_any_class(size):
     """Of 60 students the worst class of each size is taken: the easiest with the one hardest, and the other way round."""
-    everybody = acceptance().accepted([f"s{number}" for number in range(60)])
+    everybody = sixty()
     for name in acceptance().ranges.difficulty.numbers:
         values = sorted(one.numbers[name] for one in everybody)
         for group in (values[: size - 1] + values[-1:], values[:1] + values[1 - size :], values):

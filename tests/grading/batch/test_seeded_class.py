@@ -11,6 +11,7 @@ from tests.grading.batch.classroom import EQUATIONS, NAMES
 from tests.grading.batch.in_this_process import in_this_process
 from tests.grading.marking import students
 from tests.grading.marking.seeded import SEED, visible_slip
+from tests.sample import first
 
 DIALECTS = ((";", ","), (",", "."), ("\t", "."))
 
@@ -24,8 +25,8 @@ def hand_in(folder, table, digits, separator, mark):
     (folder / "equations.txt").write_text("\n".join(EQUATIONS), encoding="utf-8")
 
 
-@pytest.fixture(scope="module")
-def marked(tmp_path_factory):
+@pytest.fixture(scope="module", params=first(1, (3, 1)))
+def marked(request, tmp_path_factory):
     """Return what was put in and what grades.json says, by id."""
     root = tmp_path_factory.mktemp("seeded")
     (root / "in").mkdir()
@@ -33,8 +34,9 @@ def marked(tmp_path_factory):
     truth = {}
     for number, (code, table) in enumerate(students.MISCONCEPTIONS.items()):
         digits = 3 + number % 3
-        hand_in(root / "in" / code, table(), digits, *DIALECTS[number % 3])
-        truth[code] = "", code
+        if (number // 3 + number) % request.param == 0:  # of each dialect the same number
+            hand_in(root / "in" / code, table(), digits, *DIALECTS[number % 3])
+            truth[code] = "", code
         slipped, (row, column) = visible_slip(rng, digits)
         hand_in(root / "in" / f"slip{number}", slipped, digits, *DIALECTS[number % 3])
         truth[f"slip{number}"] = f"row {row + 1} {NAMES[column]}", ""

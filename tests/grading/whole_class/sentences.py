@@ -30,21 +30,25 @@ def _leaves(entries: Mapping[str, object], path: str = "") -> dict[str, str]:
 
 
 @cache
-def _patterns() -> list[tuple[str, int, re.Pattern[str]]]:
-    """Return for each sentence that ends like one how many letters of its own it has, and a pattern; gaps are named groups."""
+def _patterns() -> list[tuple[str, int, re.Pattern[str], list[str]]]:
+    """Return for each sentence that ends like one how many letters of its own it has, a pattern, its words between gaps.
+
+    The gaps are named groups of the pattern.
+    """
     words = tomllib.loads(WORDS.read_text(encoding="utf-8"))
     found = []
     for key, text in _leaves({room: words[room] for room in ROOMS}).items():
         literal = sum(len(part.strip()) for part, *_ in Formatter().parse(text))
         if not text.endswith((".", ":", ".”", "”")) or literal < FEWEST:
             continue
-        pieces, names = [], set()
+        pieces, names, own = [], set(), list[str]()
         for part, name, _, _ in Formatter().parse(text):
             pieces.append(re.escape(plain(part)) if part.strip() else part)
+            own += [plain(part)] if part.strip() else []
             if name is not None:
                 pieces.append("(.{0,400}?)" if name in names or not name else f"(?P<{name}>.{{0,400}}?)")
                 names.add(name)
-        found.append((key, literal, re.compile("".join(pieces) + r"(?=\s|$)")))
+        found.append((key, literal, re.compile("".join(pieces) + r"(?=\s|$)"), own))
     return found
 
 
@@ -52,8 +56,9 @@ def _patterns() -> list[tuple[str, int, re.Pattern[str]]]:
 def sentences(text: str) -> tuple[tuple[Said, ...], str]:
     """Return the sentences of a text with their values, and what is left over."""
     text, found, rest, place = plain(text).strip(), [], "", 0
+    possible = [one for one in _patterns() if all(words in text for words in one[-1])]
     while place < len(text):
-        fits = [(own, key, match) for key, own, pattern in _patterns() if (match := pattern.match(text, place))]
+        fits = [(own, key, match) for key, own, pattern, _ in possible if (match := pattern.match(text, place))]
         if fits:
             _, key, match = max(fits, key=lambda fit: fit[0])
             found.append((key, match.groupdict()))

@@ -12,6 +12,7 @@ from coursework.motion.geometry.enclosures import REACH, Laws
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import FUNCTIONS
 from coursework.variant.record.variant import Law
+from tests.sample import first
 
 # Where each function of the language is looked at: arguments that stay in its domain, or leave it, or pass through a pole.
 FORMULAS = {
@@ -69,13 +70,14 @@ def test_no_value_on_a_stretch_lies_outside(name):
 
 
 @pytest.mark.parametrize("name", EVERY)
-def test_no_value_on_the_disc_lies_outside(name):
+@pytest.mark.parametrize("count", first(1, (20, 60)))
+def test_no_value_on_the_disc_lies_outside(name, count):
     """Also beside the real axis; abs(x) is x or -x there, which is why a disc that x leaves its side in has no bound.
 
     Where a part of the law is bounded by its values alone, the whole is near the disc on the stretch itself.
     """
     text = EVERY[name]
-    begin, end = stretches(3)
+    begin, end = stretches(3, count)
     found = laws(text).over("w", begin, end)
     random = np.random.default_rng(4)
     assert np.isfinite(found.disc).any()

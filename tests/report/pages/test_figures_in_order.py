@@ -13,6 +13,7 @@ from coursework.report.text.parts import Figure, Panels, Table
 from tests.command import call
 from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, solved
+from tests.sample import diagonal
 
 BEGINS = 24  # letters of a caption, its number among them
 
@@ -22,8 +23,7 @@ def plain(text):
     return "".join(letter for letter in unicodedata.normalize("NFKC", text) if letter.isalnum())
 
 
-@pytest.mark.parametrize("name", ["whitworth", "own"])
-@pytest.mark.parametrize("language", ["en", "ru"])
+@pytest.mark.parametrize(("name", "language"), diagonal(2, ("whitworth", "own"), ("en", "ru")))
 def test_numbers_of_figures_grow_on_paper(tmp_path, name, language):
     own = mechanism("slider-crank", ('"0 deg"', '"20 deg"'), n="40 rpm", step="0.05 s", end="1.5 s", period=None)
     (tmp_path / "own.toml").write_text(own, encoding="utf-8")

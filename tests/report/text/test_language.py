@@ -30,6 +30,7 @@ from coursework.words.sentences import PLURALS, Phrases, joined, load_phrases, s
 from tests.report import words_missing
 from tests.report.real import text_of
 from tests.report.text.test_sentences_of_a_page import keys
+from tests.sample import first
 from tests.solved import solved
 from tests.sources import files, nodes
 
@@ -223,7 +224,7 @@ def test_words_beside_a_part_of_one_have_a_form_of_their_own(language: str, besi
     assert words.written(say("unit.rows", number=24.0)) == words.written(say("unit.rows", number=24))
 
 
-@pytest.mark.parametrize("name", ["31", "epicyclic", "andrews"])
+@pytest.mark.parametrize("name", first(1, ("epicyclic", "31", "andrews")))
 def test_numbers_have_the_decimal_sign_of_the_page_and_chinese_has_no_spaces(name: str, reading: ModuleType) -> None:
     run = solved(name)
     as_written = " ".join(run.variant.remarks)  # what a file says in its own language stays as it is

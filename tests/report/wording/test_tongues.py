@@ -24,6 +24,7 @@ from coursework.variant.formula import mass_units, motion_units
 from coursework.words.sentences import load_phrases, say
 from tests.mechanisms.library import mechanism
 from tests.report.words_missing import languages, read
+from tests.sample import diagonal
 from tests.solved import solved
 
 # A shaper of its own: crank, slotted lever hinged below it, no file of the catalogue.
@@ -67,8 +68,7 @@ def report(name: str, language: str) -> str:
     return text_of(render_html(build_model(coursework.solve(chosen, quantities=asked), language)))
 
 
-@pytest.mark.parametrize("language", CYRILLIC)
-@pytest.mark.parametrize("name", ["31", "example-2", "example-4", "shaper"])
+@pytest.mark.parametrize(("name", "language"), diagonal(2, ("31", "example-2", "example-4", "shaper"), CYRILLIC))
 def test_no_unit_of_a_page_is_in_latin_letters(name: str, language: str) -> None:
     assert _LATIN_UNIT.findall(report(name, language)) == []
 

@@ -11,11 +11,12 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.earning import ROUNDED
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.test_equal_faults import Desk, close, codes
-from tests.grading.marking.table.test_twelve_variants import desks
+from tests.grading.marking.table.test_twelve_variants import desk_of
 from tests.grading.whole_class.tables import from_rows_before, slopes
+from tests.sample import first
 
 DECIMALS = (2, 3, 5)  # of variant 31's class two are accepted
-DOZEN = [0, *(pytest.param(number, marks=pytest.mark.long) for number in range(1, 12))]
+DOZEN = first(1, range(12))
 
 
 @cache
@@ -52,12 +53,13 @@ def turned(machine, name, term):
     return text.replace(term, (" - " if term[1] == "+" else " + ") + term[3:])
 
 
+@pytest.mark.parametrize("fewer", first(1, DECIMALS[:2]))
 @pytest.mark.parametrize("number", DOZEN)
-def test_a_fault_is_named_and_costs_the_same_with_any_decimals(number):
+def test_a_fault_is_named_and_costs_the_same_with_any_decimals(number, fewer):
     desk = of(number)
     for code, table in faults(desk.machine):
         if np.isfinite(table).all() and np.abs(table).max() < 300:
-            marked = [desk.marked(table, digits=digits) for digits in DECIMALS]
+            marked = [desk.marked(table, digits=digits) for digits in (fewer, DECIMALS[-1])]
             close([points for points, _ in marked], near=2.1)
             assert all(code in codes(found) for _, found in marked), (code, [codes(found) for _, found in marked])
 
@@ -103,14 +105,15 @@ def test_a_table_is_a_causes_as_a_whole_where_nearly_all_of_it_is(spoiled, told)
     assert ("other_step" in codes(found)) is told
 
 
-def test_cells_put_right_are_none_against_what_made_the_table_as_a_whole():
+@pytest.mark.parametrize("last", first(1, (31, 33)))
+def test_cells_put_right_are_none_against_what_made_the_table_as_a_whole(last):
     """Seven cells of ten are enough for that: of the 100 velocities, the angles being too coarse, 71 that no misprint is in."""
     desk, chance = Desk(coursework.load("v107")), np.random.default_rng(5)
     table = Machine(desk.variant, drive_sign=-1.0).table()
     places = chance.permutation(np.argwhere(np.ones((25, 4)))) + np.array([0, desk.machine.m])
     table[tuple(places[:29].T)] += 0.4
     points = [desk.marked(table, digits=2)[0]]
-    for place in map(tuple, places[29:33]):
+    for place in map(tuple, places[29:last]):
         table[place] = desk.key.table[place]
         points.append(desk.marked(table, digits=2)[0])
     assert min(np.diff(points)) >= 0 and points[0] > 15, points
@@ -138,7 +141,7 @@ def test_a_step_is_another_from_its_second_digit_on(step, named):
 
 def test_rows_of_a_shorter_step_stand_where_they_say():
     """Of rows every 0.01 s two are equally near to a row of the task at 0.025 s; neither is it."""
-    desk = desks("v102", 1)[0]
+    desk = desk_of("v102", 0)
     fine = desk.machine.table(step=0.01, rows=61)
     points, found = desk.marked(fine, times=np.arange(61) * 0.01)
     assert codes(found) == ("other_step",)
@@ -165,7 +168,7 @@ def test_a_slip_that_is_carried_on_costs_its_cell_with_few_digits(number):
 
 def test_a_start_that_nobody_printed_is_no_cause_of_some_cells():
     """One sign turned, and few of the cells are what another start makes as well."""
-    desk = desks("v102", 12)[5]
+    desk = desk_of("v102", 5)
     text = "VMy - a*w3*cos(phi3) - r2*w2*cos(phi2) + r1*w1*cos(phi1)"
     table = Machine(desk.variant, lines={"4": text}).table()
     for digits in (desk.key.least_decimals, 5):

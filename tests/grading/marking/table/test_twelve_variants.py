@@ -16,15 +16,19 @@ from tests.grading.reading.notations import NOTATIONS, PLAIN, slips
 OF_EQUATIONS = 40
 # Templates whose data can be drawn, how many variants, every which slip of their equations.
 MANY = [
-    pytest.param("31", 2, 16),
+    pytest.param("31", 2, 40),
     *(pytest.param(name, 12, 1, marks=pytest.mark.long) for name in ("31", "v102", "v107")),
 ]
 BLOWN_UP = 1e3
 
 
 @cache
+def desk_of(template, number):
+    return Desk(coursework.draw(template, template, "twelve", f"student{number}"))
+
+
 def desks(template, count):
-    return [Desk(coursework.draw(template, template, "twelve", f"student{number}")) for number in range(count)]
+    return [desk_of(template, number) for number in range(count)]
 
 
 @pytest.mark.parametrize(("template", "count", "every"), MANY)

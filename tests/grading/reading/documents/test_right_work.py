@@ -14,6 +14,7 @@ from coursework.grading.marking.grade import Grade
 from coursework.grading.reading.submission import Submission, submitted_file
 from tests.grading.marking import students
 from tests.grading.reading.documents.papers import MAKERS, Rows
+from tests.sample import diagonal
 from tests.takeaway.taken import taken
 
 LATEX = (
@@ -45,9 +46,9 @@ def graded(files: dict[str, bytes], variant: str = "31", rubric: str = "") -> Gr
     return workshop(rubric).grade(handed, VariantSource(variant, path.read_bytes()))
 
 
-@pytest.mark.parametrize("kind", MAKERS)
-@pytest.mark.parametrize(("heads", "mark"), [(PLAIN, "."), (GREEK, ",")])
-def test_right_work_is_worth_all_points(kind: str, heads: list[str], mark: str) -> None:
+@pytest.mark.parametrize(("kind", "written"), diagonal(2, MAKERS, ("plain", "greek")))
+def test_right_work_is_worth_all_points(kind: str, written: str) -> None:
+    heads, mark = (PLAIN, ".") if written == "plain" else (GREEK, ",")
     name, made = MAKERS[kind]
     grade = graded({name: made(heads, rows(students.table(), mark=mark), LATEX)})
     assert grade.status in {"graded", "graded-with-notes"}, (grade.reason, grade.work.trouble)

@@ -19,6 +19,7 @@ from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from tests.grading.marking.machines import Machine
 from tests.mechanisms.library import mechanism
+from tests.sample import first
 
 # A crank that drives a slider on a line of 20 degrees, offset; not of the catalogue.
 OWN = mechanism("slider-crank-on-a-slope").encode()
@@ -140,13 +141,14 @@ def test_a_slip_in_it_costs_what_it_costs_in_a_right_table(desk):
     assert "clockwise" in codes(turned)
 
 
-def test_some_velocities_with_the_other_sign_are_wrong_signs(desk):
-    for place in desk.rates:
+@pytest.mark.parametrize("whole", first(1, (False, True)))
+def test_some_velocities_with_the_other_sign_are_wrong_signs(desk, whole):
+    for turn, place in enumerate(desk.rates):
         table = desk.right.copy()
         table[:, place] *= -1
         rest = desk.turned()
         rest[:, place] *= -1
-        for found in (table, rest):
+        for found in (table, rest) if whole else ((table, rest)[turn % 2],):
             grade = desk.graded(found)
             assert "clockwise" not in codes(grade)
             assert grade.table.share < 1

@@ -11,7 +11,8 @@ from coursework.grading.marking.table.cells import _cut_off
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.sentences import load_phrases
 from tests.grading.marking.machines import DEGREE, Machine
-from tests.grading.marking.table.test_equal_faults import SLIDER_CRANK, Desk, close, codes, variants
+from tests.grading.marking.table.test_equal_faults import SLIDER_CRANK, Desk, close, codes, of_each, variants
+from tests.sample import diagonal
 
 
 def of_rows_above(machine):
@@ -60,9 +61,10 @@ def radians_everywhere(machine):
     ("made", "code", "worth"),
     [(of_rows_above, "rows_above", 24), (with_sines_exchanged, "cosine_drive", 30), (radians_everywhere, "radian_mode", 24)],
 )
-def test_what_is_mixed_up_is_named_and_worth_the_same_everywhere(made, code, worth):
+@of_each
+def test_what_is_mixed_up_is_named_and_worth_the_same_everywhere(made, code, worth, numbers):
     points = []
-    for desk in variants():
+    for desk in (variants()[number] for number in numbers):
         if code == "cosine_drive" and not any("sin" in law for law in desk.machine.laws.values()):
             continue
         found, table = desk.marked(made(desk.machine), digits=5)
@@ -194,13 +196,13 @@ MIXED = {
 }
 
 
-@pytest.mark.parametrize("code", MIXED)
-def test_faults_of_time_angles_and_rates_are_named_and_keep_what_is_worth_of_one(code):
+@pytest.mark.parametrize(("code", "number"), diagonal(2, MIXED, (0, 2)))
+def test_faults_of_time_angles_and_rates_are_named_and_keep_what_is_worth_of_one(code, number):
     """Rows of such a table follow no motion near the task's: unnamed it had nothing."""
-    for desk in (variants()[0], variants()[2]):
-        found, table = desk.marked(MIXED[code](desk.machine), digits=5)
-        assert code in codes(table)
-        assert found > 23
+    desk = variants()[number]
+    found, table = desk.marked(MIXED[code](desk.machine), digits=5)
+    assert code in codes(table)
+    assert found > 23
 
 
 def test_start_values_with_digits_cut_off_are_those_of_the_task():
@@ -211,9 +213,10 @@ def test_start_values_with_digits_cut_off_are_those_of_the_task():
 
 
 @pytest.mark.parametrize(("by", "code"), [(1, "omega_late"), (-1, "omega_early")])
-def test_velocities_in_the_next_row_are_told_as_that_alone(by, code):
+@of_each
+def test_velocities_in_the_next_row_are_told_as_that_alone(by, code, numbers):
     """Every angle stands in its place, so no row is shifted, and none follows from the velocity printed above it."""
-    for desk in variants():
+    for desk in (variants()[number] for number in numbers):
         table, m = desk.machine.table(), desk.machine.m
         table[max(by, 0) : len(table) + min(by, 0), m:] = table[max(-by, 0) : len(table) - max(by, 0), m:].copy()
         points, marked = desk.marked(table)
