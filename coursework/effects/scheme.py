@@ -119,7 +119,7 @@ class _Reader:
         is_shaped = len(points) == 2 if inertia == ROD else link is not None and bool(link.wheel)
         if inertia in {ROD, DISC} and (span is None or not is_shaped):
             self.fault(path, say("fault.V726", name=name, shape=inertia))
-        return Body(name, rate, centre, mass.mass if mass else None, None if inertia == POINT else inertia, span)
+        return Body(name, rate, centre, mass.mass if mass else None, None if inertia == POINT else inertia, span, turns)
 
     def rate_of(self, body: str) -> str:
         """Return the rate a body turns with: its own, or that of the guide in which it cannot turn; "" for none."""
