@@ -12,6 +12,7 @@ from coursework.motion.geometry.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt
 from coursework.run import Run
+from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -40,8 +41,8 @@ def check_variant(variant: str) -> int:
     for block, solution in zip(reduction.blocks, scene.solutions, strict=True):
         tell(say("screen.block", unknowns=tuple(block.unknowns), equations=tuple(block.equations)))
         for name, formula in solution:
-            tell(f"    {name} = {spelled(formula)}")
-        determinant = spelled(block.determinant) if solution and block.determinant is not None else say("screen.numerical")
+            tell(f"    {name} = {as_read(formula)}")
+        determinant = as_read(block.determinant) if solution and block.determinant is not None else say("screen.numerical")
         if block.meaning != say("determinant.never"):
             tell(say("screen.determinant", determinant=determinant, meaning=block.meaning))
         else:
