@@ -11,7 +11,7 @@ pytestmark = pytest.mark.usefixtures("folder")
 
 
 def test_an_angle_of_the_file_in_degrees_is_read_in_degrees():
-    """In the velocities, the determinant, and where it is zero: at psi = 40° + 57.3°·t/s the guides are parallel when psi = 90.75°."""
+    """In the velocities, the determinant, and where it is zero: the guides are parallel at psi = 90.75°."""
     text = mechanism("pin-between-guides", ('angle = "90 deg"', 'angle = "-89.25 deg"'), end="2 s")
     Path("own.toml").write_text(text, encoding="utf-8")
     told = call("check", "own.toml").stdout
