@@ -18,3 +18,9 @@ def test_an_angle_of_the_file_in_degrees_is_read_in_degrees():
     assert "uj = " in told and "1.557" not in told
     assert "sin(89.25° + psi): zero when the two guides are parallel" in told
     assert "become singular: sin(89.25° + psi) = 0, with psi = 1.58389 rad = 90.75°" in told
+
+
+@pytest.mark.parametrize(("name", "determinant"), [("31", "r2*r1*sin(phi1 - phi2)"), ("example-4", "s2")])
+def test_the_determinant_of_two_velocities_has_the_sign_of_the_page(name, determinant):
+    told = call("check", name).stdout
+    assert f"determinant {determinant}: zero" in told and f"determinant -{determinant}:" not in told
