@@ -1,5 +1,7 @@
 """A guide is part of a link only if it turns and shifts with it; start values measured on a drawing are no moving pins."""
 
+import math
+
 import pytest
 
 import coursework
@@ -114,3 +116,47 @@ def test_start_values_measured_on_a_drawing_leave_the_pins_in_their_links(start,
     else:
         with pytest.raises(coursework.InputError, match=r"V735 own.toml:\d+  masses.3: point C does not stand still"):
             _ = run.results.forces
+
+
+SLEEVE = """
+format = 1
+title = "A bar that swings through a sleeve on a crank"
+[drive]
+w1 = "5"
+[coordinates]
+phi = { start = "40 deg", rate = "w1" }
+psi = { start = "0.1690507619705257 rad", rate = "wp" }
+[time]
+step = "0.02 s"
+end = "0.2 s"
+[points]
+O = "(0, 0)"
+D = "(-0.3, 0)"
+B = "O + 0.1 @ phi"
+E = "D + 0.6 @ psi"
+[links]
+1 = { points = ["O", "B"], rate = "w1" }
+2 = { points = ["B"], slides = "3" }
+3 = { points = ["D", "E"] }
+[frame]
+hinges = ["O", "D"]
+[[constraint]]
+equation = "0.1*w1*cos(phi - psi) - (0.1*cos(phi - psi) + 0.3*cos(psi))*wp = 0"
+[masses]
+2 = { mass = "0.5 kg", inertia = "0.01 kg*m^2" }
+[ask]
+quantities = ["table", "forces"]
+"""
+
+
+@pytest.mark.parametrize("rate", ["", ', rate = "wp"'])
+def test_a_sleeve_turns_with_its_bar_whether_or_not_the_file_names_the_rate(rate):
+    """The bar gives the sleeve its angular acceleration by the couple J*epsilon, from psi = atan2(r sin, d + r cos)."""
+    run = coursework.solve(coursework.parse_variant(SLEEVE.replace('"E"]', f'"E"]{rate}')))
+    r, d, w, phi = 0.1, 0.3, 5.0, math.radians(40)
+    above, below = r * r + r * d * math.cos(phi), r * r + d * d + 2 * r * d * math.cos(phi)
+    epsilon = w**2 * r * d * math.sin(phi) * (2 * above - below) / below**2
+    assert run.results.forces.column("K32")[0] == pytest.approx(0.01 * epsilon, rel=1e-9)
+    with pytest.raises(coursework.InputError, match=r"V725 .*link 2 turns and has a mass, but no inertia"):
+        bare = SLEEVE.replace('"E"]', f'"E"]{rate}').replace(', inertia = "0.01 kg*m^2"', "")
+        _ = coursework.solve(coursework.parse_variant(bare)).results.forces
