@@ -62,8 +62,8 @@ def as_read(tree: Formula) -> str:
     """Return a formula as text for a person, who reads angles in degrees.
 
     >>> from coursework.variant.formula.reader import parse
-    >>> as_read(parse("-l4*cos(1.9198621771937625 + phi4)"))
-    '-l4*cos(110° + phi4)'
+    >>> as_read(parse("l4*cos(1.9198621771937625 + phi4)"))
+    'l4*cos(110° + phi4)'
     """
 
     def turned(part: Formula) -> Formula:
