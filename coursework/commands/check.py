@@ -8,10 +8,12 @@ from __future__ import annotations
 from coursework.api import make_run, variant_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, tell_own_file, title_of
+from coursework.equations.reduction.cramer import cramer
 from coursework.motion.geometry.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt
 from coursework.run import Run
+from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -37,11 +39,13 @@ def check_variant(variant: str) -> int:
     closure = scene.closure
     for note in reduction.notes:
         tell(note)
-    for block, solution in zip(reduction.blocks, scene.solutions, strict=True):
+    pairs = cramer(equations, reduction, [bool(solution) for solution in scene.solutions])
+    for block, solution, pair in zip(reduction.blocks, scene.solutions, pairs, strict=True):
         tell(say("screen.block", unknowns=tuple(block.unknowns), equations=tuple(block.equations)))
         for name, formula in solution:
-            tell(f"    {name} = {spelled(formula)}")
-        determinant = spelled(block.determinant) if solution and block.determinant is not None else say("screen.numerical")
+            tell(f"    {name} = {as_read(formula)}")
+        found = pair.determinant if pair is not None else block.determinant  # of a pair with the signs of the page
+        determinant = as_read(found) if solution and found is not None else say("screen.numerical")
         if block.meaning != say("determinant.never"):
             tell(say("screen.determinant", determinant=determinant, meaning=block.meaning))
         else:

@@ -24,7 +24,7 @@ _OF_EQUATIONS = {"START", "INITIAL", "RESIDUAL", "DRIFT", "DRIFT-PER-PERIOD"}  #
 def tell_remarks(run: Run) -> None:
     """Print the remarks on values in the file that look like slips."""
     for remark in run.variant.plausibility:
-        told = say("remark.line", line=remark.line, sentence=remark.sentence)
+        told = remark.told
         tell(say("screen.check", code=remark.code, sentence=told) if speaks_english() else say("screen.note", sentence=told))
 
 

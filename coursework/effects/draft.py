@@ -41,7 +41,7 @@ def _sections(scheme: ForceScheme, said: Callable[[str], str]) -> Iterator[str]:
     for body in scheme.bodies:
         points = scheme.holds[body.name]
         parts = ['mass = "1 kg"']
-        if body.rate:
+        if body.turns:
             wheel = _is_wheel(scheme, body)
             parts.append('inertia = "disc"' if wheel else 'inertia = "rod"' if len(points) == 2 else 'inertia = "0.01 kg*m^2"')
             parts += [f'centre = "{points[0]}"'] if len(points) > 2 and not wheel else []

@@ -25,7 +25,7 @@ class Body:
     """A moving link: its `name`, the `rate` it turns with ("" if it has none), its `centre` of mass, its `mass` (None for none).
 
     `span` are two of its points, from which the angular velocity follows if there is no named rate; for the inertia of a rod they
-    are its ends, for that of a disc its centre and contact.
+    are its ends, for that of a disc its centre and contact.  `turns`: whether it needs a moment of inertia.
     """
 
     name: str
@@ -34,6 +34,7 @@ class Body:
     mass: Formula | None
     inertia: Formula | str | None
     span: tuple[Formula, Formula] | None = None
+    turns: bool = False
 
 
 @frozen

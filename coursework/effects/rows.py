@@ -123,6 +123,8 @@ def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:
         yield from _numbers(unknown.direction.angle)
         for point in unknown.direction.through or ():
             yield point, True, PLACE
+        if unknown.direction.kind == "across" and unknown.direction.angle is not None and unknown.at is not None:
+            yield from ((unknown.direction.angle, False, RATE), (unknown.at, True, RATE))
         if unknown.is_drive and unknown.at is not None:
             yield unknown.at, True, RATE
             if unknown.direction.coordinate:

@@ -101,8 +101,8 @@ class _Reader:
         span = None
         if link is not None and link.wheel and link.contact:
             span = named(link.wheel), named(link.contact)
-        elif len(points) > 1:
-            span = points[0], points[1]
+        else:
+            span = self.span_of(body)
         centre, path = mass.centre if mass else None, ("masses", mass.body if mass else name)
         if centre is None:
             if link is not None and link.wheel:
@@ -112,14 +112,14 @@ class _Reader:
             elif len(points) == 2:
                 centre = Formula("/", (Formula("+", (points[0], points[1])), number(2)))
         centre = centre or (points[0] if points else Formula("pair", (number(0), number(0))))
-        turns = bool(rate) or (link is not None and link.rate is None and span is not None and not link.slides)
+        turns = bool(rate) or (link is not None and link.rate is None and span is not None)
         inertia = mass.inertia if mass else None
         if mass is not None and inertia is None and turns:
             self.fault(path, say("fault.V725", name=name))
         is_shaped = len(points) == 2 if inertia == ROD else link is not None and bool(link.wheel)
         if inertia in {ROD, DISC} and (span is None or not is_shaped):
             self.fault(path, say("fault.V726", name=name, shape=inertia))
-        return Body(name, rate, centre, mass.mass if mass else None, None if inertia == POINT else inertia, span)
+        return Body(name, rate, centre, mass.mass if mass else None, None if inertia == POINT else inertia, span, turns)
 
     def rate_of(self, body: str) -> str:
         """Return the rate a body turns with: its own, or that of the guide in which it cannot turn; "" for none."""
@@ -127,10 +127,21 @@ class _Reader:
         rate = rates.get(body, "")
         if rate and units.get(rate, "rad") == "rad":
             return rate
-        for joint in self.bodies.linkage.joints:
-            if joint.kind.slides and joint.kind.takes > 1 and joint.bodies[0] == body and joint.bodies[1] != FRAME:
-                return self.rate_of(joint.bodies[1])
-        return ""
+        guide = self.guide_of(body)
+        return self.rate_of(guide) if guide else ""
+
+    def span_of(self, body: str) -> tuple[Formula, Formula] | None:
+        """Return two points that turn as a body does: its own, or those of the guide in which it cannot turn; None for none."""
+        points = [named(point) for point in self.bodies.points()[body]]
+        if len(points) > 1:
+            return points[0], points[1]
+        guide = self.guide_of(body)
+        return self.span_of(guide) if guide else None
+
+    def guide_of(self, body: str) -> str:
+        """Return the moving body on which a body slides without turning, "" if there is none."""
+        pairs = (one.bodies for one in self.bodies.linkage.joints if one.kind.slides and one.kind.takes > 1)
+        return next((guide for block, guide in pairs if block == body and guide != FRAME), "")
 
     def check_friction(self, unknowns: list[Unknown]) -> None:
         """Note a fault for each friction entry that cannot rub: at a point that is no joint, or at a pin without a radius."""

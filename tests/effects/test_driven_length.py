@@ -57,6 +57,14 @@ def test_a_bar_that_a_wheel_rolls_on_is_no_disc():
     assert "disc" in wheel and "disc" not in bar
 
 
+def test_a_link_without_a_rate_gets_the_inertia_that_a_run_asks_for():
+    text = mechanism("arm-driven-at-its-joints", ('"A"], rate = "w1"', '"A"]'), (', rate = "W2" }', " }"))
+    bare = text.partition("[masses]")[0] + "[ask]" + text.partition("[ask]")[2]
+    both = with_forces(coursework.parse_variant(bare), bare, str)
+    assert re.findall('^[12] = .*mass.*inertia = "rod" }', both, flags=re.M) == re.findall("^[12] = .*mass.*", both, flags=re.M)
+    assert of_text(both).rows.count
+
+
 @pytest.mark.parametrize("named", [True, False])
 def test_an_angle_from_link_to_link_is_driven_by_a_couple_at_the_joint(named):
     """By Newton's laws of the forearm alone, then of the whole arm; the same if [links] does not name the rates."""

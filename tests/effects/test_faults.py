@@ -121,8 +121,8 @@ def test_links_that_share_no_hinge_are_told_as_that_and_not_as_missing(end, is_l
 
 
 def test_units():
-    texts = ("2 t", "250 g", "1.5 kN", "12 N·m", "10 g*cm^2", "2 N/mm", "3 кг", "5 Н*м", "5 N·м")
-    assert [read_mass(text).value for text in texts] == [2000.0, 0.25, 1500.0, 12.0, 1e-6, 2000.0, 3.0, 5.0, 5.0]
+    texts = ("2 t", "250 g", "1.5 kN", "12 N·m", "10 g*cm^2", "2 N/mm", "3 кг", "5 Н*м", "5 N·м", "3 кg", "2 kН*м")
+    assert [read_mass(text).value for text in texts] == [2000.0, 0.25, 1500.0, 12.0, 1e-6, 2000.0, 3.0, 5.0, 5.0, 3.0, 2000.0]
     assert read_mass("0.5 m").si == "m"
 
 

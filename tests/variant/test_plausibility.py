@@ -156,6 +156,16 @@ def test_remarks_stand_in_the_record_on_the_console_and_on_the_first_page(tmp_pa
     assert f"ANGLE: Remark on line {line} of the file: {sentence}" in checked.output
 
 
+def test_a_remark_on_a_value_that_was_set_blames_no_line_of_the_file():
+    bare = parse_variant(rewritten()).with_data({"alpha": "-25 rad"})
+    (remark,) = bare.plausibility
+    assert (remark.code, remark.line) == ("ANGLE", 0)
+    assert str(remark.told) == "Remark on a value that was set: alpha = -25 rad is 3.98 turns; -25 deg?"
+    assert str(bare.with_data({"r1": "953 m"}).plausibility[0].told).startswith("Remark on a value that was set: r1")
+    typed = parse_variant(rewritten(('"4.35 rad"', '"10.6331853072 rad"'))).with_data({"V1": "4.4 m/s"})
+    assert [one.line for one in typed.plausibility] == [line_of("alpha")]
+
+
 def test_lengths_whose_quotient_is_no_number_are_told():
     told = remarks(('"0.953 m"', '"1e-312 m"'), ('"0.847 m"', '"1e11 m"'), ('"0.457 m"', '"2e11 m"'))
     assert [code for code, _, _ in told] == ["LENGTH"]

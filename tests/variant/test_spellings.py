@@ -130,6 +130,8 @@ SI = {f"2 {unit}": (2 * size, si) for si, units_ in KINDS.items() for unit, size
     "2 с⁻¹": (2, "1/s"), "2 рад·с⁻²": (2, "1/s^2"), "2 m s^-1": (2, "m/s"), "2 1/c": (2, "1/s"), "2 oб/мин": (TURN / 30, "1/s"),
     "2 m/с": (2, "m/s"), "2 м/s": (2, "m/s"), "2 mm/с²": (0.002, "m/s^2"), "2 rad·с⁻¹": (2, "1/s"),
     "2 rev/хв": (TURN / 30, "1/s"), "2 m/c": (2, "m/s"), "2 град/s": (TURN / 180, "1/s"),
+    "2 сm/s": (0.02, "m/s"), "2 cм": (0.02, "m"), "2 mм/с": (0.002, "m/s"), "2 мm": (0.002, "m"), "2 rаd/s": (2, "1/s"),
+    "2 рad": (2, "rad"), "2 мs": (0.002, "s"), "2 mс": (0.002, "s"), "2 rpм": (TURN / 30, "1/s"), "2 сm/мин": (0.02 / 60, "m/s"),
 }  # fmt: skip
 
 
@@ -162,6 +164,8 @@ def test_every_unit_the_tool_knows_is_one_of_these_or_made_of_two():
     [
         ("1.5 mps", "m/s", 'a speed was expected: m/s, cm/s, mm/s (found "1.5 mps").'),
         ("3.37 rd", "rad", 'Did you mean "rad"?'),
+        ("60 сmm/s", "m/s", '"сmm" has letters of two alphabets: Cyrillic small letter es “с”, which looks like the Latin "c".'),
+        ("60 кg", "", '"кg" has letters of two alphabets: Cyrillic small letter ka “к”. Write it in one.'),
         ("3.37 rd", "m", 'a length was expected: m, cm, mm (found "3.37 rd").'),
         ("2 rad/sec", "1/s", 'Did you mean "rad/s"?'),
         ("2 об/мн", "1/s", 'Did you mean "об/мин"?'),

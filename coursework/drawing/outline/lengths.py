@@ -7,9 +7,10 @@ Used by `tracing.py`, `naming.py`, `dimensions.py` and `drawing/plans/plans.py`.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Container, Iterator, Mapping
 from contextlib import suppress
-from itertools import combinations
+from itertools import combinations, permutations
 from string import ascii_uppercase
 
 from coursework.mechanism.groups import group_kind
@@ -59,7 +60,9 @@ def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:
     free = (letter for letter in ascii_uppercase if letter not in taken)
     sides = [one.sides for one in mechanism.constraints if one.is_closure]
     arms = [both for both in sides if all([part.op for part in terms(side)] == ["name", "@"] for side in both)]
-    return dict(zip(free, (both for both in arms if not {*both} & {*points.values()}), strict=False))
+    ways = _ways(mechanism) if arms else {}
+    unnamed = (both for both in arms if not any(_steps(side, ways) in ways.values() for side in both))
+    return dict(zip(free, unnamed, strict=False))
 
 
 def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
@@ -72,8 +75,6 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
     for group in variant.groups:
         met = named(group.meets or "")
         minus += [Formula("-", (met, side)) for side in group_kind(group.kind).closure(group)[0] if group.meets]
-    at = {formula: named(name) for name, formula in mechanism.points}  # a side of a closure that is the formula of B stands for B
-    minus += [Formula("-", (at.get(c.left, c.left), at.get(c.right, c.right))) for c in mechanism.constraints if c.is_closure]
     for joint, sides in unnamed_joints(mechanism).items():
         minus += [Formula("-", (named(joint), side)) for side in sides]
     minus += gaps_of(variant)
@@ -84,14 +85,38 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
         said = [length for part in parts if part.op != "name" and (length := _length(part)) is not None]
         if len(parts) == 3 and len(ends) == 2 and len(said) == 1:
             found.setdefault(ends, said[0])
-    for ends, length in squared_lengths(mechanism):
+    for ends, length in (*_across_loops(mechanism), *squared_lengths(mechanism)):
         found.setdefault(ends, length)
-    origin = next((name for name, formula in mechanism.points if is_origin(formula)), "")
-    for name, formula in mechanism.points:
-        length = _length(formula) if origin and formula.op in {"pair", "@"} else None
-        if length is not None:
-            found.setdefault(frozenset((origin, name)), length.args[0] if length.op == "neg" else length)
     return found
+
+
+def _across_loops(mechanism: Mechanism) -> Iterator[tuple[frozenset[str], Formula]]:
+    """Yield the lengths of vectors between two points, of a loop too: c in A + a @ q1 + b @ q2 = D + f @ q4 + c @ q3."""
+    ways = _ways(mechanism)
+    loops = [Formula("-", one.sides) for one in mechanism.constraints if one.is_closure]
+    for whole in [Counter(), *(_steps(one, ways) for one in (*loops, *held_vectors(mechanism.variant)))]:
+        for (first, one), (last, other) in permutations(ways.items(), 2):
+            rest = [(step, times) for step in {*whole, *one, *other} if (times := whole[step] - one[step] + other[step])]
+            if len(rest) == 1 and abs(rest[0][1]) == 1 and (length := _length(rest[0][0])) is not None:
+                yield frozenset((first, last)), length
+
+
+def _ways(mechanism: Mechanism) -> dict[str, Counter[Formula]]:
+    """Return for each point the vectors that lead to it from the origin."""
+    ways: dict[str, Counter[Formula]] = {}
+    for name, formula in mechanism.points[:_MOST_POINTS]:
+        ways[name] = _steps(formula, ways)
+    return ways
+
+
+def _steps(formula: Formula, ways: Mapping[str, Counter[Formula]]) -> Counter[Formula]:
+    """Return the vectors that lead to a point, each with how often it is added; a point stands for those that lead to it."""
+    steps: Counter[Formula] = Counter()
+    for term, sign in signed(formula):
+        own = ways[term.name] if term.op == "name" and term.name in ways else {term: int(not is_origin(term))}
+        for step, times in own.items():
+            steps[step] += sign * times
+    return steps
 
 
 def squared_lengths(mechanism: Mechanism) -> Iterator[tuple[frozenset[str], Formula]]:
@@ -140,5 +165,6 @@ def _length(part: Formula) -> Formula | None:
     if part.op == "pair":
         x, y = part.args
         zero = [arg.op == "number" and arg.value == 0 for arg in (x, y)]
-        return None if sum(zero) != 1 else (y if zero[0] else x)
+        length = y if zero[0] else x
+        return None if sum(zero) != 1 else length.args[0] if length.op == "neg" else length
     return None

@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from coursework.effects.effects import Action, actions_of
-from coursework.effects.force_scheme import Body, drives_of
+from coursework.effects.force_scheme import Body, Unknown, drives_of
 from coursework.effects.kinetostatics.energy import Energy, energy_of, reduced_inertia
 from coursework.effects.kinetostatics.groups import by_groups
 from coursework.effects.kinetostatics.kinetostatics import Reactions, react
@@ -24,14 +24,16 @@ from coursework.mechanism.joints import FRAME
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion
 from coursework.results.kinematics.extra import ExtraTable
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Complex
 from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-# A point belongs to a link only if its velocity differs from the link's by less than this share of the largest speed.
-_OFF_AXES = 1e-7
+# A point belongs to a link only if its velocity differs from the link's by less than this share of the largest speed: rounding in
+# a chain, which closes exactly, else what start values with two digits leave open.
+_OFF_AXES, _MEASURED = 1e-7, 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,6 +144,7 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
     """Raise `InputError` for pins and centres of mass not fixed in their links, and for forces on a link at points outside it."""
     scheme, variant = rows.scheme, equations.variant
     centres = {body.name: body.centre for body in scheme.bodies}
+    share = _OFF_AXES if variant.groups else _MEASURED
     listed: list[tuple[tuple[str, ...], str, Formula | None]] = [(("masses", name), name, at) for name, at in scheme.pinned]
     listed += [
         (("masses", mass.body, "centre"), mass.body, centres[scheme.body_named(mass.body)]) for mass in scheme.forces.masses
@@ -150,7 +153,7 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
     faults = []
     for path, name, at in listed:
         body = scheme.by_name[scheme.body_named(name)]
-        if at is None or not rows.count or _is_fixed(rows, body, scheme.own_point(name), at):
+        if at is None or not rows.count or _is_fixed(rows, body, scheme.own_point(name), at, share):
             continue
         line = scheme.forces.lines.get(path) or scheme.forces.lines.get(path[:2], 1)
         if path[0] == "forces":
@@ -158,17 +161,42 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
         else:
             told = say("fault.V731" if len(path) > 2 else "fault.V735", name=body.name, point=spelled(at))
         faults.append(Fault(told, variant.file, line, 0, ".".join(path)))
+    faults += [fault for one in scheme.unknowns if (fault := _moving_guide(rows, one, variant, share)) is not None]
     if faults:
         raise InputError(faults)
 
 
-def _is_fixed(rows: Rows, body: Body, own: Formula | None, at: Formula) -> bool:
+def _is_fixed(rows: Rows, body: Body, own: Formula | None, at: Formula, share: float) -> bool:
     """Return whether a point moves with a body, as its `own` point does."""
     if own is None or own == at:
         return True
-    # Positions of a scheme drift, and the links with them; only its first row is closed.
+    turned = 1j * rows.omega(body) * (rows.vector(at) - rows.vector(own))
+    return _are_equal(rows, share, rows.vector(at, RATE), rows.vector(own, RATE) + turned, turned)
+
+
+def _moving_guide(rows: Rows, one: Unknown, variant: Variant, share: float) -> Fault | None:
+    """Return the fault of a straight guide that turns or shifts otherwise than the link that carries it, else None."""
+    angle, at = one.direction.angle, one.at
+    if one.direction.kind != "across" or angle is None or at is None or not rows.count:
+        return None
+    body, own = rows.scheme.by_name.get(one.off), rows.scheme.own_point(one.off)
+    omega = rows.omega(body) if body is not None else np.zeros(rows.count)
+    moved, turning = rows.vector(at, RATE), rows.values[angle, False, RATE]
+    carried = 0j * moved
+    if body is not None:
+        carried = moved if own is None else rows.vector(own, RATE) + 1j * omega * (rows.vector(at) - rows.vector(own))
+    across = np.conj(rows.along(one))
+    shifts = (across * moved).real, (across * carried).real
+    if _are_equal(rows, share, turning, omega) and _are_equal(rows, share, *shifts, moved, carried):
+        return None
+    index = next((k for k, group in enumerate(variant.groups) if angle in [guide.angle for guide in group.guides]), None)
+    line = variant.nearest_line("frame", "rails") if index is None else variant.nearest_line("group", index, "guide")
+    pin = variant.groups[index].meets if index is not None else None
+    return Fault(say("fault.V736", name=one.off, point=pin or spelled(at)), variant.file, line)
+
+
+def _are_equal(rows: Rows, share: float, found: Array | Complex, wanted: Array | Complex, *beside: Array | Complex) -> bool:
+    """Return whether two velocities differ by no more than a `share` of the largest, in the rows whose positions do not drift."""
     kept = slice(None) if rows.motion.scheme == EXACT else slice(1)
-    turned = (1j * rows.omega(body) * (rows.vector(at) - rows.vector(own)))[kept]
-    moved = rows.vector(at, RATE)[kept]
-    off = np.abs(moved - rows.vector(own, RATE)[kept] - turned).max()
-    return bool(off <= _OFF_AXES * max(np.abs(moved).max(), np.abs(turned).max()))
+    largest = max(np.abs(one[kept]).max() for one in (found, wanted, *beside))
+    return bool(np.abs(found - wanted)[kept].max() <= share * largest)

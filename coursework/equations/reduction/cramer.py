@@ -1,6 +1,6 @@
 """A block of two velocities solved by Cramer's rule, with every determinant shown.
 
-Enters: `VelocityEquations` and their `Reduction`.  Leaves: `Cramer`, in formulas.  Used by `solution.py`.
+Enters: `VelocityEquations` and their `Reduction`.  Leaves: `Cramer`, in formulas.  Used by `solution.py` and `commands/check.py`.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import link_names, linkage
-from coursework.variant.formula.made import product_of
+from coursework.variant.formula.made import as_read, product_of
 from coursework.variant.formula.tree import Formula, FormulaFault, constant, evaluate, factors, on_axes, spelled, terms
 from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
@@ -86,7 +86,7 @@ def _factor(tree: Formula, variant: Variant) -> str:
         if len(angles) == 1 and tree.args[0].op == "name" and (other := _counted_from(angles[0], variant)):
             key = "determinant.across" if tree.name == "cos" else "determinant.one_line"
             return say(key, first=_link(other, variant), second=_link(angles[0], variant))
-        return say("determinant.zero", formula=spelled(tree))
+        return say("determinant.zero", formula=as_read(tree))
     if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 2 and _is_difference(tree.args[0]):
         first, second = (_link(name, variant) for name in angles)
         if tree.name == "cos":
@@ -103,7 +103,7 @@ def _factor(tree: Formula, variant: Variant) -> str:
     if angles and tree.op in {"+", "-"} and all(_FROM_X in _axes(angle, variant) for angle in angles) and _of_arms(tree, angles):
         return say("determinant.arms", links=tuple(_link(angle, variant, _OF) for angle in angles))
     key = "determinant.zero" if set(tree.names()) - {"pi", *variant.values} else "determinant.always_zero"
-    return say(key, formula=spelled(tree)) if tree.names() else ""
+    return say(key, formula=as_read(tree)) if tree.names() else ""
 
 
 def _of_arms(tree: Formula, angles: Sequence[str]) -> bool:

@@ -17,7 +17,8 @@ from coursework.motion.geometry.closure import Closure, compile_closure
 from coursework.motion.geometry.open_loops import require_loops_closed
 from coursework.motion.geometry.rigid import require_rigid
 from coursework.motion.geometry.turning import require_turning
-from coursework.variant.formula.tree import Formula, on_axes, signed, spelled
+from coursework.variant.formula.made import as_read
+from coursework.variant.formula.tree import Formula, on_axes, signed
 from coursework.variant.record.no_value import known_value
 from coursework.words.errors import InputError
 
@@ -55,7 +56,7 @@ def _unseen_signs(equations: VelocityEquations, closure: Closure) -> tuple[tuple
 
 def _shown(term: Formula) -> str:
     plain = on_axes(term)
-    return spelled(plain.args[0] if plain.op == "neg" else plain)
+    return as_read(plain.args[0] if plain.op == "neg" else plain)
 
 
 def _zeros(one: VelocityEquation, equations: VelocityEquations) -> list[Formula]:

@@ -16,7 +16,7 @@ from coursework.equations.reduction.meaning import vanishing
 from coursework.motion.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event
-from coursework.variant.formula.tree import spelled
+from coursework.variant.formula.made import as_read
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -111,7 +111,7 @@ def _which(block: Block, equations: VelocityEquations, coordinates: dict[str, fl
             value = _tidied(coordinates[coordinate.name])
             key = "event.angle" if coordinate.unit == "rad" else "event.length"
             shown.append(say(key, name=coordinate.name, value=value, degrees=math.degrees(value)))
-    equation = say("event.equation", equation=spelled(vanishing(block.condition, equations.variant, coordinates)))
+    equation = say("event.equation", equation=as_read(vanishing(block.condition, equations.variant, coordinates)))
     return joined([equation, say("event.with", values=tuple(shown)) if shown else ""], "join.nothing")
 
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from enum import IntEnum
-from math import degrees, isclose, radians
 
 from coursework.report.text.numbers import MINUS, TIMES, superscript
 from coursework.report.text.symbols import NO_RATES, Rates, parts_of_derivative, symbol
 from coursework.report.text.text_runs import ITALIC
 from coursework.system.frozen import frozen
+from coursework.variant.formula.made import degrees_in
 from coursework.variant.formula.tree import Formula
 
 
@@ -45,7 +45,6 @@ class Piece:
 _TYPST_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln", "atan2": 'op("atan2")'}
 _TEXT_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln", "sqrt": "√"}
 _RAISED_FUNCTIONS = {"sin", "cos", "tan"}
-_READ_FROM_DEGREES = 12  # least number of digits: nobody writes an angle in radians with so many
 _EXPONENTIAL = re.compile(r"(.*)[eE]\+?(-?\d+)")
 
 
@@ -63,6 +62,8 @@ class Setter:
 
     def set(self, tree: Formula) -> Piece:
         """Return a formula as a rendered piece; raises `ValueError` for an unknown operation."""
+        if turned := degrees_in(tree):
+            return Piece(f"{turned} degree" if self.typst else f"{turned}°", Level.ATOM, opens="number", closes="number")
         match tree.op:
             case "number":
                 return self._number(tree.name)
@@ -91,8 +92,6 @@ class Setter:
 
     def _number(self, digits: str) -> Piece:
         digits = digits if digits.strip("0.") else "0"
-        if turned := _degrees(digits):
-            return Piece(f"{turned} degree" if self.typst else f"{turned}°", Level.ATOM, opens="number", closes="number")
         if match := _EXPONENTIAL.fullmatch(digits):
             minus = "-" if self.typst else MINUS
             ten = f"10^({match[2].replace('-', minus)})" if self.typst else f"10{superscript(match[2])}"
@@ -224,12 +223,3 @@ def text_equation(left: Formula, right: Formula, rates: Rates = NO_RATES, *, in_
     """Return "left = right" as plain text; `in_sentence`: mark single letters, so that none is taken for a word."""
     setter = Setter(typst=False, rates=rates, in_sentence=in_sentence)
     return f"{setter.set(left).source} = {setter.set(right).source}"
-
-
-def _degrees(digits: str) -> str:
-    """Return "15" for 0.2617993877991494, an angle that a file gave in degrees; "" for any other number."""
-    if len(digits.strip("0.")) < _READ_FROM_DEGREES:
-        return ""
-    value = float(digits)
-    written = round(degrees(value), 2)
-    return f"{written:g}" if written and isclose(radians(written), value, rel_tol=1e-14) else ""

@@ -47,8 +47,7 @@ def as_written(context: PageContext, text: str) -> str:
 
 def _plausibility(context: PageContext) -> list[Part]:
     say, plausibility = context.words, context.run.variant.plausibility
-    told = [(remark.line, context.told(remark.sentence)) for remark in plausibility[:MOST_REMARKS]]
-    notes = [say("remark.line", line=line, sentence=sentence) for line, sentence in told]
+    notes = [context.told(remark.told) for remark in plausibility[:MOST_REMARKS]]
     if len(plausibility) > MOST_REMARKS:
         notes.append(say("remark.more", number=len(plausibility) - MOST_REMARKS))
     return [Paragraph(runs(note), style="note") for note in notes]

@@ -7,7 +7,7 @@ Used by `report/`.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -18,6 +18,7 @@ from coursework.report.text.text_runs import numeral, runs
 from coursework.report.text.words import with_own_letters
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene.motion_results import given_constants
+from coursework.scene.quantities import CHECKS
 
 TABLE_FILE = "table.csv"  # holds the results table, with further columns for quantities asked for row by row
 MOST_ROWS = 32  # rows printed; a longer table is thinned, and table.csv holds all rows
@@ -136,7 +137,7 @@ def _by_row(
 ) -> list[Part]:
     """Return one table, or as many as the columns need, each with the columns row and time."""
     check_row, grid = context.run.variant.time.check_row, _sized(grid)
-    kept = thinned(len(t), keep=[check_row - 1] if check_row else [])
+    kept = thinned(len(t), keep=[row - 1 for row in _named_rows(context)])
     labels: list[Cell] = [f"{MARK} {row + 1}" if row + 1 == check_row else str(row + 1) for row in kept]
     times = context.numbers.times([float(t[row]) for row in kept])
     strong = [kept.index(check_row - 1)] if check_row and check_row - 1 in kept else []
@@ -165,6 +166,15 @@ def _by_row(
             )
         )
     return parts
+
+
+def _named_rows(context: PageContext) -> Iterator[int]:
+    """Yield the rows (from 1) that the box on page 1 names: of the check, farthest from the motion, after a period."""
+    run = context.run
+    yield run.variant.time.row_of_check
+    if run.asks(CHECKS):
+        yield from (one.row for one in run.checks if one.code == "ACCURACY" and one.verdict != "PASS" and one.row)
+        yield (run.results.evidence.period_row or 0) + 1
 
 
 def pieces(names: Sequence[str], most: int = MOST_COLUMNS) -> list[tuple[int, int]]:

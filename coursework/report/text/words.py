@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from coursework.report.text.numbers import Numbers, unit_text, with_unit
 from coursework.report.text.text_runs import ITALIC
 from coursework.system.frozen import frozen
+from coursework.variant.formula.motion_units import in_latin
 from coursework.words.sentences import ENGLISH, Phrases, load_phrases
 
 _OWN_LETTER = re.compile(r"\*(\w)\*")  # *h* in the words file: a letter set italic
@@ -50,7 +51,7 @@ class Words:
 
     def unit(self, unit: str) -> str:
         """Return a unit such as "rad/s" as this language writes it, "рад/с"."""
-        return unit_text(self.phrases.unit(unit))
+        return unit_text(self.phrases.unit(in_latin(unit)))
 
     def behind(self, unit: str) -> str:
         """Return the text that follows a symbol at an axis or in a head: ", rad/s" or "/(rad/s)"; "" without a unit."""
@@ -60,7 +61,7 @@ class Words:
 
     def amount(self, number: str, unit: str) -> str:
         """Return a number followed by its unit, as this language writes it."""
-        return self("amount.percent", value=number) if unit == "%" else with_unit(number, self.phrases.unit(unit))
+        return self("amount.percent", value=number) if unit == "%" else with_unit(number, self.phrases.unit(in_latin(unit)))
 
     @property
     def numbers(self) -> Numbers:

@@ -19,6 +19,7 @@ from coursework.words.sentences import say
 from coursework.words.templates import clean
 
 _WAVES = {"sin", "cos"}
+_BACKWARDS = {"x": "left", "y": "below"}
 _LETTER = re.compile(r"[^\W\d_](?:\d+|[ij])?")  # the name of a point that is no word: A, P1, Ki
 
 
@@ -75,9 +76,10 @@ def _placed(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
         parts = [*terms(formula)]
         base = parts[0].name if [part.op for part in parts] == ["name", "pair"] and formula.op == "+" else ""
         for axis, part in zip("xy", parts[-1].args if base or formula.op == "pair" else (), strict=False):
-            if part.op == "name":
-                key = f"datum.{axis}_from" if base else f"datum.{axis}"
-                yield part.name, say(key, point=clean(point), base=clean(base))
+            turned = part.args[0] if part.op == "neg" else part
+            if turned.op == "name":
+                key = f"datum.{axis if turned is part else _BACKWARDS[axis]}"
+                yield turned.name, say(f"{key}_from" if base else key, point=clean(point), base=clean(base))
 
 
 def _guided(variant: Variant) -> Iterator[tuple[str, str]]:

@@ -91,5 +91,5 @@ def _velocity_of_point(context: PageContext, name: str) -> str:
         for label, size, across in ((f"V{point}x", x, y), (f"V{point}y", y, x), (f"V{point}", np.hypot(x, y), 0 * x)):
             compared = own if label[-1] in "xy" else np.abs(own)
             if label not in known and np.all(np.abs(size - compared) <= most) and np.all(np.abs(across) <= most):
-                return context.lettering(label)
+                return context.lettering(f"V_{label[1:]}")  # VA alone would be the segment between V and A
     return ""

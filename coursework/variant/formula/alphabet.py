@@ -21,6 +21,11 @@ _GREEK = {
 _LETTERS = {word: letter for letter, word in reversed(_GREEK.items())}
 # Letters typed on a keyboard with another alphabet that look exactly like Latin ones.
 LOOK_ALIKE = dict(zip("асеорхуіјѕАВЕКМНОРСТХІЅοιυΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "aceopxyijsABEKMHOPCTXISoiuABEZHIKMNOPTYX", strict=True))
+# Letters of a word in two alphabets, by their look or by their sound.
+_IN_ONE = (
+    str.maketrans("асеорхкмтНМ", "aceopxkmtHM"), str.maketrans("асеоркмтдгинНМПТ", "aseorkmtdginNMPT"),
+    str.maketrans("aceopxkmtrdgsinHNM", "асеорхкмтрдгсинННМ"),
+)  # fmt: skip
 # Functions as they are typed on a Cyrillic keyboard.
 CYRILLIC_FUNCTIONS = {"син": "sin", "сін": "sin", "кос": "cos", "тан": "tan", "тг": "tan", "корень": "sqrt", "корінь": "sqrt"}
 SCRIPTS = ("cyrillic", "greek")  # alphabets for which the words files have a word
@@ -42,6 +47,16 @@ def spell_path(path: Iterable[str | int]) -> tuple[str | int, ...]:
 def greek(word: str) -> str:
     """Return the Greek letter that a word spells ("phi": φ); any other word unchanged."""
     return _LETTERS.get(word, word)
+
+
+def in_one_alphabet(word: str) -> tuple[str, ...]:
+    """Return what a word with Latin and other letters may be in one alphabet, by look or sound; nothing for any other word.
+
+    >>> in_one_alphabet("сm")[::2], in_one_alphabet("cm")
+    (('cm', 'см'), ())
+    """
+    mixes = not word.isascii() and any(letter.isascii() for letter in word)
+    return tuple(word.translate(table) for table in _IN_ONE) if mixes else ()
 
 
 def foreign_letter(name: str) -> tuple[int, Sentence] | None:

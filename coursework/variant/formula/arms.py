@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.made import part_of_pi, product_of, summed
-from coursework.variant.formula.tree import Formula, factors, mapped, named, on_axes, signed
+from coursework.variant.formula.tree import Formula, factors, mapped, named, number, on_axes, signed
 
 _Term = tuple[Formula, int]  # with its sign
 
@@ -30,12 +30,14 @@ def with_arms(tree: Formula) -> Formula:
 
     >>> from coursework.variant.formula.reader import parse
     >>> from coursework.variant.formula.tree import spelled
-    >>> for text in ("(d - r*cos(phi), r*sin(phi))", "(A.x + r*sin(phi), A.y + r*cos(phi))", "(s, h*cos(phi))"):
+    >>> for text in ("(d - r*cos(phi), r*sin(phi))", "A + r*(sin(phi), cos(phi))", "(s, h*cos(phi))"):
     ...     print(spelled(with_arms(parse(text, vectors=True))))
     (d, 0) + r @ (pi - phi)
     A + r @ (pi/2 - phi)
     (s, h*cos(phi))
     """
+    if tree.op in {"*", "/"}:
+        return _factored(tree)
     if tree.op != "pair":
         return mapped(tree, with_arms)
     across, beside = ([*signed(on_axes(side))] for side in tree.args)
@@ -56,6 +58,17 @@ def with_arms(tree: Formula) -> Formula:
     points = [one for one in found if one[0].op != "@"]
     arms = [one for one in found if one[0].op == "@"]
     return summed([*points, *_rest(rest, [one for others in waiting.values() for one in others], tree.column), *arms])
+
+
+def _factored(tree: Formula) -> Formula:
+    """Return the length at an angle that a product such as e*(sin(b), cos(b)) or r/2*(1 @ phi) is; else the product, mapped."""
+    parts = [*factors(tree, {"*", "/"})]
+    vectors = [with_arms(part) for part, power in parts if part.op in {"pair", "@"} and power > 0]
+    if len(vectors) != 1 or vectors[0].op != "@":
+        return mapped(tree, with_arms)
+    own, angle = vectors[0].args
+    scales = [one for one in parts if one[0].op not in {"pair", "@"}]
+    return Formula("@", (_product((*scales, *((own, 1) for _ in range(own != number(1))))), angle), column=tree.column)
 
 
 def _shared(one: _Term, axis: str) -> object:

@@ -1,4 +1,4 @@
-"""Sums, products and multiples of pi, made as formulas.
+"""Sums, products and multiples of pi, made as formulas; angles in degrees, as a person reads them.
 
 Enters and leaves: `Formula`.  Used on every floor.
 """
@@ -8,8 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import reduce
+from math import degrees, isclose, radians
 
-from coursework.variant.formula.tree import Formula, named, number
+from coursework.variant.formula.tree import Formula, constant, mapped, named, number, spelled
+
+_READ_FROM_DEGREES = 12  # least number of digits: nobody writes an angle in radians with so many
 
 
 def summed(terms: Iterable[tuple[Formula, int]]) -> Formula:
@@ -44,3 +47,27 @@ def part_of_pi(part: Fraction) -> Formula:
     pi = named("pi")
     above = pi if part.numerator == 1 else Formula("*", (number(part.numerator), pi))
     return above if part.denominator == 1 else Formula("/", (above, number(part.denominator)))
+
+
+def degrees_in(tree: Formula) -> str:
+    """Return "15" for the number 0.2617993877991494, an angle that a file gave in degrees; "" for any other formula."""
+    value = constant(tree) if tree.op in {"number", "/"} else None
+    if value is None or len(repr(float(value)).strip("0.")) < _READ_FROM_DEGREES:
+        return ""
+    written = round(degrees(value), 2)
+    return f"{written:g}" if written and isclose(radians(written), value, rel_tol=1e-14) else ""
+
+
+def as_read(tree: Formula) -> str:
+    """Return a formula as text for a person, who reads angles in degrees.
+
+    >>> from coursework.variant.formula.reader import parse
+    >>> as_read(parse("l4*cos(1.9198621771937625 + phi4)"))
+    'l4*cos(110° + phi4)'
+    """
+
+    def turned(part: Formula) -> Formula:
+        found = degrees_in(part)
+        return named(f"{found}°") if found else mapped(part, turned)
+
+    return spelled(turned(tree))

@@ -7,8 +7,10 @@ Used by `units.py` and by all code that needs the list of units.
 from __future__ import annotations
 
 import math
+import re
 from fractions import Fraction
 
+_CYRILLIC_WORD = re.compile("[А-Яа-я]+")
 _TURN = Fraction(math.pi)  # the double nearest to pi, as in every later computation
 
 # Unit -> its size in SI.  Sizes are exact, so that "953 mm" and "0.953 m" give the same double.
@@ -61,3 +63,17 @@ KINDS: dict[str, tuple[tuple[int, int], str]] = {
     "1/s^2": ((0, -2), "rad/s^2, 1/s^2, deg/s^2"),
     "1": ((0, 0), "1"),
 }
+
+
+def in_latin(unit: str) -> str:
+    """Return a unit of a file in Latin letters, which the words of every language know.
+
+    >>> in_latin("об/мин"), in_latin("кг*м^2"), in_latin("rad/s")
+    ('rev/min', 'kg*m^2', 'rad/s')
+    """
+    known = LATIN_OF
+    if not known.keys() >= {*_CYRILLIC_WORD.findall(unit)}:
+        from coursework.variant.formula import mass_units
+
+        known = known | mass_units.LATIN_OF
+    return _CYRILLIC_WORD.sub(lambda word: known.get(word[0], word[0]), unit)

@@ -13,6 +13,7 @@ from fractions import Fraction
 from functools import lru_cache, partial
 
 from coursework.system.frozen import frozen
+from coursework.variant.formula.alphabet import foreign_letter, in_one_alphabet
 from coursework.variant.formula.motion_units import KINDS, LATIN_OF, UNITS
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
@@ -26,6 +27,7 @@ _WORDED = re.compile(r"(?:[^\W\d_]+(?:/[^\W\d_]+(?:\^2)?)?|1/[^\W\d_]+(?:\^2)?|�
 _PER = re.compile(r"(?:([^\W\d_]+|°)[·⋅*]?)?(s|с|min|мин)\^[-−]([12])\Z")
 _SIGNS = str.maketrans({"º": "°", "˚": "°", "²": "^2", "⁻": "^-", "¹": "1"})
 _LOOK_ALIKE = str.maketrans("acop", "асор")
+_WORD = re.compile(r"[^\W\d_]+")
 _HERTZ = {"hz", "гц", "khz", "кгц"}
 
 
@@ -148,9 +150,17 @@ def plain_unit(unit: str) -> str:
 
 
 def _in_one_script(unit: str, known: Collection[str], latin_of: Mapping[str, str]) -> str:
-    """Return a unit with each word in Latin letters if that is one of the `known`: "m/с" becomes m/s."""
-    latin = re.sub(r"[^\W\d_]+", lambda word: latin_of.get(word[0], latin_of.get(word[0].translate(_LOOK_ALIKE), word[0])), unit)
-    return latin if unit not in known and latin in known else unit
+    """Return a unit with each word in Latin letters if that is one of the `known`: "m/с" and "сm/s" become m/s and cm/s."""
+
+    def latin(found: re.Match[str]) -> str:
+        word = found[0]
+        if forms := in_one_alphabet(word):
+            parts = {part for one in known for part in _WORD.findall(one)}
+            meant = {latin_of.get(form, form) for form in forms if form in parts}
+            return meant.pop() if len(meant) == 1 else word
+        return latin_of.get(word, latin_of.get(word.translate(_LOOK_ALIKE), word))
+
+    return unit if unit in known or (plain := _WORD.sub(latin, unit)) not in known else plain
 
 
 def is_quantity(text: str) -> bool:
@@ -265,6 +275,9 @@ def _nearest(unit: str, wanted: tuple[str, ...]) -> str:
         return say("hint.closest", name=f"1{unit}")
     if unit.partition("/")[0] in {"o", "о"}:  # a turn in some language; it looks like a degree but is 360 times larger
         return ""
+    mixed = next(filter(in_one_alphabet, _WORD.findall(unit)), "")
+    if strange := foreign_letter(mixed):
+        return say("hint.alphabets", word=mixed, letter=strange[1])
     candidates = [known for known, (_, si) in UNITS.items() if ("/" in known) == ("/" in unit) and si in wanted]
     return closest(unit[:40], candidates, 0.7)
 

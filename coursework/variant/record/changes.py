@@ -35,7 +35,10 @@ def with_changes(read: Callable[[Mapping[KeyPath, Any]], Variant], variant: Vari
     moved = (replace(now, start=None, start_guess=old.start_or_guess) if now.name in follow else now for old, now in pairs)
     own = None if "step" in changed.times else variant.time.own_step
     time = replace(fresh.time, own_step=own)
-    return replace(fresh, coordinates=tuple(moved), time=time, changes=changes, before=variant.before or variant)
+    own_lines = {fresh.line_of(*path) for path in changes}
+    remarks = tuple(replace(one, line=0) if one.line in own_lines else one for one in fresh.plausibility)
+    fresh = replace(fresh, coordinates=tuple(moved), time=time, plausibility=remarks)
+    return replace(fresh, changes=changes, before=variant.before or variant)
 
 
 def _new_values(variant: Variant, changed: Changes) -> dict[KeyPath, float | str]:

@@ -10,6 +10,8 @@ from dataclasses import replace
 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 
 def reached(names: Iterable[str], points: Mapping[str, Formula]) -> KeysView[str]:
@@ -247,7 +249,7 @@ class Frame:
 
 @frozen
 class Remark:
-    """A probable slip that changes no status: a stable code, the line, a sentence.
+    """A probable slip that changes no status: a stable code, the line (0 for a value that was set), a sentence.
 
     Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD, RPM, LINKS, IDLE, UNUSED, GUIDE, CONTACT.
     """
@@ -255,6 +257,11 @@ class Remark:
     code: str
     line: int
     sentence: str
+
+    @property
+    def told(self) -> Sentence:
+        """Return the sentence with what it is a remark on."""
+        return say("remark.line" if self.line else "remark.value_set", line=self.line, sentence=self.sentence)
 
 
 @frozen

@@ -191,12 +191,20 @@ def test_long_tables_are_thinned_and_say_so(real: ModuleType) -> None:
     run = solved("31", step=0.48 / 999, quantities=["table"])
     note, table = real.parts(run, "results")
     assert real.text_of(note["text"]) == (
-        "One row in 50 is printed, besides the first, the last and any marked one (22 of 1000); table.csv has them all."
+        "One row in 50 is printed, besides the first, the last and those named in the box on the first page (22 of 1000); "
+        "table.csv has them all."
     )
     first = [real.text_of(row[0]) for row in table["rows"]]
     assert first[:4] == ["1", "▸ 4", "51", "101"]
     assert first[-2:] == ["951", "1000"]
     assert table["places"][:4] == [1, 4, 51, 101]
+
+
+def test_a_row_that_the_box_on_the_first_page_names_is_printed(real: ModuleType) -> None:
+    run = solved("31", step=0.48 / 99, quantities=["table", "checks"])
+    named = {int(row) for row in re.findall(r"[Rr]ow (\d+)", real.text_of(real.parts(run, "statement")))}
+    table = next(part for part in real.parts(run, "results") if "rows" in part)
+    assert {4, 78} <= named <= {*table["places"]} and len(table["places"]) < 40
 
 
 def test_wide_tables_are_split_and_points_stay_whole(real: ModuleType) -> None:
@@ -230,8 +238,8 @@ def test_a_last_row_that_is_elsewhere_fast_does_not_repeat_the_first(real: Modul
 def test_tables_beside_the_results_are_thinned_alike_and_show_no_round_off(real: ModuleType) -> None:
     run = solved("epicyclic", quantities=("table", "points"))
     tables = [part for part in real.parts(run, "points") if "rows" in part]
-    assert {len(table["rows"]) for table in tables} == {31}
-    assert len(next(part for part in real.parts(run, "results") if "rows" in part)["rows"]) == 31
+    assert {len(table["rows"]) for table in tables} == {32}
+    assert len(next(part for part in real.parts(run, "results") if "rows" in part)["rows"]) == 32
     assert "10⁻" not in real.text_of(tables), "v_Sy is nought: the slider keeps its height"
 
 

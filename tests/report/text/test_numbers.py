@@ -10,6 +10,7 @@ import pytest
 from coursework.report.sections.remarks import _plausibility
 from coursework.report.text.numbers import Numbers, unit_text, with_unit
 from coursework.report.text.words import load_words
+from coursework.variant.record.entries import Remark
 
 N = Numbers()
 
@@ -115,7 +116,7 @@ def test_where_powers_groups_and_round_off_begin() -> None:
 
 @pytest.mark.parametrize("count", [12, 13])
 def test_a_dozen_remarks_are_told_and_the_number_of_the_others(count: int) -> None:
-    told = [SimpleNamespace(line=line, sentence=f"Remark {line}.") for line in range(1, count + 1)]
+    told = [Remark("ANGLE", line, f"Remark {line}.") for line in range(1, count + 1)]
     run = SimpleNamespace(variant=SimpleNamespace(plausibility=told))
     notes = _plausibility(SimpleNamespace(words=load_words("en"), run=run, told=str))
     assert len(notes) == (12 if count == 12 else 13)

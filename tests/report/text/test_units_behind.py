@@ -34,3 +34,11 @@ def test_axes_of_a_page(tmp_path, language, shown):
     texts = {re.sub("<[^>]*>|\u200a", "", text) for text in re.findall(r"<text[^>]*>(.*?)</text>", page, re.DOTALL)}
     assert shown <= texts
     assert not texts & {"t, s", "t, с" if language == "zh" else "t/с"}
+
+
+@pytest.mark.parametrize(("language", "shown"), [("en", "rev/min"), ("ru", "об/мин"), ("uk", "об/хв"), ("zh", "r/min")])
+def test_a_unit_is_in_the_letters_of_the_page_whatever_the_file_is_typed_in(language, shown):
+    words = load_words(language)
+    assert words.unit("об/мин") == words.unit("rev/min") == shown
+    assert words.amount("3", "кг*м^2") == words.amount("3", "kg*m^2")
+    assert words.amount("15", "град") == "15°"

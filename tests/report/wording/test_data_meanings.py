@@ -88,3 +88,25 @@ def test_a_point_may_be_placed_from_another():
     moved = moved.replace('alpha = "4.35 rad"', 'alpha = "4.35 rad"\nxD = "0 m"\nyD = "0.1 m"')
     told = meanings(coursework.solve(coursework.parse_variant(moved), quantities=["table"]).scene.mechanism)
     assert (told["xD"], told["yD"]) == ("abscissa of D from K", "ordinate of D from K")
+
+
+@pytest.mark.parametrize(
+    "loop", ["O + a @ phi1 + b @ phi2 = Q + c @ phi3", "b @ phi2 - c @ phi3 = Q - P", "P + b @ phi2 = Q + c @ phi3"]
+)
+@pytest.mark.parametrize("joint", ["P + b @ phi2", "O + a @ phi1 + b @ phi2", "Q + c @ phi3"])
+def test_every_link_of_a_loop_is_told_however_the_loop_is_written(loop, joint):
+    text = mechanism("four-bar-by-its-points", ('R = "P + b @ phi2"', f'R = "{joint}"'), ('S = "Q + c @ phi3"\n', ""))
+    before, _, after = text.partition("[closure]")
+    text = f'{before}[[constraint]]\nclosure = "{loop}"\n[ask]{after.partition("[ask]")[2]}'
+    told = meanings(coursework.solve(coursework.parse_variant(text), quantities=["table"]).scene.mechanism)
+    assert told == {"a": "OP", "b": "PR", "c": "QR", "d": "OQ"}
+
+
+def test_a_datum_with_a_minus_before_it_is_a_distance_the_other_way():
+    placed = 'D = "(d, 0)"', 'G = "(-g, -h)"\nD = "G + (-e, d)"'
+    below = mechanism("four-bar", placed, ("[given]", '[given]\ng = "-3 cm"\nh = "1 cm"\ne = "-30 cm"'), d="3 cm")
+    told = meanings(coursework.solve(coursework.parse_variant(below), quantities=["table"]).scene.mechanism)
+    assert [told[name] for name in "ghed"] == [
+        "distance of G to the left of the y axis", "distance of G below the x axis", "distance of D to the left of G",
+        "ordinate of D from G",
+    ]  # fmt: skip

@@ -32,6 +32,13 @@ def test_a_linear_velocity_is_told_with_what_moves_so(real: ModuleType, name: st
     assert told in statement(real, name)
 
 
+@pytest.mark.parametrize("name", ["v110", "v112"])
+def test_the_velocity_of_a_point_has_it_as_its_index(real: ModuleType, name: str) -> None:
+    """V_A: as one word it would be the segment VA."""
+    run = coursework.solve(name, quantities=("table", "checks"))
+    assert str({"v": "V", "s": {"v110": "A", "v112": "Cx"}[name]}) in str(real.parts(run, "statement"))
+
+
 @pytest.mark.parametrize(("asked", "told"), [("u", "and u from"), ("table", "and u = VCy from")])
 def test_what_is_not_asked_for_is_not_computed_to_tell_it(real: ModuleType, asked: str, told: str) -> None:
     run = coursework.solve("v102", quantities=(asked,))

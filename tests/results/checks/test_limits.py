@@ -220,6 +220,17 @@ def test_one_radian_a_step(turned, verdict):
     assert (judged.verdict, judged.column, judged.value) == (verdict, "w1", pytest.approx(turned))
 
 
+@pytest.mark.parametrize(("law", "moment"), [
+    ('[["0 s", "3"], ["0.042 s", "-1"]]', "largest, and the same, in rows 1 to 5"),
+    ('[["0 s", "1"], ["0.02 s", "1 + 50*(t - 0.02)"], ["0.06 s", "3"]]', "largest, and the same, in rows 7 to 11"),
+    ('[["0 s", "3*sin(10*pi*t)"], ["0.09 s", "0.9"]]', "largest at t = 0.05 s"),
+])  # fmt: skip
+def test_a_rate_that_is_the_largest_for_a_while_has_no_time(law, moment):
+    text = mechanism("four-bar", ('w1 = "n"', f"w1 = {{ pieces = {law} }}"), step="0.01 s", end="0.1 s", period=None)
+    run = coursework.solve(parse_variant(text), quantities=["table", "checks"])
+    assert str(finding("PEAK", run.results.evidence).sentence).startswith(f"w1 is {moment}: 3 rad/s")
+
+
 @pytest.mark.parametrize(("factor", "verdict"), [(0.5, "PASS"), (2.0, "FAIL")])
 @pytest.mark.parametrize("code", ["INITIAL", "RESIDUAL"])
 def test_residuals_are_round_off(run, code, factor, verdict):

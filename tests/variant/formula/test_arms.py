@@ -42,6 +42,11 @@ def test_an_arm_of_every_sign_and_function_is_one_length_at_one_angle(kind, sign
         ("A - (r*cos(phi), r*sin(phi))", "A - r @ phi"),
         ("(-d - r*cos(phi), r*sin(phi) - h)", "(-d, -h) + r @ (pi - phi)"),
         ("(cos(phi), sin(phi))", "1 @ phi"),
+        ("A + r*(sin(phi), cos(phi))", "A + r @ (pi/2 - phi)"),
+        ("A - r/2*(cos(phi), -sin(phi))*a", "A - r*a/2 @ (-phi)"),
+        ("(r*cos(phi), r*sin(phi))/2", "r/2 @ phi"),
+        ("2*(1 @ phi)/a", "2/a @ phi"),
+        ("-3*(r @ phi)", "(-3)*r @ phi"),
     ],
 )
 def test_sums_of_components_are_sums_of_vectors(text, read):

@@ -148,10 +148,7 @@ def peak(evidence: Evidence) -> Finding:
         return skipped(evidence.say("check.PEAK.no_angle"))
     turned, place = max((search.way_within(place)(step), place) for place in turning)
     (rate, when), coordinate = fastest[place], variant.coordinates[place]
-    if when is None:
-        moment, rate = _steady(evidence, coordinate.rate, rate)
-    else:
-        moment = evidence.say("check.PEAK.moment", time=when)
+    moment, rate = _moment(evidence, coordinate.rate, rate, when)
     found = {"rate": coordinate.rate, "moment": moment, "value": rate, "turned": turned, "name": coordinate.name}
     if turned <= WIDEST_STEP * (1 + _ROUNDING):
         return Finding("PASS", evidence.say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad", coordinate.rate)
@@ -159,9 +156,19 @@ def peak(evidence: Evidence) -> Finding:
     return Finding("COARSE", evidence.say("check.PEAK.coarse", **found, step=most), turned, WIDEST_STEP, "rad", coordinate.rate)
 
 
-def _steady(evidence: Evidence, name: str, size: float) -> tuple[str, float]:
-    """Return what is said of a rate of constant size, and its value: a drive in pieces may turn it back at the same speed."""
+def _moment(evidence: Evidence, name: str, size: float, when: float | None) -> tuple[str, float]:
+    """Return what is said of a rate at its largest `size`, and its value.
+
+    Its time says nothing where it is constant, for a while or throughout; a drive in pieces may turn it back at the same speed.
+    """
     rates = evidence.motion.column(name) if name in evidence.motion.names else np.zeros(0)
+    if when is not None:
+        held = np.append(np.isclose(np.abs(rates), size, rtol=_ROUNDING, atol=0.0), False)
+        first = int(np.argmax(held))
+        last = first + int(np.argmin(held[first:]))
+        if last - first < 2:  # one row is a moment
+            return evidence.say("check.PEAK.moment", time=when), size
+        return evidence.say("check.PEAK.held", first=first + 1, last=last), size
     least, most = np.min(rates, initial=0.0), np.max(rates, initial=0.0)
     if least < 0 < most:
         return evidence.say("check.PEAK.size"), size

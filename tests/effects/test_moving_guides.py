@@ -1,0 +1,162 @@
+"""A guide is part of a link only if it turns and shifts with it; start values measured on a drawing are no moving pins."""
+
+import math
+
+import pytest
+
+import coursework
+
+BARS = """
+format = 1
+title = "A bar that turns, and a rod on a slider of it"
+[given]
+w0 = "4 rad/s"
+[drive]
+w1 = "w0"
+[coordinates]
+phi = { start = "20 deg", rate = "w1" }
+p2 = { rate = "w2", unit = "rad" }
+s = { rate = "u", unit = "m" }
+[time]
+step = "0.02 s"
+end = "0.2 s"
+[points]
+O = "(0, 0)"
+K = "(0.1, 0)"
+[[group]]
+kind = "crank"
+from = ["O"]
+meets = "A"
+lengths = ["0.05"]
+coordinates = ["phi"]
+[[group]]
+kind = "RRP"
+from = ["K"]
+guide = { through = "O", angle = "phi" }
+meets = "B"
+lengths = ["0.2"]
+coordinates = ["p2", "s"]
+mode = "+1"
+[frame]
+hinges = ["O", "K"]
+[masses]
+2 = { mass = "1 kg", inertia = "rod" }
+[forces]
+F1 = { on = "2", at = "B", force = "(-100, 0)" }
+[ask]
+quantities = ["table", "checks", "forces"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("through", "angle", "link"),
+    [
+        ("O", "phi", ""), ("O", "phi + 0.3", ""), ("O", "pi - 1 + phi", ""), ("A", "phi - pi/2", ""), ("A", "0.4", "1"),
+        ("O", "2*phi", "1"), ("O", "phi/2", "1"), ("O", "-phi", "1"), ("O", "phi + sin(phi)", "1"), ("K", "phi", "1"),
+        ("O", "0.2*sin(9*t)", "0"), ("O", "30 deg", ""),
+    ],
+)  # fmt: skip
+def test_a_guide_belongs_to_a_link_only_if_it_moves_with_it(through, angle, link):
+    """At twice the angle it counted as the crank: M = -22.44 N*m by reactions, where virtual power says -15.68."""
+    text = BARS.replace('through = "O", angle = "phi"', f'through = "{through}", angle = "{angle}"')
+    line = next(place for place, each in enumerate(text.splitlines(), start=1) if each.startswith("guide"))
+    run = coursework.solve(coursework.parse_variant(text, "own.toml"))
+    if link:
+        with pytest.raises(coursework.InputError, match=rf"V736 own.toml:{line}  the guide of B counts as part of link {link} "):
+            _ = run.results.forces
+    else:
+        verdicts = {one.code: one.verdict for one in run.checks}
+        assert verdicts["VIRTUAL-POWER"] == "PASS", verdicts
+
+
+FOUR_BAR = """
+format = 1
+title = "Four-bar"
+[drive]
+w1 = "7"
+[coordinates]
+p1 = { start = "-40 deg", rate = "w1" }
+p2 = { start = "START", rate = "w2" }
+p3 = { start = "129 deg", rate = "w3" }
+[time]
+step = "0.025 s"
+end = "0.2 s"
+[[constraint]]
+name = "1"
+because = "x"
+equation = "-0.1*w1*sin(p1) - 0.25*w2*sin(p2) = -0.22*w3*sin(p3)"
+[[constraint]]
+name = "2"
+because = "y"
+equation = "0.1*w1*cos(p1) + 0.25*w2*cos(p2) = 0.22*w3*cos(p3)"
+[points]
+A = "(0, 0)"
+D = "(0.3, 0)"
+B = "A + 0.1 @ p1"
+C = "B + 0.25 @ p2"
+[links]
+1 = { points = ["A", "B"], rate = "w1" }
+2 = { points = ["B", "C"], rate = "w2" }
+3 = { points = ["D", "C"], rate = "w3" }
+[frame]
+hinges = ["A", "D"]
+[masses]
+3 = { mass = "1 kg", inertia = "rod" }
+[ask]
+quantities = ["table", "checks", "forces"]
+"""
+
+
+@pytest.mark.parametrize(("start", "is_measured"), [("70.2 deg", True), ("71 deg", True), ("80 deg", False)])
+def test_start_values_measured_on_a_drawing_leave_the_pins_in_their_links(start, is_measured):
+    """The loop closes at 70.162 degrees; the checks ask for the forces of the exact motion, too."""
+    run = coursework.solve(coursework.parse_variant(FOUR_BAR.replace("START", start), "own.toml"))
+    if is_measured:
+        assert {"VIRTUAL-POWER", "FORCE-ACCURACY"} <= {one.code for one in run.checks}
+    else:
+        with pytest.raises(coursework.InputError, match=r"V735 own.toml:\d+  masses.3: point C does not stand still"):
+            _ = run.results.forces
+
+
+SLEEVE = """
+format = 1
+title = "A bar that swings through a sleeve on a crank"
+[drive]
+w1 = "5"
+[coordinates]
+phi = { start = "40 deg", rate = "w1" }
+psi = { start = "0.1690507619705257 rad", rate = "wp" }
+[time]
+step = "0.02 s"
+end = "0.2 s"
+[points]
+O = "(0, 0)"
+D = "(-0.3, 0)"
+B = "O + 0.1 @ phi"
+E = "D + 0.6 @ psi"
+[links]
+1 = { points = ["O", "B"], rate = "w1" }
+2 = { points = ["B"], slides = "3" }
+3 = { points = ["D", "E"] }
+[frame]
+hinges = ["O", "D"]
+[[constraint]]
+equation = "0.1*w1*cos(phi - psi) - (0.1*cos(phi - psi) + 0.3*cos(psi))*wp = 0"
+[masses]
+2 = { mass = "0.5 kg", inertia = "0.01 kg*m^2" }
+[ask]
+quantities = ["table", "forces"]
+"""
+
+
+@pytest.mark.parametrize("rate", ["", ', rate = "wp"'])
+def test_a_sleeve_turns_with_its_bar_whether_or_not_the_file_names_the_rate(rate):
+    """The bar gives the sleeve its angular acceleration by the couple J*epsilon, from psi = atan2(r sin, d + r cos)."""
+    run = coursework.solve(coursework.parse_variant(SLEEVE.replace('"E"]', f'"E"]{rate}')))
+    r, d, w, phi = 0.1, 0.3, 5.0, math.radians(40)
+    above, below = r * r + r * d * math.cos(phi), r * r + d * d + 2 * r * d * math.cos(phi)
+    epsilon = w**2 * r * d * math.sin(phi) * (2 * above - below) / below**2
+    assert run.results.forces.column("K32")[0] == pytest.approx(0.01 * epsilon, rel=1e-9)
+    with pytest.raises(coursework.InputError, match=r"V725 .*link 2 turns and has a mass, but no inertia"):
+        bare = SLEEVE.replace('"E"]', f'"E"]{rate}').replace(', inertia = "0.01 kg*m^2"', "")
+        _ = coursework.solve(coursework.parse_variant(bare)).results.forces
