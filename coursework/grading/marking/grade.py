@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
-from decimal import ROUND_HALF_UP, Decimal
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from coursework.grading.marking.answers import AnswerMarks, mark_answers
+from coursework.grading.marking.blank import empty_table
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.rubric import Rubric, rounded_points
 from coursework.grading.marking.student_table import student_of, with_given
 from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.causes.claims import TableUnderTest
@@ -101,7 +101,7 @@ class Grade:
     def _table(self) -> dict[str, Any]:
         score, most = self.part("table")
         trouble = self.work.trouble
-        empty = _empty_table(most) | {
+        empty = empty_table(most) | {
             "state": "marked" if self.table else "missing" if trouble is None or trouble.state == "missing" else "unreadable",
             "score": score, "rows_needed": len(self.key.table), "least_decimals": self.key.least_decimals,
         }  # fmt: skip
@@ -150,7 +150,15 @@ class Marker:
         self._kept: dict[bytes, tuple[str, ...]] = {}
 
     def grade(self, work: StudentWork) -> Grade:
-        """Return the grade of one submission."""
+        """Return the grade of one submission; a table whose times are not the task's also counts with its rows in order."""
+        found = self._grade(work)
+        if work.table is None or (other := work.table.in_order) is None:
+            return found
+        notes = (*other.notes, *(one for one in work.notes if one not in work.table.notes))
+        in_order = self._grade(replace(work, table=other, notes=notes))
+        return max(found, in_order, key=lambda grade: grade.parts["table"] or 0.0)
+
+    def _grade(self, work: StudentWork) -> Grade:
         student = student_of(self.key, work.table) if work.table else None
         back = turned(self.key, student) if student and not self.by_forces and self.rubric.clockwise == "accept" else None
         equations = self._equations(work, turning=self.rubric.clockwise == "accept" and student is None)
@@ -261,24 +269,6 @@ class Marker:
             yield note("dead_point", reason=self.key.stopped)
 
 
-def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:
-    """Return the entry of grades.json for a submission that could not be graded."""
-    return {
-        "status": status, "score": None, "max": rubric.points, "proposed": None, "reason": reason, "files": [], "reading": None,
-        "table": _empty_table(rounded_points(rubric.most("table"))),
-        "first_wrong": None, "equations": None, "answers": None, "misconception": None,
-        "verdicts": {"equations": "none", "integration": "unknown", "arithmetic": "unknown"}, "notes": [],
-    }  # fmt: skip
-
-
-def _empty_table(most: float) -> dict[str, Any]:
-    """Return the entry of grades.json for a table that is not there."""
-    return {
-        "state": "missing", "score": None, "max": most, "rows": 0, "rows_needed": 0, "first_wrong": None, "wrong_cells": 0,
-        "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": None, "computed_to": None,
-    }  # fmt: skip
-
-
 def fewer_decimals(key: Key, cells: Cells) -> int:
     """Return how many cells are shown, but with fewer decimals than the task sheet asks for."""
     with np.errstate(invalid="ignore"):
@@ -292,8 +282,3 @@ def _is_the_key(student: StudentTable, key: Key) -> bool:
     if np.isnan(student.units).any() or np.max(student.units) > _COPIED:
         return False
     return bool(np.all(np.abs(student.values - key.table) <= HALF * student.units + np.spacing(np.abs(key.table))))
-
-
-def rounded_points(value: float) -> float:
-    """Return points rounded to two decimals, halves up."""
-    return float(Decimal(repr(value)).quantize(Decimal("0.01"), ROUND_HALF_UP))
