@@ -25,6 +25,7 @@ from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
 from coursework.grading.marking.table.causes.whole import AsMade, as_made, untold_points
 from coursework.grading.marking.table.cells import Cells
+from coursework.grading.marking.table.cut_off import with_the_rest
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.ways import HALF, StudentTable
@@ -194,7 +195,17 @@ class Marker:
         return marks if marks and marks.marks else None
 
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
+        """Return the marks of a table; digits that were cut off are put back if it earns more with them."""
         cells = marked(self.key, student)
+        found = self._marks(table, cells, equations)
+        if (whole := with_the_rest(self.key, cells)) is None:
+            return found
+        other = self._marks(table, marked(self.key, whole), equations)
+        count = int((cells.wrong & ~other.cells.wrong).sum())
+        first = first_wrong(self.key, replace(cells, marks=other.cells.marks), table)  # told with the numbers as printed
+        return replace(other, first=first, cut_off=count) if other.share > found.share else found
+
+    def _marks(self, table: Table, cells: Cells, equations: EquationMarks | None) -> TableMarks:
         points = points_of(self.key, cells, self.rubric.carried)
         made = self._as_made(cells, equations)
         judged = marked(self.key, made.student) if made else cells
@@ -260,6 +271,8 @@ class Marker:
                 yield note("too_coarse", count=count, least=self.key.least_decimals)
             if count := fewer_decimals(self.key, cells):
                 yield note("fewer_decimals", count=count, least=self.key.least_decimals)
+            if table.cut_off:
+                yield note("coarse_work", "digits_cut", count=table.cut_off)
             if cells.computed_to is not None:
                 yield note("coarse_work", decimals=cells.computed_to)
             yield from table.forces.notes() if table.forces else ()
