@@ -135,8 +135,9 @@ class EquationLine:
 
     `repaired` is the text that was read instead, "" if the line as it stands; `guessed` is True if something was added to it.
     `others` are further ways to read the line; if one of them is right, that one was meant.  `relates` is True for an unread line
-    that names two symbols of the variant: it is an equation, not prose.  `place` says where the line stands in a document, for a
-    person.  A line that `may_be_datum`, such as "w1 = 6.5" in a report, counts as an equation only if it is right.
+    that names two symbols of the variant: it is an equation; `is_prose` for one that is a sentence.  `place` says where the line
+    stands in a document, for a person.  A line that `may_be_datum`, such as "w1 = 6.5" in a report, counts as an equation only if
+    it is right.
     """
 
     file: str
@@ -147,6 +148,7 @@ class EquationLine:
     fault: Fault | None = None
     others: tuple[EquationReading, ...] = ()
     relates: bool = False
+    is_prose: bool = False
     place: Sentence | None = None
     may_be_datum: bool = False
     guessed: bool = False
