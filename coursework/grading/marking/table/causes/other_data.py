@@ -16,6 +16,7 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.shifted import put_back
+from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed, near
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
@@ -136,6 +137,16 @@ def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
         yield replace(_as_euler("rows_shifted", student), is_read_off=in_place)
 
 
+def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:
+    """Yield the claim that the coordinates were printed ten times too large or too small, which the start values tell."""
+    student, m = printed.student, printed.m
+    for factor in (10.0, 0.1):
+        values, units = student.values.copy(), student.units.copy()
+        values[:, :m], units[:, :m] = (student.values[:, :m] + _TURN * _taken_off(student)[:, :m]) / factor, units[:, :m] / factor
+        if alike(printed.key, replace(student, values=values, units=units), printed.key.table)[0, :m].all():
+            yield _as_euler("point_slipped", StudentTable(values, units))
+
+
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
     """Yield claims that two columns are exchanged, or that an angle is counted from another axis or in the other direction."""
     yield from _exchanged(printed)
@@ -156,7 +167,7 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
     """Yield claims that two columns are exchanged; whole turns are taken off after they are exchanged back."""
     key, student, m = printed.key, printed.student, printed.m
-    turns = np.zeros(student.values.shape) if student.turns is None else student.turns
+    turns = _taken_off(student)
     tolerance = as_printed(key, np.nan_to_num(student.units))
     with np.errstate(invalid="ignore"):
         as_it_is = np.abs(student.values - key.table) <= tolerance
@@ -175,6 +186,11 @@ def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
         if begins or close[:, pair].mean() > max(_LIKE_KEY, as_it_is[:, pair].mean()):
             names = (key.names[first], key.names[second])
             yield _as_euler("swapped_columns", StudentTable(values, student.units[:, order]), names)
+
+
+def _taken_off(student: StudentTable) -> Array:
+    """Return the whole turns (n, m + r) that the reader took off."""
+    return np.zeros(student.values.shape) if student.turns is None else student.turns
 
 
 def _turns(key: Key, place: int, values: Array) -> float:
