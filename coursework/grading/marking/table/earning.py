@@ -58,13 +58,17 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
 
 
 def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
-    """Yield what each explanation earns; another variant's table is not the student's work and earns nothing.
+    """Yield what each explanation earns; another variant's table is not the student's work and earns nothing, nor does what
+    explains less of it, as other data that are near the variant's do.
 
     Rounded velocities or a rounded π explain some of any steps, and another origin some of any angles; each counts only if it
     explains nearly all and no other cause explains more.
     """
     most = max((fit.share for fit in found.fits), default=0.0)
+    copied = max((fit.share for fit in found.fits if fit.code.startswith("variant_")), default=0.0)
     for fit in found.fits:
+        if fit.share < copied:
+            continue
         if fit.code == OWN:
             yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
         elif not fit.code.startswith("variant_") and (

@@ -23,6 +23,7 @@ from coursework.grading.marking.table.causes.other_data import (
     point_slipped,
     shifted_rows,
 )
+from coursework.grading.marking.table.causes.other_drive import other_drive
 from coursework.grading.marking.table.causes.own_equations import equation_claims
 from coursework.grading.marking.table.causes.step_lengths import DEGREE, WHOLE, parts_of_step, told_step
 from coursework.grading.marking.table.starts import march
@@ -60,7 +61,7 @@ def claims(
         yield from point_slipped(printed)
     families: list[Callable[[TableUnderTest], Iterator[Claim]]] = [
         _schemes, _shifted_rows, _steps, partial(_velocities, apart=() if back is None else ("sign_drive",)),
-        partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns,
+        partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns, other_drive,
     ]  # fmt: skip
     if printed.closely:
         families.append(partial(equation_claims, marks=equations))

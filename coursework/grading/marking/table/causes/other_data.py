@@ -28,7 +28,7 @@ FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
 _UNITS = {"1/s": (2 * np.pi, 0.5 / np.pi), "m": (100.0, 0.01, 1000.0, 0.001)}
 # Columns count as exchanged if, exchanged back, this part of them agrees with the key, or if their start values do.
 _LIKE_KEY = 0.5
-# From this part of the angles on, the rows stand where they belong.
+# From this part of the angles, or of the velocities, on, they stand where they belong.
 _IN_PLACE = 0.9
 _TURN = 2 * np.pi
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
@@ -129,12 +129,14 @@ def _whole(code: str, table: Array, units: Array) -> Claim:
 def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
     """Yield the claim that a row stands twice or is left out, so that every row after it stands beside another time.
 
-    If the angles stand where they belong, another cause that explains as much is preferred: only the velocities are shifted.
+    If the angles stand where they belong, another cause that explains as much is preferred: only the velocities are shifted.  If
+    the velocities do, the claim names the coordinates: only these are.
     """
     student = put_back(printed)
     if student is not None:
-        in_place = bool(printed.of_task[:, : printed.m].mean() >= _IN_PLACE)
-        yield replace(_as_euler("rows_shifted", student), is_read_off=in_place)
+        in_place, still = (bool(part.mean() >= _IN_PLACE) for part in np.hsplit(printed.of_task, [printed.m]))
+        names = tuple(printed.key.coordinates) if still and not in_place else ()
+        yield replace(_as_euler("rows_shifted", student, names), is_read_off=in_place)
 
 
 def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:
