@@ -200,8 +200,8 @@ class Marker:
         found = self._marks(table, cells, equations)
         if (whole := with_the_rest(self.key, cells)) is None:
             return found
-        other = self._marks(table, marked(self.key, whole), equations)
-        count = int((cells.wrong & ~other.cells.wrong).sum())
+        count = int((cells.wrong & ~whole.wrong).sum())
+        other = self._marks(table, whole, equations)
         first = first_wrong(self.key, replace(cells, marks=other.cells.marks), table)  # told with the numbers as printed
         return replace(other, first=first, cut_off=count) if other.share > found.share else found
 

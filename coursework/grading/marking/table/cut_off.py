@@ -1,6 +1,6 @@
 """Numbers whose further digits were cut off instead of rounded: toward zero, or downwards as floors are.
 
-Enters: marked cells.  Leaves: the table with half a unit of the last place put back, None if nothing was cut off.
+Enters: marked cells.  Leaves: the table marked with half a unit of the last place put back, None if nothing was cut off.
 Used by `grade.py`.
 A number that was cut off lies up to a whole unit of its last place from the true one, always on the same side.
 """
@@ -13,16 +13,17 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.causes.misconceptions import FEWEST, FEWEST_SHARE
+from coursework.grading.marking.table.by_rows import marked
+from coursework.grading.marking.table.causes.misconceptions import FEWEST, FEWEST_SHARE, NAMED
 from coursework.grading.marking.table.cells import Cells, alike
-from coursework.grading.marking.table.ways import StudentTable, Way, near
+from coursework.grading.marking.table.ways import Way, near
 from coursework.system.arrays import Array, Flags
 
 
-def with_the_rest(key: Key, cells: Cells) -> StudentTable | None:
-    """Return the table with what was cut off put back, except in cells that agree with the key as they are printed.
+def with_the_rest(key: Key, cells: Cells) -> Cells | None:
+    """Return the table marked with what was cut off put back, except in cells that agree with the key as they are printed.
 
-    More cells must be right with it. No more than slips may agree with the key with the opposite of it: a cell put right is none
+    More cells must be right with it, and then nearly all: a table made by another rule is not explained so. No more than slips may agree with the key with the opposite of it: a cell put right is none
     of these, and no other cell becomes one.
     """
     student = cells.student
@@ -36,7 +37,9 @@ def with_the_rest(key: Key, cells: Cells) -> StudentTable | None:
     if not found:
         return None
     _, rest = max(found, key=lambda one: one[0])
-    return replace(student, values=np.where(alike(key, student, key.table), student.values, student.values + rest))
+    values = np.where(alike(key, student, key.table), student.values, student.values + rest)
+    made = marked(key, replace(student, values=values))
+    return made if made.wrong.sum() <= (1 - NAMED) * made.wrong.size else None
 
 
 def _right(cells: Cells, rest: Array, ways: Sequence[Way]) -> Flags:
