@@ -43,7 +43,8 @@ if TYPE_CHECKING:
 # Two programs that compute the same table in another order differ in the decimals beyond this place (SI).
 _COPIED = 1e-13
 # A last place larger by up to this factor counts as fine enough: one decimal in degrees (0.0017 rad) as three in radians.
-_FEWER = 2.0
+# From the second factor on, what a whole table was made with is looked for: the decimals asked do not show each cell of it.
+_FEWER, _AS_ASKED = 2.0, 0.5
 GRADED = ("graded", "graded-with-notes")
 
 
@@ -225,7 +226,7 @@ class Marker:
 
     def _as_made(self, cells: Cells, equations: EquationMarks | None) -> AsMade | None:
         """Return the table as the student's cause made it, if too few digits were printed to see the cause in each cell."""
-        if self.by_forces or not fewer_decimals(self.key, cells):
+        if self.by_forces or not fewer_decimals(self.key, cells, _AS_ASKED):
             return None
         printed = TableUnderTest(self.key, cells.student)
         return as_made(self.key, cells, claims(printed, self.confusions, self.others, equations))
@@ -282,10 +283,10 @@ class Marker:
             yield note("dead_point", reason=self.key.stopped)
 
 
-def fewer_decimals(key: Key, cells: Cells) -> int:
-    """Return how many cells are shown, but with fewer decimals than the task sheet asks for."""
+def fewer_decimals(key: Key, cells: Cells, by: float = _FEWER) -> int:
+    """Return how many cells are shown, but with last places larger `by` this factor than those of the decimals asked for."""
     with np.errstate(invalid="ignore"):
-        return int((~cells.missing & (cells.student.units > _FEWER * 10.0**-key.least_decimals)).sum())
+        return int((~cells.missing & (cells.student.units > by * 10.0**-key.least_decimals)).sum())
 
 
 def _is_the_key(student: StudentTable, key: Key) -> bool:
