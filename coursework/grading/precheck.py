@@ -147,9 +147,10 @@ def _equations(work: StudentWork, told: Told) -> bool:
     for line in work.equations:
         kind, known = "place" if line.place else "line", {"line": line.line, "place": line.where}
         if line.tree is None:
-            told(say(f"screen.{kind}", why=line.fault.message if line.fault else say("screen.not_equation"), **known))
+            why = line.fault.message if line.fault and not line.is_prose else say("screen.not_equation")
+            told(say(f"screen.{kind}", why=why, **known))
         elif line.repaired:
             told(say(f"screen.{kind}_read_as", repaired=line.repaired, **known))
         else:
             told(say(f"screen.{kind}_read", text=line.text, **known))
-    return not unread
+    return all(line.is_prose for line in unread)

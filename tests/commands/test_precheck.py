@@ -93,6 +93,20 @@ def test_what_could_not_be_marked_is_told(tmp_path: Path, table: bytes | None, e
     assert told in found.output
 
 
+@pytest.mark.parametrize("prose", [
+    "The ratio of lengths = 2 was taken from the sheet.", "hence the result = good", "Отношение длин = 2 взято из листа.",
+    "长度之比 = 2 取自任务书", "Note: step = 0.02 as the sheet says; r1 is a length",
+])  # fmt: skip
+def test_a_sentence_with_a_sign_of_equality_is_no_equation_that_could_not_be_read(tmp_path: Path, prose: str) -> None:
+    found = precheck(tmp_path, csv(students.table()), "\n".join([*EQUATIONS, prose]))
+    assert found.exit_code == 0, found.output
+
+
+@pytest.mark.parametrize("line", ["r1*wq = 0", "r1*omega*sine(alpha1) + foo = 0", "r2*w2*sin(phi2 + r1 is wrong = 0"])
+def test_an_equation_that_cannot_be_read_is_no_sentence(tmp_path: Path, line: str) -> None:
+    assert precheck(tmp_path, csv(students.table()), "\n".join([*EQUATIONS, line])).exit_code == 1
+
+
 def test_equations_of_motion_are_not_asked_for(tmp_path: Path) -> None:
     """A person marks them."""
     run = coursework.solve("falling-arm", scheme="euler")

@@ -12,10 +12,10 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
-from coursework.grading.marking.grade import GRADED, rounded_points
+from coursework.grading.marking.grade import GRADED
 from coursework.grading.marking.late import OF_FILE, UNKNOWN
 from coursework.grading.marking.reasons.reasons import after_decision, decided, lost_by_time
-from coursework.grading.marking.rubric import PARTS, Rubric
+from coursework.grading.marking.rubric import PARTS, Rubric, rounded_points
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.names import same_key
 from coursework.grading.reading.numbers import filled_in

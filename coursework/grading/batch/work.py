@@ -14,7 +14,7 @@ from functools import cached_property
 from typing import Any
 
 from coursework.grading.batch.decisions import Override, overridden
-from coursework.grading.marking.grade import blank_grade
+from coursework.grading.marking.blank import blank_grade
 from coursework.grading.marking.reasons.reasons import state_reason
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.reading.documents import pdf
@@ -26,7 +26,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases
 
 # Increased whenever marks may change: the next run then grades everything again.
-GRADING_VERSION = 20
+GRADING_VERSION = 21
 
 
 @dataclass(frozen=True)

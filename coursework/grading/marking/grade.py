@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
-from decimal import ROUND_HALF_UP, Decimal
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from coursework.grading.marking.answers import AnswerMarks, mark_answers
+from coursework.grading.marking.blank import empty_table
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.rubric import Rubric, rounded_points
 from coursework.grading.marking.student_table import student_of, with_given
 from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.causes.claims import TableUnderTest
@@ -25,6 +25,7 @@ from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
 from coursework.grading.marking.table.causes.whole import AsMade, as_made, untold_points
 from coursework.grading.marking.table.cells import Cells
+from coursework.grading.marking.table.cut_off import with_the_rest
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.ways import HALF, StudentTable
@@ -42,7 +43,8 @@ if TYPE_CHECKING:
 # Two programs that compute the same table in another order differ in the decimals beyond this place (SI).
 _COPIED = 1e-13
 # A last place larger by up to this factor counts as fine enough: one decimal in degrees (0.0017 rad) as three in radians.
-_FEWER = 2.0
+# From the second factor on, what a whole table was made with is looked for: the decimals asked do not show each cell of it.
+_FEWER, _AS_ASKED = 2.0, 0.5
 GRADED = ("graded", "graded-with-notes")
 
 
@@ -101,7 +103,7 @@ class Grade:
     def _table(self) -> dict[str, Any]:
         score, most = self.part("table")
         trouble = self.work.trouble
-        empty = _empty_table(most) | {
+        empty = empty_table(most) | {
             "state": "marked" if self.table else "missing" if trouble is None or trouble.state == "missing" else "unreadable",
             "score": score, "rows_needed": len(self.key.table), "least_decimals": self.key.least_decimals,
         }  # fmt: skip
@@ -150,7 +152,15 @@ class Marker:
         self._kept: dict[bytes, tuple[str, ...]] = {}
 
     def grade(self, work: StudentWork) -> Grade:
-        """Return the grade of one submission."""
+        """Return the grade of one submission; a table whose times are not the task's also counts with its rows in order."""
+        found = self._grade(work)
+        if work.table is None or (other := work.table.in_order) is None:
+            return found
+        notes = (*other.notes, *(one for one in work.notes if one not in work.table.notes))
+        in_order = self._grade(replace(work, table=other, notes=notes))
+        return max(found, in_order, key=lambda grade: grade.parts["table"] or 0.0)
+
+    def _grade(self, work: StudentWork) -> Grade:
         student = student_of(self.key, work.table) if work.table else None
         back = turned(self.key, student) if student and not self.by_forces and self.rubric.clockwise == "accept" else None
         equations = self._equations(work, turning=self.rubric.clockwise == "accept" and student is None)
@@ -186,7 +196,17 @@ class Marker:
         return marks if marks and marks.marks else None
 
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
+        """Return the marks of a table; digits that were cut off are put back if it earns more with them."""
         cells = marked(self.key, student)
+        found = self._marks(table, cells, equations)
+        if (whole := with_the_rest(self.key, cells)) is None:
+            return found
+        count = int((cells.wrong & ~whole.wrong).sum())
+        other = self._marks(table, whole, equations)
+        first = first_wrong(self.key, replace(cells, marks=other.cells.marks), table)  # told with the numbers as printed
+        return replace(other, first=first, cut_off=count) if other.share > found.share else found
+
+    def _marks(self, table: Table, cells: Cells, equations: EquationMarks | None) -> TableMarks:
         points = points_of(self.key, cells, self.rubric.carried)
         made = self._as_made(cells, equations)
         judged = marked(self.key, made.student) if made else cells
@@ -206,7 +226,7 @@ class Marker:
 
     def _as_made(self, cells: Cells, equations: EquationMarks | None) -> AsMade | None:
         """Return the table as the student's cause made it, if too few digits were printed to see the cause in each cell."""
-        if self.by_forces or not fewer_decimals(self.key, cells):
+        if self.by_forces or not fewer_decimals(self.key, cells, _AS_ASKED):
             return None
         printed = TableUnderTest(self.key, cells.student)
         return as_made(self.key, cells, claims(printed, self.confusions, self.others, equations))
@@ -252,6 +272,8 @@ class Marker:
                 yield note("too_coarse", count=count, least=self.key.least_decimals)
             if count := fewer_decimals(self.key, cells):
                 yield note("fewer_decimals", count=count, least=self.key.least_decimals)
+            if table.cut_off:
+                yield note("coarse_work", "digits_cut", count=table.cut_off)
             if cells.computed_to is not None:
                 yield note("coarse_work", decimals=cells.computed_to)
             yield from table.forces.notes() if table.forces else ()
@@ -261,28 +283,10 @@ class Marker:
             yield note("dead_point", reason=self.key.stopped)
 
 
-def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:
-    """Return the entry of grades.json for a submission that could not be graded."""
-    return {
-        "status": status, "score": None, "max": rubric.points, "proposed": None, "reason": reason, "files": [], "reading": None,
-        "table": _empty_table(rounded_points(rubric.most("table"))),
-        "first_wrong": None, "equations": None, "answers": None, "misconception": None,
-        "verdicts": {"equations": "none", "integration": "unknown", "arithmetic": "unknown"}, "notes": [],
-    }  # fmt: skip
-
-
-def _empty_table(most: float) -> dict[str, Any]:
-    """Return the entry of grades.json for a table that is not there."""
-    return {
-        "state": "missing", "score": None, "max": most, "rows": 0, "rows_needed": 0, "first_wrong": None, "wrong_cells": 0,
-        "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": None, "computed_to": None,
-    }  # fmt: skip
-
-
-def fewer_decimals(key: Key, cells: Cells) -> int:
-    """Return how many cells are shown, but with fewer decimals than the task sheet asks for."""
+def fewer_decimals(key: Key, cells: Cells, by: float = _FEWER) -> int:
+    """Return how many cells are shown, but with last places larger `by` this factor than those of the decimals asked for."""
     with np.errstate(invalid="ignore"):
-        return int((~cells.missing & (cells.student.units > _FEWER * 10.0**-key.least_decimals)).sum())
+        return int((~cells.missing & (cells.student.units > by * 10.0**-key.least_decimals)).sum())
 
 
 def _is_the_key(student: StudentTable, key: Key) -> bool:
@@ -292,8 +296,3 @@ def _is_the_key(student: StudentTable, key: Key) -> bool:
     if np.isnan(student.units).any() or np.max(student.units) > _COPIED:
         return False
     return bool(np.all(np.abs(student.values - key.table) <= HALF * student.units + np.spacing(np.abs(key.table))))
-
-
-def rounded_points(value: float) -> float:
-    """Return points rounded to two decimals, halves up."""
-    return float(Decimal(repr(value)).quantize(Decimal("0.01"), ROUND_HALF_UP))

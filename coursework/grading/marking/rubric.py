@@ -10,6 +10,7 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import field, replace
 from datetime import datetime
+from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
 from coursework.grading.marking.late import Late, span
@@ -245,3 +246,8 @@ def _confusions(entries: Any, name: str, faults: list[Fault]) -> list[Confusion]
         _refuse_unknown(entry, ("datum", "value", "because"), place, name, faults)
         found.append(Confusion(entry["datum"], entry["value"], str(entry.get("because", ""))))
     return found
+
+
+def rounded_points(value: float) -> float:
+    """Return points rounded to two decimals, halves up."""
+    return float(Decimal(repr(value)).quantize(Decimal("0.01"), ROUND_HALF_UP))

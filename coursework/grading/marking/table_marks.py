@@ -32,7 +32,8 @@ class TableMarks:
     """Everything about a marked table; `earned` says what share of the points it gets and how.
 
     `hidden` are the misconceptions that its digits are too few to show, None if none was looked for. `own_line` is a wrong
-    line of the student's own equations from which the wrong cells follow, "" if there is none.
+    line of the student's own equations from which the wrong cells follow, "" if there is none. `cut_off` counts the cells that
+    are right only because further digits may have been cut off instead of rounded.
     """
 
     table: Table
@@ -44,6 +45,7 @@ class TableMarks:
     hidden: tuple[str, ...] | None = None
     forces: ForceColumns | None = None
     own_line: str = ""
+    cut_off: int = 0
 
     @property
     def share(self) -> float:

@@ -85,6 +85,7 @@ class Table:
     `own` has all rows in the order of time if the student's step differs from the grid's.  `place` says where in a document the
     table stands, None if the file is the table.  `strange` counts the cells read by position under heads that name something
     else; `asked` is the question to a person about columns whose heads are not understood, needed unless their cells are right.
+    `in_order` is the table with its rows in the order of the file, if its times are not the grid's.
     """
 
     reading: Reading
@@ -95,6 +96,7 @@ class Table:
     place: Sentence | None = None
     strange: int = 0
     asked: Sentence | None = None
+    in_order: Table | None = None
 
     @property
     def cells(self) -> int:
@@ -133,8 +135,9 @@ class EquationLine:
 
     `repaired` is the text that was read instead, "" if the line as it stands; `guessed` is True if something was added to it.
     `others` are further ways to read the line; if one of them is right, that one was meant.  `relates` is True for an unread line
-    that names two symbols of the variant: it is an equation, not prose.  `place` says where the line stands in a document, for a
-    person.  A line that `may_be_datum`, such as "w1 = 6.5" in a report, counts as an equation only if it is right.
+    that names two symbols of the variant: it is an equation; `is_prose` for one that is a sentence.  `place` says where the line
+    stands in a document, for a person.  A line that `may_be_datum`, such as "w1 = 6.5" in a report, counts as an equation only if
+    it is right.
     """
 
     file: str
@@ -145,6 +148,7 @@ class EquationLine:
     fault: Fault | None = None
     others: tuple[EquationReading, ...] = ()
     relates: bool = False
+    is_prose: bool = False
     place: Sentence | None = None
     may_be_datum: bool = False
     guessed: bool = False

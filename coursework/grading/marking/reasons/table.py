@@ -113,6 +113,8 @@ def _told(code: str, because: Mapping[str, str], names: tuple[str, ...] = ()) ->
         return say("feedback.misconception.confusion_because", **{name: clean(text, LONGEST) for name, text in told.items()})
     if code == "swapped_columns" and names:
         return say("feedback.misconception.swapped", names=names)
+    if code == ROWS_SHIFTED and names:
+        return say("feedback.misconception.positions_shifted", names=names)
     if code.startswith(_DATUM) and names:
         known = {"value": float(names[0]), "unit": names[1]}
         return say("feedback.misconception.datum_value", name=clean(code.removeprefix(_DATUM), LONGEST), **known)

@@ -13,8 +13,8 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
-from coursework.grading.marking.table.causes.hypotheses import PI_ROUNDED
-from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
+from coursework.grading.marking.table.causes.hypotheses import PI_ROUNDED, RADIAN_MODE
+from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Fit, Found
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
@@ -58,35 +58,42 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
 
 
 def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
-    """Yield what each explanation earns; another variant's table is not the student's work and earns nothing.
+    """Yield what each explanation earns; another variant's table is not the student's work and earns nothing, nor does what
+    explains less of it, as other data that are near the variant's do.
 
     Rounded velocities or a rounded π explain some of any steps, and another origin some of any angles; each counts only if it
     explains nearly all and no other cause explains more.
     """
     most = max((fit.share for fit in found.fits), default=0.0)
+    copied = max((fit.share for fit in found.fits if fit.code.startswith("variant_")), default=0.0)
     for fit in found.fits:
+        if fit.share < copied:
+            continue
         if fit.code == OWN:
             yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
         elif not fit.code.startswith("variant_") and (
             fit.share >= max(NAMED, most - TIE) or not fit.code.startswith((*_COARSER, causes.ORIGIN))
         ):
-            yield _earned("misconception", points, fit.share, _worth(rubric, fit.code), fit.code)
+            yield _earned("misconception", points, fit.share, _worth(rubric, fit), fit.code)
 
 
-def _worth(rubric: Rubric, code: str) -> float:
+def _worth(rubric: Rubric, fit: Fit) -> float:
     """Return the worth of a cell that a misconception explains: for a single slip it is more than for a wrong method.
 
-    An angle counted from another axis is a start that is not the task's.
+    An angle counted from another axis is a start that is not the task's, and so are starts (`fit.names`) in degrees from which
+    all else was made in radians, whatever the unit in the head of the columns.
     Work with rounded velocities or a rounded π is Euler's, worked out coarser: what a few digits less in print would hide costs
     little.
     """
-    if code in {*causes.OTHER_STEPS, causes.ROWS_SHIFTED}:
+    if fit.code in {*causes.OTHER_STEPS, causes.ROWS_SHIFTED}:
         return 1.0
-    if code.startswith(_COARSER):
+    if fit.code.startswith(_COARSER):
         return ROUNDED
-    if code.startswith(causes.ORIGIN):
+    if fit.code == RADIAN_MODE and len(fit.names) > 1:
+        return rubric.start_floor_several
+    if fit.code.startswith(causes.ORIGIN) or (fit.code == RADIAN_MODE and fit.names):
         return rubric.start_floor
-    return rubric.own_equations_floor if code.startswith(_SLIPS) else rubric.misconception_floor
+    return rubric.own_equations_floor if fit.code.startswith(_SLIPS) else rubric.misconception_floor
 
 
 def _earned(rule: Rule, points: TablePoints, explained: float, worth: float, cause: str) -> Earned:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import field, replace
+from itertools import pairwise
 
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.meanings import Meanings, in_smaller_units, meaning_of, put_in
@@ -35,6 +36,10 @@ _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 DASH = re.compile(r"^\s*[-–—−]\s*")
 # A name and the formula of a residual, as in F(2) = r1*w1…, which is handed to a root finder.
 _FUNCTION_OF_ROOTS = re.compile(r"\s*[^\W\d]\w{0,20}\s*(?:[(\[][\w\s,]{1,40}[)\]])?\s*=([^=]+)")
+_NATURAL, _SEVERAL = (
+    re.compile(r"[一-鿿]{2}|[^\W\d_]{3,}"),
+    3,
+)  # words of a sentence, two signs each in Chinese; how many make one
 TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # a mark of an equation even if its names are unknown
 
 
@@ -78,7 +83,15 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     short = text[: reader.MAX_CHARACTERS]
     told = Fault(fault.message, file, line, fault.column)
     relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and TURNED.search(short) is not None)
-    return EquationLine(file, line, short, fault=told, others=others, relates=relates)
+    is_prose = not relates and _is_prose(short, names)
+    return EquationLine(file, line, short, fault=told, others=others, relates=relates, is_prose=is_prose)
+
+
+def _is_prose(text: str, names: Names) -> bool:
+    """Return whether a text has several words that mean nothing in a formula, at least two of them without a sign between."""
+    strange = [found.span() for found in _NATURAL.finditer(text) if not names.is_name(found[0])]
+    joined = any(not text[end:start].strip() for (_, end), (start, _) in pairwise(strange))
+    return joined and len(strange) >= _SEVERAL
 
 
 def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | None]:

@@ -28,7 +28,8 @@ class Rows:
 
     `extra` counts rows of the file that match no row of the grid; `recovered` counts times that a spreadsheet had spoilt.
     If the student's time step differs from the grid's, `own` are the file's rows in the order of time and `own_step` is the step
-    in s; otherwise they are () and 0.
+    in s; otherwise they are () and 0.  `off_grid` is the first row of the file (from 0) whose time is not that of the row of the
+    grid at its place, with this time in s; None if there is none, or if every time is one of the grid's.
     """
 
     of_grid: tuple[int | None, ...]
@@ -38,6 +39,7 @@ class Rows:
     time_unit: str
     own: tuple[int, ...] = ()
     own_step: float = 0.0
+    off_grid: tuple[int, float] | None = None
 
 
 def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
@@ -46,6 +48,7 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
     unit, recovered = "s", 0
     own: tuple[int, ...] = ()
     step = 0.0
+    times: list[float] = []
     if TIME in places.places:
         at = places.places[TIME].at
         cells = [row[at] for row in layout.body]
@@ -60,7 +63,19 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
     of_grid = _unique(layout, places, targets, grid.rows)
     on_grid = [target for target in targets if target is not None]
     is_sorted = any(later < earlier for earlier, later in pairwise(on_grid))
-    return Rows(of_grid, is_sorted, targets.count(None), recovered, unit, own, step)
+    return Rows(of_grid, is_sorted, targets.count(None), recovered, unit, own, step, _off_grid(times, targets))
+
+
+def in_order(rows: Rows, count: int) -> Rows:
+    """Return the rows of the grid filled in the order of the file, of `count` rows, whatever its times."""
+    of_grid = tuple(place if place < count else None for place in range(len(rows.of_grid)))
+    return Rows(of_grid, False, max(count - len(of_grid), 0), 0, rows.time_unit)
+
+
+def _off_grid(times: Sequence[float], targets: Sequence[int | None]) -> tuple[int, float] | None:
+    if None not in targets and 0 in targets:
+        return None
+    return next(((place, time) for place, time in enumerate(times) if targets[place] != place and math.isfinite(time)), None)
 
 
 def _own_step(times: Sequence[float], grid: Grid) -> tuple[tuple[int, ...], float]:

@@ -24,7 +24,7 @@ from coursework.grading.reading.table.digits import last_places
 from coursework.grading.reading.table.headers import INDEX, TIME
 from coursework.grading.reading.table.layout import Layout
 from coursework.grading.reading.table.parts import NOTHING, Part, joined
-from coursework.grading.reading.table.rows import Rows, place_rows
+from coursework.grading.reading.table.rows import Rows, in_order, place_rows
 from coursework.grading.reading.table.units import factor_of, stands_beside, turns_of_jumps, units_of_columns, whole_turns
 from coursework.words.sentences import ranges
 
@@ -65,15 +65,31 @@ def _is_table(layout: Layout) -> bool:
 
 
 def _table(part: Part, grid: Grid) -> Table:
-    layout, origin = part.layout, part.origin
+    layout = part.layout
     standing = [cell for row in layout.body for cell in row if cell.stands_for_number]
     uncomputed = sum(cell.flag == "formula" for cell in standing)
     if uncomputed > _UNCOMPUTED * len(standing):
         raise unreadable("formulas", cells=uncomputed)
     places = find_columns(layout, grid)
     rows = place_rows(layout, places, grid)
-    if not any(row is not None for row in rows.of_grid):
+    other = _in_order(part, grid, places, rows) if rows.off_grid else None
+    if any(row is not None for row in rows.of_grid):
+        return replace(_placed(part, grid, places, rows), in_order=other)
+    if other is None or len(layout.body) != grid.rows:
         raise unreadable("no_rows", step=grid.step, rows=grid.rows)
+    return other
+
+
+def _in_order(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
+    """Return the table with its rows in the order of the file: nothing but its times may be wrong."""
+    assert rows.off_grid
+    found, (row, time) = _placed(part, grid, places, in_order(rows, len(part.layout.body))), rows.off_grid
+    told = note("data_differ", "times_differ", row=row + 1, found=time, expected=row * grid.step)
+    return replace(found, notes=(told, *found.notes))
+
+
+def _placed(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
+    layout, origin = part.layout, part.origin
     read = _columns(grid, places, layout, rows)
     read = sorted(map(partial(_like_others, read, layout), read), key=lambda column: column.at)
     read, zeros = _without_zeros(read, layout)

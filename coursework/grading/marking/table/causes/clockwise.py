@@ -36,12 +36,12 @@ def turned(key: Key, student: StudentTable) -> StudentTable | None:
         steps[~(np.abs(steps) > student.units[1:, :m])] = np.nan
     against = np.hstack([_opposite(steps, values[:-1, m : 2 * m]), _opposite(values[:, 2 * m :], key.table[:, 2 * m :])])
     if (against * angular[m:] >= 0).all() and (against[:m] * angular[:m]).any():
-        return _turned(key, student, mirrored=False)
+        return _turned(key, student, angular | _with_points(against, angular, m), mirrored=False)
     begins = slice(_BEGINNING)
-    against = _opposite(values[begins, m:], key.table[begins, m:])[angular[m:]]
-    if against.sum() <= 0:
+    against = _opposite(values[begins, m:], key.table[begins, m:])
+    if against[angular[m:]].sum() <= 0:
         return None
-    back = _turned(key, student, mirrored=True)
+    back = _turned(key, student, angular | _with_points(against, angular, m), mirrored=True)
     return back if _explained(key, mark_cells(key, back)) >= _by_drive(key, mark_cells(key, student)) else None
 
 
@@ -75,15 +75,21 @@ def _angular(key: Key) -> Flags:
     return np.array([key.variant.unit_of(name) in {"rad", "rad/s"} for name in key.names])
 
 
-def _turned(key: Key, student: StudentTable, *, mirrored: bool) -> StudentTable:
-    """Return a table with the sign of angular velocities changed; if `mirrored`, the angles too, about their first value."""
-    m, angular = len(key.coordinates), _angular(key)
+def _with_points(against: Array, angular: Flags, m: int) -> Flags:
+    """Return the velocities of points (m + r,) if all of them are opposite too: then every velocity has the other sign."""
+    points = ~angular & (np.arange(len(angular)) >= m)
+    return points & bool((against[points[m:]] > 0).all())
+
+
+def _turned(key: Key, student: StudentTable, signs: Flags, *, mirrored: bool) -> StudentTable:
+    """Return a table with other `signs` (m + r,) of velocities; if `mirrored`, of angles too, about their first value."""
+    m, angular = len(key.coordinates), _angular(key)[: len(key.coordinates)]
 
     def back(values: Array) -> Array:
         found = values.copy()
-        found[:, m:][:, angular[m:]] *= -1
+        found[:, m:][:, signs[m:]] *= -1
         if mirrored:
-            found[:, :m] = np.where(angular[:m], _start(key, values[0, :m]) - (values[:, :m] - values[0, :m]), values[:, :m])
+            found[:, :m] = np.where(angular, _start(key, values[0, :m]) - (values[:, :m] - values[0, :m]), values[:, :m])
         return found
 
     own = student.own and replace(student.own, values=back(student.own.values))

@@ -16,27 +16,30 @@ from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned_back
-from coursework.grading.marking.table.causes.other_data import other_columns, other_data, other_tables, shifted_rows
+from coursework.grading.marking.table.causes.other_data import (
+    other_columns,
+    other_data,
+    other_tables,
+    point_slipped,
+    shifted_rows,
+)
+from coursework.grading.marking.table.causes.other_drive import other_drive
 from coursework.grading.marking.table.causes.own_equations import equation_claims
+from coursework.grading.marking.table.causes.step_lengths import DEGREE, WHOLE, parts_of_step, told_step
 from coursework.grading.marking.table.starts import march
 from coursework.motion.schemes import EULER, SCHEMES, Scheme
 from coursework.system.arrays import Array, shifted
 
 # Schemes that students take for Euler's; their names are the codes of the misconceptions.
 SCHEMES_TRIED = ("heun", "midpoint", "ralston", "rk4")
-STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
 # With these causes only the velocities of a table are right.
-OTHER_STEP, DEGREE_STEPS = "other_step", "degree_steps"
-_WHOLE = 0.01
-# The length of a step is read off where the velocity is at least this part of its column's largest.
-_FAST = 0.2
+OTHER_STEP, DEGREE_STEPS, STEPS_IN_DEGREES = "other_step", "degree_steps", "steps_in_degrees"
 # An implicit step is iterated at most so often, until it changes by less than _STANDS (rad or m).
 _REPEATED, _STANDS = 100, 1e-10
 Velocities = Callable[[Array, Array], Array]
-PI_ROUNDED = "pi_rounded"
-MISREAD = ("sign_drive", "cosine_drive", "degree_mode", "degree_drive", "degree_geometry", "radian_mode", PI_ROUNDED)
-_DEGREE = np.pi / 180
+PI_ROUNDED, RADIAN_MODE = "pi_rounded", "radian_mode"
+MISREAD = ("sign_drive", "cosine_drive", "degree_mode", "degree_drive", "degree_geometry", RADIAN_MODE, PI_ROUNDED)
 
 
 def claims(
@@ -55,9 +58,10 @@ def claims(
         yield replace(printed.claim("clockwise"), student=back)
     if printed.closely:
         yield from shifted_rows(printed)
+        yield from point_slipped(printed)
     families: list[Callable[[TableUnderTest], Iterator[Claim]]] = [
         _schemes, _shifted_rows, _steps, partial(_velocities, apart=() if back is None else ("sign_drive",)),
-        partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns,
+        partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns, other_drive,
     ]  # fmt: skip
     if printed.closely:
         families.append(partial(equation_claims, marks=equations))
@@ -183,9 +187,12 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
                 f"rounded_omega_{decimals}", printed.steps(h * np.round(printed.w, decimals), np.zeros_like(units))
             )
             yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_rounded, h, m, decimals)))
-    claim = printed.claim(DEGREE_STEPS, _steps_of_degrees(printed))
-    yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_longer, h * _of_degrees(printed.key), m)))
-    for part in _parts(printed):
+    lacking = _of_degrees(printed.key)
+    for code, each in ((DEGREE_STEPS, lacking), (STEPS_IN_DEGREES, 1 / lacking)):
+        if (each != 1).any():
+            claim = printed.claim(code, printed.steps(h * each * printed.w, h * each * units))
+            yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_longer, h * each, m)))
+    for part in parts_of_step(printed):
         step = printed.steps(part * h * printed.w, part * h * units)
         longer = partial(_longer, part * h, m)
         claims = [printed.claim("other_step", step)]
@@ -197,7 +204,7 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             replace(claim, table=printed.marched(velocities_at, longer), velocities_at=velocities_at)
             for claim, velocities_at in zip(claims, made, strict=False)
         ]
-        if (times := round(1 / part)) > 1 and abs(times * part - 1) < _WHOLE:
+        if (times := round(1 / part)) > 1 and abs(times * part - 1) < WHOLE:
             several = partial(_small_steps, printed.key, m, times)
             at_once = printed.stacked(several)
             claim = printed.claim("other_step", printed.steps(at_once(printed.q), printed.spread(at_once)))
@@ -207,18 +214,7 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
 
 def _of_degrees(key: Key) -> Array:
     """Return the part (m,) of each coordinate's step that is made if velocities in rad/s are added to angles in degrees."""
-    return np.array([_DEGREE if one.unit == "rad" else 1.0 for one in key.variant.coordinates])
-
-
-def _steps_of_degrees(printed: TableUnderTest) -> tuple[Array, Array]:
-    """Return coordinates (n, m) made by adding rad/s to degrees, and their tolerance."""
-    each = printed.key.step * _of_degrees(printed.key)
-    return printed.steps(each * printed.w, each * printed.w_units[:, : printed.m])
-
-
-def told_step(step: float) -> str:
-    """Return a step (s) with as many digits as a sentence tells."""
-    return f"{step:.4g}"
+    return np.array([DEGREE if one.unit == "rad" else 1.0 for one in key.variant.coordinates])
 
 
 def _of_times(key: Key, part: float, ahead: float, t: Array, q: Array) -> Array:
@@ -242,22 +238,6 @@ def _small_steps(key: Key, m: int, times: int, t: Array, q: Array, w: Array | No
     for place in range(times):
         moved = moved + h * key.velocities_at(t + place * h, moved)[:, :m]
     return moved - q
-
-
-def _parts(printed: TableUnderTest) -> list[float]:
-    """Return possible steps as parts of the task's: usual ones, the one of the table's own times, the one its steps show.
-
-    The last one is the median of step over velocity, in seconds to two digits, as a step is typed.
-    """
-    h, own = printed.key.step, printed.student.own
-    parts = [*STEPS, *([own.step / h] if own else [])]
-    rates, steps = printed.w[:-1], np.diff(printed.q, axis=0)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        made = (steps / rates)[np.abs(rates) > _FAST * np.nanmax(np.abs(rates), axis=0, initial=0.0)]
-    read = float(f"{np.median(made[np.isfinite(made)]):.2g}") / h if np.isfinite(made).any() else 1.0
-    if read and all(abs(read / part - 1) > _WHOLE for part in (1.0, _DEGREE, *parts)):
-        parts.append(read)
-    return parts
 
 
 def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Claim]:
@@ -287,11 +267,14 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
             yield from printed.velocity_claim(code, velocities)
             if (handed_in := printed.with_turns) is not None:  # a whole turn is none in degrees
                 yield from printed.velocity_claim(code, velocities, q=handed_in)
-            if code == "radian_mode" and printed.nearly(misread := printed.stacked(velocities)(printed.q)):
-                # Students who take degrees for radians also add rad/s to them.
+            if code == RADIAN_MODE and printed.nearly(misread := printed.stacked(velocities)(printed.q)):
+                # Students who take degrees for radians also add rad/s to them: only the starts are not those of the task.
                 spread = printed.spread(printed.stacked(velocities))
-                claim = printed.claim(code, _steps_of_degrees(printed), printed.velocities(misread, spread))
-                yield replace(claim, table=printed.marched(velocities, partial(_longer, h * _of_degrees(key), m)))
+                angles = tuple(one.name for one in key.variant.coordinates if one.unit == "rad")
+                each = h * _of_degrees(key)
+                steps = printed.steps(each * printed.w, each * printed.w_units[:, :m])
+                claim = printed.claim(code, steps, printed.velocities(misread, spread), angles)
+                yield replace(claim, table=printed.marched(velocities, partial(_longer, each, m)))
     for place, name in enumerate(key.velocities):
         alone = np.where(np.arange(m + len(key.velocities)) == m + place, 1.0, np.nan)
         claim = printed.claim(f"sign_{name}", None, (-found * alone[m:], tolerance))

@@ -15,11 +15,12 @@ import numpy as np
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.causes.hypotheses import DEGREE_STEPS, OTHER_STEP, claims, told_step
+from coursework.grading.marking.table.causes.hypotheses import DEGREE_STEPS, OTHER_STEP, STEPS_IN_DEGREES, claims
 from coursework.grading.marking.table.causes.misread_key import MisreadKey
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.causes.own_rows import on_own_rows
+from coursework.grading.marking.table.causes.step_lengths import told_step
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.explained import Explained, euler_cells, share_of
 from coursework.grading.marking.table.points import stands_still, table_points
@@ -40,7 +41,7 @@ _CLOSER = 3
 _ROUND_OFF = 1e-9
 ROWS_SHIFTED, ORIGIN, ROUNDED_OMEGA = "rows_shifted", "origin_", "rounded_omega_"
 # Causes with steps of another length: in such a table only the velocities are right.
-OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS)
+OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS, STEPS_IN_DEGREES)
 
 
 @frozen

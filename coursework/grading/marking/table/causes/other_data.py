@@ -16,6 +16,7 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.shifted import put_back
+from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed, near
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
@@ -27,7 +28,7 @@ FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
 _UNITS = {"1/s": (2 * np.pi, 0.5 / np.pi), "m": (100.0, 0.01, 1000.0, 0.001)}
 # Columns count as exchanged if, exchanged back, this part of them agrees with the key, or if their start values do.
 _LIKE_KEY = 0.5
-# From this part of the angles on, the rows stand where they belong.
+# From this part of the angles, or of the velocities, on, they stand where they belong.
 _IN_PLACE = 0.9
 _TURN = 2 * np.pi
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
@@ -128,12 +129,24 @@ def _whole(code: str, table: Array, units: Array) -> Claim:
 def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
     """Yield the claim that a row stands twice or is left out, so that every row after it stands beside another time.
 
-    If the angles stand where they belong, another cause that explains as much is preferred: only the velocities are shifted.
+    If the angles stand where they belong, another cause that explains as much is preferred: only the velocities are shifted.  If
+    the velocities do, the claim names the coordinates: only these are.
     """
     student = put_back(printed)
     if student is not None:
-        in_place = bool(printed.of_task[:, : printed.m].mean() >= _IN_PLACE)
-        yield replace(_as_euler("rows_shifted", student), is_read_off=in_place)
+        in_place, still = (bool(part.mean() >= _IN_PLACE) for part in np.hsplit(printed.of_task, [printed.m]))
+        names = tuple(printed.key.coordinates) if still and not in_place else ()
+        yield replace(_as_euler("rows_shifted", student, names), is_read_off=in_place)
+
+
+def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:
+    """Yield the claim that the coordinates were printed ten times too large or too small, which the start values tell."""
+    student, m = printed.student, printed.m
+    for factor in (10.0, 0.1):
+        values, units = student.values.copy(), student.units.copy()
+        values[:, :m], units[:, :m] = (student.values[:, :m] + _TURN * _taken_off(student)[:, :m]) / factor, units[:, :m] / factor
+        if alike(printed.key, replace(student, values=values, units=units), printed.key.table)[0, :m].all():
+            yield _as_euler("point_slipped", StudentTable(values, units))
 
 
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
@@ -156,7 +169,7 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
     """Yield claims that two columns are exchanged; whole turns are taken off after they are exchanged back."""
     key, student, m = printed.key, printed.student, printed.m
-    turns = np.zeros(student.values.shape) if student.turns is None else student.turns
+    turns = _taken_off(student)
     tolerance = as_printed(key, np.nan_to_num(student.units))
     with np.errstate(invalid="ignore"):
         as_it_is = np.abs(student.values - key.table) <= tolerance
@@ -175,6 +188,11 @@ def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
         if begins or close[:, pair].mean() > max(_LIKE_KEY, as_it_is[:, pair].mean()):
             names = (key.names[first], key.names[second])
             yield _as_euler("swapped_columns", StudentTable(values, student.units[:, order]), names)
+
+
+def _taken_off(student: StudentTable) -> Array:
+    """Return the whole turns (n, m + r) that the reader took off."""
+    return np.zeros(student.values.shape) if student.turns is None else student.turns
 
 
 def _turns(key: Key, place: int, values: Array) -> float:

@@ -131,6 +131,33 @@ def test_few_digits_tell_it_as_well(mirrored):
     assert "clockwise" in codes(grade)
 
 
+def with_points(count):
+    """The geared linkage with the velocities of one or two of its points as columns."""
+    text = GEARED
+    for number, (name, line) in enumerate([("vE", "c*w3*cos(phi3) + d*w4*cos(phi4)"), ("vF", "a*w1*cos(phi1)")][:count], 4):
+        text += f'[[constraint]]\nname = "{number}"\nbecause = "point"\nequation = "{line} - {name} = 0"\n'.encode()
+    names = ", ".join(f'{name} = {{ unit = "m/s" }}' for name in ("vE", "vF")[:count])
+    return Desk(
+        parse_variant(text.replace(b"[time]", f"[unknowns]\n{names.replace(', ', chr(10))}\n[time]".encode()), "own.toml", {})
+    )
+
+
+@pytest.mark.parametrize("count", [1, 2])
+@pytest.mark.parametrize("mirrored", ["", "start", "negative"])
+def test_velocities_of_points_are_accepted_with_either_sign_as_a_whole(count, mirrored):
+    desk = with_points(count)
+    points = [place for place, name in enumerate(desk.key.names) if desk.variant.unit_of(name) == "m/s"]
+    assert len(points) == count
+    table = desk.turned(mirrored)
+    for _ in range(2):
+        grade = desk.graded(table)
+        assert (grade.table.share, "clockwise" in codes(grade)) == (1, True)
+        table[:, points] *= -1
+    if count == 2:  # one of them alone is a wrong sign
+        table[:, points[0]] *= -1
+        assert desk.graded(table).table.share < 1
+
+
 def test_a_slip_in_it_costs_what_it_costs_in_a_right_table(desk):
     slips = desk.right.copy(), desk.turned()
     for table in slips:

@@ -8,6 +8,8 @@ import pytest
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import _cut_off
+from coursework.grading.reading.read_submission import read_submission
+from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.sentences import load_phrases
 from tests.grading.marking.machines import DEGREE, Machine
@@ -59,7 +61,7 @@ def radians_everywhere(machine):
 
 @pytest.mark.parametrize(
     ("made", "code", "worth"),
-    [(of_rows_above, "rows_above", 24), (with_sines_exchanged, "cosine_drive", 30), (radians_everywhere, "radian_mode", 24)],
+    [(of_rows_above, "rows_above", 24), (with_sines_exchanged, "cosine_drive", 30), (radians_everywhere, "radian_mode", 36)],
 )
 @of_each
 def test_what_is_mixed_up_is_named_and_worth_the_same_everywhere(made, code, worth, numbers):
@@ -93,6 +95,46 @@ def test_steps_that_add_radians_to_degrees_leave_the_velocities_right():
         assert codes(table) == ("degree_steps",)
         half, _ = desk.marked(desk.machine.table(lambda t, q, m=desk.machine: 0.5 * m.h * m.velocities(t, q)[: m.m]))
         assert found == pytest.approx(half, abs=0.5)
+
+
+def headed(desk, table, unit):
+    """The points and marks of a table with its angles under heads with a unit, or without one."""
+    own = type(desk)(desk.variant)
+    names = [f"{name}, {unit}" if unit and desk.variant.unit_of(name) == "rad" else name for name in desk.key.names]
+    lines = [";".join(["t", *names])]
+    lines += [";".join([f"{k * desk.machine.h:.4f}", *(f"{x:.5f}" for x in row)]) for k, row in enumerate(table)]
+    files = (submitted_file("table.csv", "\n".join(lines).encode()),)
+    grade = own.marker.grade(read_submission(Submission("a", None, files), own.expected))
+    return grade.part("table")[0], grade.table
+
+
+def test_starts_in_degrees_cost_the_same_under_every_head():
+    """The task's starts typed in degrees, and all else in radians: the numbers are the same, whatever the head calls them."""
+    for desk in variants()[1::2]:
+        table = radians_everywhere(desk.machine)
+        points = [headed(desk, table, unit)[0] for unit in ("", "deg", "rad")]
+        assert points == [points[0]] * 3 and points[0] == 36.0
+
+
+def test_steps_in_degrees_added_to_radians_are_told_and_leave_the_velocities_right():
+    for desk in variants():
+        machine, m = desk.machine, desk.machine.m
+        table = machine.table()
+        angles = [place for place, one in enumerate(desk.variant.coordinates) if one.unit == "rad"]
+        table[:, angles] = table[0, angles] + (table[:, angles] - table[0, angles]) / DEGREE
+        found, marks = desk.marked(table)
+        assert codes(marks)[:1] == ("steps_in_degrees",), (desk.variant.name, codes(marks))
+        assert found == pytest.approx(60 * (marks.cells.marks[:, m:] == "key").sum() / marks.points.cells, abs=3.0)
+
+
+@pytest.mark.parametrize("factor", [10.0, 0.1])
+def test_a_decimal_point_that_slipped_in_all_coordinates_is_told_as_that(factor):
+    for desk in variants():
+        table = desk.machine.table()
+        table[:, : desk.machine.m] *= factor
+        found, marks = desk.marked(table, digits=6)
+        assert codes(marks)[:1] == ("point_slipped",), (desk.variant.name, codes(marks))
+        assert 24 <= found < 40
 
 
 def test_columns_exchanged_are_not_taken_for_degrees():

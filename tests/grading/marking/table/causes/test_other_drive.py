@@ -1,0 +1,50 @@
+"""A drive by another law than the task's, printed as a column: all that follows from it is worth as much as with other data."""
+
+import numpy as np
+import pytest
+
+from coursework.variant.reading.reader import parse_variant
+from tests.grading.marking.machines import SLIDER_CRANK, Machine
+from tests.grading.marking.table.causes.test_clockwise import GEARED
+from tests.grading.marking.table.test_equal_faults import Desk, codes, with_a_steady_drive
+
+LAWS = ["1.2*({})", "({})*(1 + 0.3*sin(5*t))", "({})**2", "({}) + 2*t", "0.7*({}) - 1"]
+
+
+@pytest.fixture(scope="module", params=["slider", "steady", "geared"])
+def desk(request):
+    if request.param == "steady":
+        return with_a_steady_drive()
+    return Desk(parse_variant(SLIDER_CRANK if request.param == "slider" else GEARED, "own.toml", {}))
+
+
+def with_law(desk, law):
+    (name, own), *_ = desk.machine.laws.items()
+    return Machine(desk.variant, drive={name: law.format(own)}).table()
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_it_is_told_and_worth_as_much_as_other_data(desk, law):
+    found, marks = desk.marked(with_law(desk, law))
+    told = codes(marks)
+    assert told and (told[0] in {"other_drive", "other_step"} or told[0].startswith("datum_")), told
+    assert found >= 23.5
+
+
+def test_a_rate_of_the_drive_put_right_lowers_nothing(desk):
+    table, right = with_law(desk, LAWS[1]), desk.machine.table()
+    points, chance = desk.marked(table)[0], np.random.default_rng(2)
+    place = desk.key.names.index(next(iter(desk.machine.laws)))
+    for row in chance.permutation(len(table))[:6].tolist():
+        table[row, place] = right[row, place]
+        found = desk.marked(table)[0]
+        assert found >= points - 1e-9
+        points = found
+
+
+def test_a_drive_that_is_right_is_not_suspected(desk):
+    table = desk.machine.table()
+    for place in range(desk.machine.m + 1, table.shape[1]):
+        wrong = table.copy()
+        wrong[:, place] *= 1.4
+        assert "other_drive" not in codes(desk.marked(wrong)[1])

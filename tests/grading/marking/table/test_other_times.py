@@ -1,0 +1,72 @@
+"""A table whose rows are right and whose times are not: the column t earns and costs nothing, and it is told."""
+
+import numpy as np
+import pytest
+
+from tests.grading.marking.table.test_equal_faults import codes, variants
+
+
+def slip(t):
+    t = t.copy()
+    t[6] += 40.0
+    return t
+
+
+OTHER = {
+    "doubled": lambda t: 2 * t,
+    "tenfold": lambda t: 10 * t,
+    "a tenth": lambda t: t / 10,
+    "from the first step": lambda t: t + t[1],
+    "much later": lambda t: t + 700,
+    "numbers from 0": lambda t: np.round(t / t[1]),
+    "numbers from 1": lambda t: np.round(t / t[1]) + 1,
+    "backwards": lambda t: -t,
+    "all the same": lambda t: 0 * t + 5,
+    "minutes": lambda t: t / 60,
+    "one mistyped": slip,
+}
+
+
+def heun(machine):
+    def step(t, q):
+        rate = machine.velocities(t, q)[: machine.m]
+        return machine.h / 2 * (rate + machine.velocities(t + machine.h, q + machine.h * rate)[: machine.m])
+
+    return machine.table(step)
+
+
+@pytest.mark.parametrize("how", OTHER)
+def test_times_of_another_step_unit_or_beginning_cost_nothing(how):
+    for desk in variants()[::2]:
+        table = desk.machine.table()
+        times = OTHER[how](np.arange(len(table)) * desk.machine.h)
+        points, marks = desk.marked(table, times=times)
+        assert points == 60.0, (desk.variant.name, points)
+        assert codes(marks) == () and not marks.cells.wrong.any()
+        told = [note.code for note in marks.table.notes]
+        assert ("data_differ" in told) == (not how.startswith("numbers"))  # rows may be numbered; times of another step are told
+
+
+@pytest.mark.parametrize("how", ["doubled", "from the first step", "numbers from 1"])
+def test_another_fault_costs_and_is_told_as_with_the_right_times(how):
+    for desk in variants()[::2]:
+        table = heun(desk.machine)
+        times = OTHER[how](np.arange(len(table)) * desk.machine.h)
+        points, marks = desk.marked(table, times=times)
+        usual, plain = desk.marked(table)
+        assert points == usual and codes(marks) == codes(plain)
+
+
+def test_rows_left_out_at_the_beginning_stand_where_their_times_say():
+    for desk in variants()[::2]:
+        table, h = desk.machine.table(), desk.machine.h
+        _, marks = desk.marked(table[2:], times=np.arange(2, len(table)) * h)
+        assert marks.table.rows_present[:3] == (False, False, True) and not marks.cells.wrong.any()
+
+
+def test_a_table_truly_made_with_another_step_is_told_so():
+    for desk in variants()[::2]:
+        machine = desk.machine
+        table = machine.table(lambda t, q, m=machine: m.h / 2 * m.velocities(t, q)[: m.m])
+        _, marks = desk.marked(table, times=np.arange(len(table)) * machine.h / 2)
+        assert "other_step" in codes(marks), desk.variant.name
