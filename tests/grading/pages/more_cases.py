@@ -225,6 +225,8 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         **{code.replace("_", "-"): files(made(MACHINE)) for code, made in MIXED.items()},
         "radians-added-to-degrees": {"table.csv": text(moved_by_radians(MACHINE), NAMES)},
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
+        "point-slipped": files(np.hstack([10 * RIGHT[:, :3], RIGHT[:, 3:]])),
+        "angles-a-row-late": files(np.hstack([RIGHT[[0, *range(24)], :3], RIGHT[:, 3:]])),
     }
     found |= {student: (handed, source, (), None) for student, handed in more.items()}
     right = files()
@@ -245,5 +247,13 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
     found["rounded-pi"] = (handed, by_pi, (), None)
     fourbar = key_of(coursework.load("example-1"))
     handed = {"table.csv": text(fourbar.branches[0], fourbar.names, fourbar.step, 5)}
-    found["branch"] = (handed, VariantSource("example-1", (CATALOGUE / "example-1.toml").read_bytes()), (), None)
+    example = VariantSource("example-1", (CATALOGUE / "example-1.toml").read_bytes())
+    found["branch"] = (handed, example, (), None)
+    uneven = parse_variant(example.content.replace(b'w1 = "w0"', b'w1 = "w0*(1 + 0.3*sin(5*t))"'), "uneven.toml", {})
+    handed = {
+        "table.csv": text(
+            coursework.solve(uneven, scheme="euler").table[[*fourbar.names]].to_numpy(), fourbar.names, fourbar.step, 5
+        )
+    }
+    found["other-drive"] = (handed, example, (), None)
     return found
