@@ -9,7 +9,7 @@ from coursework.api import make_run, variant_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, tell_own_file, title_of
 from coursework.equations.reduction.cramer import cramer
-from coursework.motion.geometry.rigid import hinges_with_two_names
+from coursework.motion.geometry.rigid import hinges_with_two_names, may_be_hinges
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt
 from coursework.run import Run
@@ -83,8 +83,10 @@ def _tell_mobility(run: Run) -> None:
     drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
     verdict = say("screen.driven", number=drives)
     twice: tuple[tuple[str, str], ...] = ()
+    met: tuple[tuple[str, str], ...] = ()
     if drives and mobility.degrees != drives:
         twice = hinges_with_two_names(run.scene.equations, run.scene.closure) if run.scene.closure else ()
+        met = may_be_hinges(run.scene.equations, run.scene.start) if not run.scene.closure else ()
         way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
         verdict = way or say("screen.driven_otherwise", drives=drives)
     if not drives or run.variant.motor is not None:
@@ -92,6 +94,8 @@ def _tell_mobility(run: Run) -> None:
     tell(say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict))
     for one, other in twice:
         tell(say("screen.two_names", one=one, other=other))
+    for one, other in met:
+        tell(say("check.AGREEMENT.meet", one=one, other=other))
 
 
 def _along_its_guide(variant: Variant) -> Sentence | None:

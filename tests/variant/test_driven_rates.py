@@ -103,3 +103,8 @@ def test_a_wheel_train_of_the_catalogue():
     variant = written("w1 = w0", text=moved)
     assert variant.known_rates == ("w1",)
     assert coursework.solve(variant).table.equals(coursework.solve("cardan").table)
+
+
+def test_a_rate_times_nothing_is_refused_where_it_stands():
+    with pytest.raises(coursework.InputError, match=r"V088 .*constraint 3: wd appears only beside 0"):
+        written("wa = n1", "wd*0 = n1")

@@ -96,14 +96,43 @@ def test_catalogue_without_closure(name, turned):
             checks(text.replace(*turned))
 
 
-def test_what_is_not_independent_is_left_to_the_author():
-    """Two rails along one line of one point, and a hinge beside the rail that holds half of it."""
-    for frame in (
-        'rails = [{ through = "S", angle = "0 deg" }, { through = "S", angle = "180 deg" }]',
-        'hinges = ["S"]\nrails = []',
-    ):
-        text = re.sub("rails = .*", frame, CUP)
-        assert coursework.parse_variant(text).holds == ()
+@pytest.mark.parametrize(
+    "rails",
+    [
+        '{ through = "S", angle = "0 deg" }, { through = "S", angle = "180 deg" }',
+        '{ through = "O", angle = "0 deg" }, { through = "S", angle = "0 deg" }',
+    ],
+)
+def test_what_says_nothing_of_its_own_is_left_out_and_the_rest_judges(rails):
+    """Two rails along one line of one point; a rail of a point that never moves."""
+    text = CUP.replace('{ through = "S", angle = "0 deg" }', rails)
+    assert [spelled(hold) for hold in coursework.parse_variant(text).holds] == ["S.y"]
+    assert checks(text)[0]["AGREEMENT"] == "PASS"
+    with pytest.raises(coursework.InputError, match=r"V302 .*across contradicts"):
+        checks(text.replace(*SIGNS["across"]))
+
+
+def test_a_driven_point_on_its_rail_is_held_once():
+    rail = ARM.replace("hinges", 'rails = [{ through = "M", angle = "0 deg" }]\nhinges').replace('"R*om*cos(om*t)"', '"0*om*R"')
+    assert (coursework.parse_variant(rail).driven, coursework.parse_variant(rail).holds) == ("M", ())
+
+
+def test_a_point_whose_coordinates_are_driven_is_no_further_drive():
+    text = ARM.replace('M = "rho @ psi"', 'M = "(x, y)"\nS = "rho @ psi"').replace('["O", "M"]', '["O", "S"]')
+    text = text.replace("[time]", 'x = { start = "0 m", rate = "VMx" }\ny = { start = "0 m", rate = "VMy" }\n[time]')
+    text = text.replace("hinges", 'rails = [{ through = "S", angle = "0 deg" }]\nhinges')
+    variant = coursework.parse_variant(text)
+    assert (variant.driven, [spelled(hold) for hold in variant.holds]) == (None, ["S.y"])
+
+
+@pytest.mark.parametrize(
+    ("angle", "told"), [("phi", "a coordinate"), ("t", "the time"), ("wc", "a drive"), ("bet", "Declare it once: in [given]")]
+)
+def test_what_is_fixed_to_the_frame_stands_still(angle, told):
+    with pytest.raises(coursework.InputError, match=r"frame\.rails\.1\.angle.*" + re.escape(told)):
+        coursework.parse_variant(CUP.replace('through = "S", angle = "0 deg"', f'through = "S", angle = "{angle}"'))
+    with pytest.raises(coursework.InputError, match=r"frame\.circles\.1\.radius"):
+        coursework.parse_variant(CUP.replace('radius = "R"', 'radius = "R + phi"'))
 
 
 def test_what_the_file_holds_itself_is_all_that_is_held():

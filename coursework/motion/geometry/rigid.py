@@ -76,10 +76,10 @@ def hinges_with_two_names(equations: VelocityEquations, closure: Closure) -> tup
     return tuple(pair for pair in near if np.max(seen.apart(*pair)) <= OPEN * closure.scale and seen.keeps(*pair))
 
 
-def may_be_hinges(equations: VelocityEquations, start: Array) -> tuple[tuple[str, str], ...]:
+def may_be_hinges(equations: VelocityEquations, start: Sequence[float]) -> tuple[tuple[str, str], ...]:
     """Return pairs of points of two links that lie in one place, or almost, at the start (m,)."""
     vectors, near = equations.symbols.vectors, OPEN * largest_length(equations.variant)
-    found = compile_values(equations, [part for vector in vectors.values() for part in vector])[0](0.0, *start.tolist())
+    found = compile_values(equations, [part for vector in vectors.values() for part in vector])[0](0.0, *start)
     places = {name: complex(found[2 * place], found[2 * place + 1]) for place, name in enumerate(vectors)}
     return tuple(pair for pair in _of_two_links(equations.variant, places) if abs(places[pair[0]] - places[pair[1]]) <= near)
 

@@ -64,6 +64,8 @@ def _solved(rate: str, constraint: Constraint, known: Collection[str]) -> Formul
             other = _minus(other, rest)
         elif own.op == "-":
             other = _minus(other, _minus(ZERO, rest)) if comes_first else _minus(rest, other)
+        elif constant(rest) == 0:
+            return None
         elif own.op == "*" or (own.op == "/" and comes_first):
             other = Formula("/" if own.op == "*" else "*", (other, rest))
         else:

@@ -12,19 +12,19 @@ from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
-from coursework.variant.record.entries import reached
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 
 _NUDGE = 1e-6  # rad or m, by which a coordinate is moved to see whether what is held depends on it
+_MOVES = 1e-12  # m per nudge: what moves less does not depend on any coordinate
 _INDEPENDENT = 1e-4  # a row of derivatives that differs less from the others, relative to itself, says nothing of its own
 
 
 def with_implied_closure(variant: Variant) -> Variant:
     """Return the variant with the [closure] that its [frame] and [drive] say, if the file has no other position equation.
 
-    Whatever is not independent at the start, or needs a table, is left to the author: then nothing is added.
+    What says nothing of its own at the start is left out; if a value is not known there, nothing is added.
 
     >>> import coursework
     >>> text = coursework.load("31").path.read_text(encoding="utf-8")
@@ -34,15 +34,17 @@ def with_implied_closure(variant: Variant) -> Variant:
     """
     if variant.driven or variant.holds or variant.groups or variant.motor or any(one.is_closure for one in variant.constraints):
         return variant
-    laws, points, moving = {law.name for law in variant.drive}, dict(variant.points), {one.name for one in variant.coordinates}
-    driven = next((point for point in points if {f"V{point}x", f"V{point}y"} <= laws), None)
-    held = [(path, hold) for path, hold in _held(variant) if not moving.isdisjoint(reached(hold.names(), points))]
-    rows = [hold for _, hold in held] + [_part(named(driven), axis) for axis in "xy" if driven]
-    free = [one for one in variant.coordinates if one.rate not in variant.known_rates]
-    if len(rows) > len(free) or not _independent(_derivatives(variant, rows, [one.name for one in free])):
-        return variant
-    lines: dict[KeyPath, int] = {("closure", "holds", place): variant.nearest_line(*path) for place, (path, _) in enumerate(held)}
-    return replace(variant, driven=driven, holds=tuple(hold for _, hold in held), lines={**variant.lines, **lines})
+    laws = {law.name for law in variant.drive}
+    driven = next((point for point, _ in variant.points if {f"V{point}x", f"V{point}y"} <= laws), None)
+    free = [one.name for one in variant.coordinates if one.rate not in variant.known_rates]
+    moved = [_part(named(driven), axis) for axis in "xy" if driven]
+    held = [*_held(variant)]
+    derivatives = _derivatives(variant, [*moved, *(hold for _, hold in held)], free)
+    if len(_independent(derivatives[: len(moved)])) < len(moved):  # its coordinates are driven already
+        driven, moved, derivatives = None, [], derivatives[len(moved) :]
+    kept = [held[place - len(moved)] for place in _independent(derivatives) if place >= len(moved)]
+    lines: dict[KeyPath, int] = {("closure", "holds", place): variant.nearest_line(*path) for place, (path, _) in enumerate(kept)}
+    return replace(variant, driven=driven, holds=tuple(hold for _, hold in kept), lines={**variant.lines, **lines})
 
 
 def _held(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
@@ -90,16 +92,15 @@ def _values(variant: Variant, rows: Sequence[Formula], position: Mapping[str, fl
     return [evaluate_any(row, values).real for row in rows]
 
 
-def _independent(rows: Sequence[Sequence[float]]) -> bool:
-    """Return whether no row is a sum of multiples of those before it, by Gram and Schmidt's way."""
-    kept: list[list[float]] = []
-    for row in rows:
+def _independent(rows: Sequence[Sequence[float]]) -> list[int]:
+    """Return the places of the rows that are no sums of multiples of those before them, by Gram and Schmidt's way."""
+    kept: dict[int, list[float]] = {}
+    for place, row in enumerate(rows):
         rest = [*row]
-        for one in kept:
+        for one in kept.values():
             along = sum(map(operator.mul, one, rest))
             rest = [value - along * part for value, part in zip(rest, one, strict=True)]
         size = math.hypot(*rest)
-        if not size > _INDEPENDENT * math.hypot(*row):
-            return False
-        kept.append([value / size for value in rest])
-    return bool(rows)
+        if size > max(_INDEPENDENT * math.hypot(*row), _MOVES):
+            kept[place] = [value / size for value in rest]
+    return [*kept]

@@ -27,8 +27,9 @@ from coursework.words.sentences import closest, say
 
 ZERO = Formula("number", name="0")
 _NOTHING = units.Quantity(1.0, "", "", "1")
-# The kinds of names that each scope allows: [drive] is a function of time; geometry knows no velocities.
+# The kinds of names that each scope allows: the frame stands still; [drive] is a function of time; geometry knows no velocities.
 _SCOPES = {
+    "still": {"given"},
     "time": {"given", "drive"},
     "geometry": {"given", "drive", "coordinate", "function", "point"},
     "motion": {"given", "drive", "coordinate", "function"},
@@ -185,9 +186,9 @@ class Parts:
             return mapped(tree, lambda arg: self._resolve(path, arg, scope))
         name = self.names.canonical(tree.name)
         kind = self.names.kinds.get(name)
-        if name not in {"t", "pi"} and kind not in _SCOPES[scope]:
-            if kind:
-                listed, its = say(f"fault.listed.{scope}"), say(f"fault.kind.{kind}")
+        if name not in ({"pi"} if scope == "still" else {"t", "pi"}) and kind not in _SCOPES[scope]:
+            if kind or name == "t":
+                listed, its = say(f"fault.listed.{scope}"), say(f"fault.kind.{kind or 'time'}")
                 self.say(path, say("fault.V052", name=tree.name, kind=its, listed=listed), tree.column)
             else:
                 # Finding the closest name takes time; after so many faults nobody reads the advice.

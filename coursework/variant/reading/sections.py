@@ -175,7 +175,7 @@ def read_frame(entry: schema.Frame, parts: Parts) -> Frame:
         return tuple(
             (
                 parts.formula(("frame", section, i, place), getattr(one, place), "vector"),
-                parts.scalar(("frame", section, i, size), getattr(one, size), wanted=si),
+                parts.scalar(("frame", section, i, size), getattr(one, size), "still", wanted=si),
             )
             for i, one in enumerate(entries)
         )

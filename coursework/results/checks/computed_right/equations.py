@@ -75,7 +75,7 @@ def agreement(evidence: Evidence) -> Finding:
     if evidence.closure is not None and (doubt := open_to_doubt(evidence.closure)):
         return Finding("SKIP", doubt[0], unjudged=doubt[1])
     if not _confirmed(evidence):
-        met = may_be_hinges(evidence.equations, evidence.motion.coordinates[0])
+        met = may_be_hinges(evidence.equations, evidence.motion.coordinates[0].tolist())
         joints = [say("check.AGREEMENT.meet", one=one, other=other) for one, other in met]
         told = joined([say("check.AGREEMENT.no_geometry"), *joints])
         return Finding("SKIP", told, headline=say("summary.no_geometry"))

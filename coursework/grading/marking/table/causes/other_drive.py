@@ -16,6 +16,8 @@ from coursework.grading.marking.table.ways import near
 
 # A velocity tells the drive in a row where the drive's part in it is at least this part of the column's largest.
 _FELT = 0.05
+# A rate that is never off by more than so many units of its last place is the task's, rounded in whatever way.
+_ROUNDED = 2
 
 
 def other_drive(printed: TableUnderTest) -> Iterator[Claim]:
@@ -29,11 +31,14 @@ def other_drive(printed: TableUnderTest) -> Iterator[Claim]:
         return
     own, at = printed.student.values[:, printed.m :], printed.stacked(key.velocities_at)
     task, other = at(printed.q), printed.stacked(opposite)(printed.q)
+    first = key.velocities.index(laws[0].name)
+    with np.errstate(invalid="ignore"):
+        if not (np.abs(own - task)[:, first] > _ROUNDED * printed.w_units[:, first]).any():
+            return
     still, driven = (task + other) / 2, (task - other) / 2
     spread = printed.spread(at)
     best, most = np.full_like(own, np.nan), np.full(len(own), -1)
     tolerance = np.full_like(own, np.nan)
-    first = key.velocities.index(laws[0].name)
     for place in sorted(range(own.shape[1]), key=lambda one: one != first):
         felt = np.abs(driven[:, place]) >= _FELT * np.nanmax(np.abs(driven[:, place]), initial=0.0)
         with np.errstate(invalid="ignore", divide="ignore"):

@@ -48,3 +48,10 @@ def test_a_drive_that_is_right_is_not_suspected(desk):
         wrong = table.copy()
         wrong[:, place] *= 1.4
         assert "other_drive" not in codes(desk.marked(wrong)[1])
+
+
+@pytest.mark.parametrize("digits", [2, 3])
+def test_a_drive_rounded_in_another_way_is_not_suspected(desk, digits):
+    """Rounded up throughout, so that each number may be off by a whole unit of its last place."""
+    table = np.ceil(desk.machine.table() * 10**digits) / 10**digits
+    assert "other_drive" not in codes(desk.marked(table, digits=digits)[1])
