@@ -135,6 +135,13 @@ def test_what_is_fixed_to_the_frame_stands_still(angle, told):
         coursework.parse_variant(CUP.replace('radius = "R"', 'radius = "R + phi"'))
 
 
+@pytest.mark.parametrize("closure", ["", '[closure]\nholds = ["S.y"]\n'])
+def test_an_angle_or_radius_without_a_value_is_told_where_it_stands(closure):
+    for text, told in (('angle = "0 deg"', "rails.1.angle"), ('radius = "R"', "circles.1.radius")):
+        with pytest.raises(coursework.InputError, match=rf"V086 .*{re.escape(told)}.*no real number"):
+            coursework.parse_variant(CUP.replace(text, f'{text.split()[0]} = "asin(R/r)"') + closure)
+
+
 def test_what_the_file_holds_itself_is_all_that_is_held():
     variant = coursework.parse_variant(CUP + '[closure]\nholds = ["S.y - 2*r"]\n')
     assert [spelled(hold) for hold in variant.holds] == ["S.y - 2*r"]

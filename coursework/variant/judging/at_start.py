@@ -42,6 +42,9 @@ def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fa
         for path, formula, _ in forces.measured():
             if not broken.has(*path[:2]):
                 _value(formula, at_once, path, source, faults)
+    for section, size, entries in (("rails", "angle", variant.frame.rails), ("circles", "radius", variant.frame.circles)):
+        for place, (_, formula) in enumerate(entries):
+            _value(formula, values, ("frame", section, place, size), source, faults)
     # Any velocities will do: an equation is linear in them; if it is not, this is reported elsewhere.
     values |= {name: 1.0 + 0.1 * place for place, name in enumerate(variant.sought)}
     for index, constraint in enumerate(variant.constraints):

@@ -52,8 +52,7 @@ def _held(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
     for place, hinge in enumerate(variant.frame.hinges):
         yield from ((("frame", "hinges", place), _part(named(hinge), axis)) for axis in "xy")
     for place, (through, angle) in enumerate(variant.frame.rails):
-        if {*angle.names()} <= {"pi", *variant.values}:
-            yield ("frame", "rails", place), _across(through, angle, variant)
+        yield ("frame", "rails", place), _across(through, angle, variant)
 
 
 def _across(through: Formula, angle: Formula, variant: Variant) -> Formula:
