@@ -9,9 +9,9 @@ from coursework.api import make_run, variant_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, tell_own_file, title_of
 from coursework.equations.reduction.cramer import cramer
-from coursework.motion.geometry.rigid import hinges_with_two_names, may_be_hinges
+from coursework.motion.geometry.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
-from coursework.results.checks.computed_right.equations import open_to_doubt
+from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_joints
 from coursework.run import Run
 from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
@@ -82,20 +82,24 @@ def _tell_mobility(run: Run) -> None:
     sum_of = say("screen.mobility_sum", links=mobility.links, lower=mobility.lower_pairs, higher=mobility.higher_pairs)
     drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
     verdict = say("screen.driven", number=drives)
-    twice: tuple[tuple[str, str], ...] = ()
-    met: tuple[tuple[str, str], ...] = ()
+    joints: list[Sentence] = []
     if drives and mobility.degrees != drives:
-        twice = hinges_with_two_names(run.scene.equations, run.scene.closure) if run.scene.closure else ()
-        met = may_be_hinges(run.scene.equations, run.scene.start) if not run.scene.closure else ()
+        joints = _uncounted_joints(run)
         way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
         verdict = way or say("screen.driven_otherwise", drives=drives)
     if not drives or run.variant.motor is not None:
         verdict = say("screen.as_listed")
     tell(say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict))
-    for one, other in twice:
-        tell(say("screen.two_names", one=one, other=other))
-    for one, other in met:
-        tell(say("check.AGREEMENT.meet", one=one, other=other))
+    for joint in joints:
+        tell(joint)
+
+
+def _uncounted_joints(run: Run) -> list[Sentence]:
+    """Return a sentence for each pair of points that may be one hinge, although they share no name."""
+    equations, closure = run.scene.equations, run.scene.closure
+    if closure is None:
+        return proposed_joints(equations, run.scene.start)
+    return [say("screen.two_names", one=one, other=other) for one, other in hinges_with_two_names(equations, closure)]
 
 
 def _along_its_guide(variant: Variant) -> Sentence | None:

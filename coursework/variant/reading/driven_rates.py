@@ -9,7 +9,8 @@ from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 
-from coursework.variant.formula.tree import Formula, constant
+from coursework.variant.formula.made import summed
+from coursework.variant.formula.tree import Formula, constant, factors, signed
 from coursework.variant.reading.parts import ZERO
 from coursework.variant.record.variant import Constraint, Law, Variant
 from coursework.variant.toml.positions import KeyPath
@@ -53,31 +54,16 @@ def _solved(rate: str, constraint: Constraint, known: Collection[str]) -> Formul
     names = [node.name for side in constraint.sides for node in side.walk() if node.op == "name"]
     if names.count(rate) != 1 or not {*names} <= {rate, *known}:
         return None
-    own, other = constraint.sides if rate in constraint.left.names() else constraint.sides[::-1]
-    while own.args:
-        first, second = own.args[0], own.args[-1]
-        comes_first = rate in first.names()
-        rest = second if comes_first else first
-        if own.op == "neg":
-            other = _minus(ZERO, other)
-        elif own.op == "+":
-            other = _minus(other, rest)
-        elif own.op == "-":
-            other = _minus(other, _minus(ZERO, rest)) if comes_first else _minus(rest, other)
-        elif constant(rest) == 0:
+    own, other = constraint.difference, ZERO
+    while own.op != "name":
+        terms = [*signed(own)]
+        own, sign = next((term, sign) for term, sign in terms if rate in term.names())
+        rest = [(term, -sign * each) for term, each in terms if term is not own and constant(term) != 0]
+        other = summed([*([(other, sign)] if constant(other) != 0 else []), *rest])
+        parts = [*factors(own, {"*", "/"})]
+        own, power = next((part, power) for part, power in parts if rate in part.names())
+        if power < 0 or own.op not in {"name", "+", "-", "neg"} or any(constant(part) == 0 for part, _ in parts):
             return None
-        elif own.op == "*" or (own.op == "/" and comes_first):
-            other = Formula("/" if own.op == "*" else "*", (other, rest))
-        else:
-            return None
-        own = first if comes_first else second
+        for part, power in parts:
+            other = other if part is own else Formula("/" if power > 0 else "*", (other, part))
     return other
-
-
-def _minus(one: Formula, other: Formula) -> Formula:
-    """Return a difference without the zero, and without the double sign, that turning an equation round would leave in it."""
-    if constant(other) == 0:
-        return one
-    if other.op == "neg":
-        return other.args[0] if constant(one) == 0 else Formula("+", (one, other.args[0]))
-    return Formula("neg", (other,)) if constant(one) == 0 else Formula("-", (one, other))

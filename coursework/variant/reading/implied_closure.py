@@ -39,6 +39,8 @@ def with_implied_closure(variant: Variant) -> Variant:
     free = [one.name for one in variant.coordinates if one.rate not in variant.known_rates]
     moved = [_part(named(driven), axis) for axis in "xy" if driven]
     held = [*_held(variant)]
+    if not moved and not held:
+        return variant
     derivatives = _derivatives(variant, [*moved, *(hold for _, hold in held)], free)
     if len(_independent(derivatives[: len(moved)])) < len(moved):  # its coordinates are driven already
         driven, moved, derivatives = None, [], derivatives[len(moved) :]
@@ -72,22 +74,24 @@ def _part(vector: Formula, axis: str) -> Formula:
 
 def _derivatives(variant: Variant, rows: Sequence[Formula], names: Sequence[str]) -> list[list[float]]:
     """Return the derivatives of `rows` by the coordinates `names` at the start; empty if a value is not known."""
+    points = dict(variant.points)
+    needs = {name: points.keys() & {*formula.names()} for name, formula in points.items()}
     start = {one.name: one.start_or_guess for one in variant.coordinates if one.start_or_guess is not None}
     try:
-        moved = [[_values(variant, rows, {**start, name: start[name] + way}) for way in (-_NUDGE, _NUDGE)] for name in names]
+        laws = [(law.name, law.formulas[0]) for _, law in in_order(variant) if law.formulas]
+        order = [*laws, *((name, points[name]) for name in TopologicalSorter(needs).static_order())]
+        known = {"pi": math.pi, "t": 0.0, **variant.values, **start}
+        moved = [[_values(rows, order, {**known, name: start[name] + way}) for way in (-_NUDGE, _NUDGE)] for name in names]
     except (FormulaFault, ArithmeticError, ValueError, TypeError, LookupError, CycleError):
         return []
     return [[after[row] - before[row] for before, after in moved] for row in range(len(rows))]
 
 
-def _values(variant: Variant, rows: Sequence[Formula], position: Mapping[str, float]) -> list[float]:
-    values: dict[str, complex] = {"pi": math.pi, "t": 0.0, **variant.values, **position}
-    for _, law in in_order(variant):
-        values |= {law.name: evaluate_any(law.formulas[0], values)} if law.formulas else {}
-    points = dict(variant.points)
-    needs = {name: points.keys() & {*formula.names()} for name, formula in points.items()}
-    for name in TopologicalSorter(needs).static_order():
-        values[name] = evaluate_any(points[name], values)
+def _values(rows: Sequence[Formula], order: Sequence[tuple[str, Formula]], known: Mapping[str, complex]) -> list[float]:
+    """Return the values of `rows`; `order` holds laws and points, each after those it needs."""
+    values = {**known}
+    for name, formula in order:
+        values[name] = evaluate_any(formula, values)
     return [evaluate_any(row, values).real for row in rows]
 
 

@@ -6,8 +6,11 @@ Velocities solved from an equation satisfy it whatever its signs: only the geome
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.proposal import proposals
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.rigid import may_be_hinges
@@ -75,12 +78,16 @@ def agreement(evidence: Evidence) -> Finding:
     if evidence.closure is not None and (doubt := open_to_doubt(evidence.closure)):
         return Finding("SKIP", doubt[0], unjudged=doubt[1])
     if not _confirmed(evidence):
-        met = may_be_hinges(evidence.equations, evidence.motion.coordinates[0].tolist())
-        joints = [say("check.AGREEMENT.meet", one=one, other=other) for one, other in met]
+        joints = proposed_joints(evidence.equations, evidence.motion.coordinates[0].tolist())
         told = joined([say("check.AGREEMENT.no_geometry"), *joints])
         return Finding("SKIP", told, headline=say("summary.no_geometry"))
     whole = float(len(written))
     return Finding("PASS", say("check.AGREEMENT.pass", all=len(written)), whole, whole, say_count("unit.equations", len(written)))
+
+
+def proposed_joints(equations: VelocityEquations, start: Sequence[float]) -> list[Sentence]:
+    """Return what to write if points of two links that lie in one place at the start (m,) are joined there."""
+    return [say("check.AGREEMENT.meet", one=one, other=other) for one, other in may_be_hinges(equations, start)]
 
 
 def open_to_doubt(closure: Closure) -> tuple[Sentence, Sentence] | None:
