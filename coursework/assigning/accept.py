@@ -12,9 +12,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field
 from typing import TypeVar
 
-from coursework.assigning.draw import PILOT, Lots
 from coursework.assigning.judge import Verdict, judge
-from coursework.assigning.ranges import Path
+from coursework.assigning.ranges import PILOT, Lots, Path
 from coursework.scene.model.data import read_data
 from coursework.scene.model.model import Model
 from coursework.system.frozen import frozen

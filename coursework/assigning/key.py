@@ -13,7 +13,7 @@ from coursework.assigning.page_words import Equation, Plain, equation, lettered,
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
 from coursework.report.output.tables import timed_csv
 from coursework.report.sections.construction import READING_HEADS, reading_row
-from coursework.report.text.readable import least_width
+from coursework.report.text.parts import least_width
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.variant.formula.tree import named

@@ -1,6 +1,6 @@
-"""What the data of a class may be: ranges, limits, and how equal in difficulty the drawn mechanisms must be.
+"""What the data of a class may be: ranges, limits, and how equal in difficulty the drawn mechanisms must be; the draws.
 
-Enters: nothing.  Leaves: the frozen records `Ranges`, `Range`, `Limits`, `Difficulty`.
+Enters: nothing.  Leaves: the frozen records `Ranges`, `Range`, `Limits`, `Difficulty`; `Lots`, which draws.
 Used by every part of this room; made by `reader.py`.
 
 A ranges file (seven templates have theirs in `variants/ranges/`, each with the measured share of draws that can move):
@@ -29,12 +29,16 @@ If the ranges leave too few mechanisms, they are refused, with a count of each r
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
+import unicodedata
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
+from functools import cached_property
 
 from coursework.system.frozen import frozen
+from coursework.variant.record.variant import Variant
 
 Path = tuple[str, ...]
 # The measures of a drawn mechanism, each with the unit in which it is told.
@@ -138,3 +142,39 @@ class Ranges:
         """
         listed = [[*one.path, *(one.choice or (one.first, one.step, one.count, one.decimals, one.unit))] for one in self.ranges]
         return json.dumps(sorted(listed, key=lambda entry: [str(part) for part in entry]), ensure_ascii=False)
+
+
+PILOT = ""  # the id of the draws that set the centre of difficulty; no student has an empty id
+
+
+@dataclass(frozen=True, eq=False)
+class Lots:
+    """The random draws of one class."""
+
+    template: Variant = field(repr=False)
+    ranges: Ranges
+    seed: str
+
+    def draw(self, student: str, attempt: int) -> dict[Path, str]:
+        """Return the drawn value of each datum as a variant file writes it, by its path in the file."""
+        normal = unicodedata.normalize("NFC", student)
+        drawn = {}
+        for one in self.ranges.ranges:
+            lot = json.dumps([normal, attempt, one.name], ensure_ascii=False).encode("utf-8", "surrogatepass")
+            state = self._begun.copy()
+            state.update(lot)
+            # 256 bits are so many more than the values that none of them is noticeably likelier.
+            drawn[one.path] = one.text(int.from_bytes(state.digest(), "big") % one.count)
+        return drawn
+
+    @cached_property
+    def _begun(self) -> hashlib._Hash:
+        """Return the hash of all data that are the same for all students."""
+        variant = self.template
+        data = [
+            [[given.name, given.text, given.unit] for given in variant.given],
+            [[c.name, c.text, c.written] for c in variant.coordinates],
+            [variant.time.step, variant.time.end, variant.time.period],
+        ]
+        shared = json.dumps([self.seed, data, self.ranges.digest], ensure_ascii=False)
+        return hashlib.sha256(shared.encode("utf-8", "surrogatepass"))

@@ -15,8 +15,7 @@ from coursework.grading.marking.decimals import SOLVED
 from coursework.grading.marking.rubric import PARTS, Answer, Rubric
 from coursework.report.formulas.svg import Drawn, draw
 from coursework.report.graphs.figures import scale_on_paper
-from coursework.report.text.parts import Runs
-from coursework.report.text.readable import least_width
+from coursework.report.text.parts import Runs, least_width
 from coursework.report.text.symbols import GREEK, symbol
 from coursework.report.text.words import Words
 from coursework.variant.record.changes import followers

@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.assigning.accept import Acceptance, Accepted
-from coursework.assigning.draw import Lots
-from coursework.assigning.ranges import Ranges
+from coursework.assigning.ranges import Lots, Ranges
 from coursework.assigning.reader import ranges_file, ranges_of, read_ranges
 from coursework.grading.marking.decimals import decimals_accepted
 from coursework.grading.marking.key.key import key_to_mark_by

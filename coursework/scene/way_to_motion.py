@@ -230,7 +230,7 @@ class WayToMotion:
     @computed("exact", "equations", "reduction", "rates", "search")
     def extremes(self) -> dict[str, tuple[float, float]]:
         """Return the smallest and largest value of every column of the exact motion up to its last row, also between rows."""
-        from coursework.motion.integration.extremes import extremes
+        from coursework.motion.integration.turning import extremes
 
         return extremes(self.exact, self.every_rate, self.accelerations_of)
 

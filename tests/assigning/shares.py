@@ -8,8 +8,8 @@ from collections import Counter
 
 import coursework
 from coursework.assigning.accept import Acceptance
-from coursework.assigning.draw import Lots
 from coursework.assigning.judge import judge
+from coursework.assigning.ranges import Lots
 from coursework.assigning.variants import load_ranges
 from coursework.words.data_folders import folder
 

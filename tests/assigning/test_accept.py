@@ -9,9 +9,8 @@ from scipy.integrate import solve_ivp
 
 import coursework
 from coursework.assigning.accept import Acceptance
-from coursework.assigning.draw import Lots
 from coursework.assigning.judge import Verdict, judge
-from coursework.assigning.ranges import MEASURES, Limits
+from coursework.assigning.ranges import MEASURES, Limits, Lots
 from coursework.assigning.variants import load_ranges
 from tests.assigning import closed_form
 from tests.assigning.test_draw import acceptance, model

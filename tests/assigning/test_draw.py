@@ -9,7 +9,7 @@ import pytest
 
 import coursework
 from coursework.assigning.accept import Acceptance
-from coursework.assigning.draw import Lots
+from coursework.assigning.ranges import Lots
 from coursework.assigning.variants import load_ranges
 from tests.mechanisms.library import mechanism
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from coursework.desk.answering.point_pieces import with_guide
+from coursework.desk.answering.pieces import with_guide
 
 
 def end(name: str, *path: complex) -> Any:

@@ -1,7 +1,7 @@
 """Single values of a text replaced, and lines added: the new text, and the ranges that are new in it.
 
 Enters: a text, values by their path.  Leaves: the new text, places in it (line and column from 1, the end excluded).
-Used by `contradicted.py`, `controls.py`, `derived.py`, `drag.py`, `pieces.py` and `point_pieces.py`.
+Used by `contradicted.py`, `controls.py`, `derived.py`, `drag.py` and `pieces.py`.
 """
 
 from __future__ import annotations

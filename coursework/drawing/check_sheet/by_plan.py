@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from coursework.drawing.check_sheet.pose import Pose
+from coursework.drawing.check_sheet.sketch import Pose
 from coursework.system.angles import dot
 from coursework.system.frozen import frozen
 

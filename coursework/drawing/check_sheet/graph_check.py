@@ -18,9 +18,8 @@ from coursework.drawing.check_sheet.check_plan import CheckPlan, plan_of
 from coursework.drawing.check_sheet.graph_words import centre_letter, drift, how_found, omega_name, why_unread
 from coursework.drawing.check_sheet.instant_centres import Findings, construct
 from coursework.drawing.check_sheet.layout import lay_out
-from coursework.drawing.check_sheet.pose import Body
 from coursework.drawing.check_sheet.readings import Reading, read_off
-from coursework.drawing.check_sheet.sketch import Sketch, read_sketch
+from coursework.drawing.check_sheet.sketch import Body, Sketch, read_sketch
 from coursework.drawing.outline.lengths import stretching
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing

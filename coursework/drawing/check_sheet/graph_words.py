@@ -11,8 +11,7 @@ from collections.abc import Collection, Iterable, Mapping, Set
 
 from coursework.drawing.check_sheet.check_plan import CheckPlan
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
-from coursework.drawing.check_sheet.pose import Body
-from coursework.drawing.check_sheet.sketch import Sketch
+from coursework.drawing.check_sheet.sketch import Body, Sketch
 from coursework.drawing.paper.symbols import LOWERED, lowered_name
 from coursework.drawing.plans.steps import crossing
 from coursework.words.sentences import joined, say

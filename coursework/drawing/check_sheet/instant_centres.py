@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import field
 
 from coursework.drawing.check_sheet.by_plan import solve_plan
-from coursework.drawing.check_sheet.pose import Body, Pose
+from coursework.drawing.check_sheet.sketch import Body, Pose
 from coursework.system.angles import cross, dot
 from coursework.system.frozen import changing, frozen
 

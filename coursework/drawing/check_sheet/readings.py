@@ -14,8 +14,7 @@ from coursework.drawing.check_sheet.check_plan import CheckPlan
 from coursework.drawing.check_sheet.graph_words import centre_letter, lowered, omega_name
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.layout import Layout
-from coursework.drawing.check_sheet.pose import Body
-from coursework.drawing.check_sheet.sketch import Sketch
+from coursework.drawing.check_sheet.sketch import Body, Sketch
 from coursework.drawing.paper.symbols import decimal
 from coursework.drawing.plans.plan_scale import READ, read_length
 from coursework.drawing.plans.steps import image

@@ -1,18 +1,18 @@
 """One row of a motion -> what stands on the paper before anything is constructed.
 
-Enters: a mechanism, its velocity equations and a row.  Leaves: `Sketch`.
-Used by `graph_check.py`.  The outline says by name what slides or rolls where: a point that merely happens to lie on a rail
-is no slider.
+Enters: a mechanism, its velocity equations and a row.  Leaves: `Sketch` with its `Pose`, points and vectors as complex numbers
+x + iy in SI.  Used by the modules beside it.
+The outline says by name what slides or rolls where: a point that merely happens to lie on a rail is no slider.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
 
-from coursework.drawing.check_sheet.pose import Body, Pose, Slide
 from coursework.drawing.lettering.turns import clockwise_rates
 from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.outline import Bar, Outline
@@ -26,6 +26,64 @@ from coursework.system.angles import cross
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
+
+
+@frozen
+class Body:
+    """A rigid link: its material points and the name of its rate; `guide` is the unit direction in which a slider translates.
+
+    `has_namesake`: the velocity with the number of the link, ω₂ of link 2, is another one in the file.
+    """
+
+    name: str
+    points: tuple[str, ...]
+    rate: str | None = None
+    guide: complex = 0j
+    has_namesake: bool = False
+
+
+@frozen
+class Slide:
+    """A point `rider` slides on a link in the unit direction `along`; the `block` there ("" for a bare pin) turns with the link.
+
+    `speed` (m/s) is the sliding speed along the link if it is driven, else None.
+    """
+
+    rider: str
+    link: str
+    along: complex
+    block: str = ""
+    speed: float | None = None
+
+
+@frozen
+class Pose:
+    """One position (m).
+
+    `fixed` points are at rest (hinges of the frame, contacts that roll on it); `guided` points move along a unit direction.
+    `velocities` (m/s) of driven points and `rates` (rad/s) of driven links are known.  `slides` are the guides that move:
+    slots of levers, and sleeves in which a bar slides.
+    """
+
+    positions: Mapping[str, complex]
+    bodies: tuple[Body, ...]
+    fixed: frozenset[str]
+    guided: Mapping[str, complex]
+    velocities: Mapping[str, complex]
+    rates: Mapping[str, float]
+    slides: tuple[Slide, ...] = ()
+
+    @property
+    def driven_lengths(self) -> list[tuple[str, str]]:
+        """Return link and rider of every slide that is driven."""
+        return [(slide.link, slide.rider) for slide in self.slides if slide.speed is not None]
+
+    @property
+    def size(self) -> float:
+        """Return the largest distance of two points of the links (m)."""
+        points = {self.positions[name] for body in self.bodies for name in body.points}
+        return max((abs(a - b) for a, b in itertools.combinations(points, 2)), default=0.0)
+
 
 # Relative to the mechanism: a contact this near to a rail or circle at the start touches it; task sheets have rounded data.
 INCIDENT = 1e-6

@@ -1,7 +1,7 @@
 """Where the ground of a mechanism is, on paper as on the screen: below a hinge, behind a rail, inside a fixed circle.
 
 Enters: an `Outline` and places of its points (name -> x + iy in m) in one position.  Leaves: directions, sides, racks.
-Used by `painter.py`, `polygons.py`, `drawing/check_sheet/sketch.py`, `report/live/drawn.py`, `report/live/scenery.py` and
+Used by `painter.py`, `polygons.py`, `drawing/check_sheet/sketch.py`, `report/live/drawn.py`, `report/live/spots.py` and
 `moving_picture.py`.
 """
 

@@ -1,7 +1,8 @@
-"""The times at which a column of the exact motion turns back, found in continuous time and not read off the rows.
+"""The times at which a column of the exact motion turns back, found in continuous time and not read off the rows;
+and its smallest and largest value over a run.
 
 Enters: the exact motion, its rates, the slope of a column.  Leaves: times (s), and closer samples.
-Used by `strokes.py` and `extremes.py`.
+Used by `strokes.py` and `way_to_motion.py`.
 
 Samples of a closer exact motion bracket each change of sign.  The slope at a time between them comes from the exact motion
 followed from the row before, so that a root has the accuracy of the exact rows, not of the step.
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.motion.integration.crossing import crossing
-from coursework.motion.integration.finer import at_times, finer
+from coursework.motion.integration.finer import at_times, exact_at, finer
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
 from coursework.system.arrays import Array
@@ -62,3 +63,41 @@ def root(exact: Motion, rates: Rates, slope: Slope, bracket: tuple[float, float]
 
     ends = float(slope(begin)[0]), value(high)
     return crossing(value, bracket, ends, _SETTLED) if ends[0] * ends[1] <= 0 else None
+
+
+Range = tuple[float, float]
+
+
+def extremes(exact: Motion, rates: Rates, accelerations: Callable[[Motion], Array]) -> dict[str, Range]:
+    """Return (low, high) of every column over the run; `accelerations` gives the derivatives (n, k) of a motion's velocities."""
+    if not len(exact.t):
+        return {}
+    samples = closer(exact, rates)
+    slopes = np.concatenate([samples.velocities[:, : len(exact.coordinate_names)], accelerations(samples)], axis=1)
+    found: dict[str, Range] = {}
+    for column, name in enumerate(exact.names):
+        values, slope = samples.rows[:, column], slopes[:, column]
+        ends = []
+        for seen in (int(np.argmin(values)), int(np.argmax(values))):
+            ends.append(float(values[seen]))
+            if 0 < seen < len(values) - 1:
+                row = exact_at(exact, rates, _flat(samples.t[seen - 1 : seen + 2], slope[seen - 1 : seen + 2]))
+                ends += [float(row[column])] if row is not None else []
+        found[name] = (min(ends), max(ends))
+    return found
+
+
+def _flat(t: Array, slopes: Array) -> float:
+    """Return the time (s) at which the parabola through the slopes of three samples is zero; the middle one if there is none."""
+    first, middle, last = t.tolist()
+    before, here, after = slopes.tolist()
+    unit = last - middle
+    back = (first - middle) / unit
+    square = (after - here - (before - here) / back) / (1.0 - back)
+    linear = after - here - square
+    under = linear * linear - 4 * square * here
+    if under < 0:
+        return float(middle)
+    far = -(linear + math.copysign(math.sqrt(under), linear)) / 2  # this form of the root subtracts no two similar numbers
+    roots = [top / bottom for top, bottom in ((far, square), (here, far)) if bottom]
+    return float(middle + unit * min((root for root in roots if back <= root <= 1), key=abs, default=0.0))

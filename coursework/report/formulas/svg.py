@@ -1,6 +1,7 @@
-"""Displayed equations as SVG for the HTML page: set by Typst as on paper, each only once per process.
+"""Displayed equations as SVG for the HTML page: set by Typst as on paper, each only once per process, with places to break.
 
-Enters: Typst math sources.  Leaves: SVGs that refer to glyphs, and the glyphs, which all SVGs share.
+Enters: Typst math sources.  Leaves: SVGs that refer to glyphs, and the glyphs, which all SVGs share: outlines in whole
+fortieths of a point, a fifteenth of the finest pixel of a phone.
 Used by `assigning/sheet.py` and `html.py`.
 """
 
@@ -15,8 +16,6 @@ from pathlib import Path
 from string import ascii_letters
 from sys import intern
 
-from coursework.report.formulas.line_breaks import pieces
-from coursework.report.formulas.outlines import UNITS, outline
 from coursework.report.formulas.typesetting import refusal, typeset
 from coursework.system.frozen import frozen
 from coursework.words.data_folders import folder
@@ -151,3 +150,106 @@ def _set(glyph: str, places: list[tuple[int, int]]) -> str:
         way += f"{' ' if before else 'H'}{x}" if level else f"{'L' if before else ' '}{x} {y}"
         height = y
     return f'<path class="{glyph}" d="{way.replace(" -", "-")}z"/>'
+
+
+UNITS = 40  # per pt
+_BEGIN = "M 0 0"
+_COMMAND = re.compile(r"([mlhvcz])([^a-z]*)")
+
+
+def outline(path: str, x: float = 0.0, y: float = 0.0, up: int = 1) -> str:
+    """Return a path in whole units that starts at (`x`, `y`); `up` is 1 if the heights in `path` count upwards, else -1.
+
+    Each point is rounded from its exact place, so that rounding errors do not add up.  Raises `ValueError` for another start.
+
+    >>> outline("M 0 0m 8.027 3.151h -3.2775v 3.2775c 0 0.184 -0.092 0.276 -0.276 0.276Z ")
+    'm321-126h-131v-131c0-7-4-11-11-11z'
+    """
+    if not path.startswith(_BEGIN):
+        raise ValueError("Typst's path begins elsewhere than this version of it wrote")
+    at, pen = (x, y), (round(x), round(y))
+    begin, found, said, last = (at, pen), "", "", (0, 0)
+    for command, told in _COMMAND.findall(path.removeprefix(_BEGIN).replace("Z", "z")):
+        numbers = [UNITS * float(number) for number in told.split()]
+        if command == "z":
+            at, pen = begin
+            found += command
+            said = command
+            continue
+        if command in "hv":
+            numbers.insert(command == "h", 0.0)
+        points = [(at[0] + dx, at[1] - up * dy) for dx, dy in zip(numbers[::2], numbers[1::2], strict=True)]
+        steps = [(round(to_x) - pen[0], round(to_y) - pen[1]) for to_x, to_y in points]
+        at, pen = points[-1], (pen[0] + steps[-1][0], pen[1] + steps[-1][1])
+        if command == "m":
+            begin = at, pen
+        if command == "c":
+            handle, last = last, (steps[2][0] - steps[1][0], steps[2][1] - steps[1][1])
+            if steps[0] == handle and said in ("c", "s"):  # the handle mirrors the last one of the curve before
+                command, steps = "s", steps[1:]
+        written = [steps[0][command == "v"]] if command in "hv" else [number for step in steps for number in step]
+        text = "".join(f" {number}" if number >= 0 else str(number) for number in written)
+        found += text if command == said != "m" else command + text.lstrip()  # left out if repeated; after m it would mean l
+        said = command
+    return found
+
+
+LONG = 56  # characters of Typst math; a shorter formula fits the screen of a phone
+TOGETHER = 44  # characters of neighbouring pieces that fit on one line of a phone beside the formula's number, so they are joined
+_SET_ALREADY = re.compile(r"^& | \\ & quad(?= )")  # line breaks already set in a formula that is too long for a line on paper
+_SIGNS = (" = ", " + ", " - ")
+_AFTER = " "  # stands before a sign that begins a piece, so that `equation.typ` sets the sign as one between two terms
+
+
+def pieces(source: str) -> list[str]:
+    """Return the pieces of a formula; a short formula, or one without a place to break, stays one piece.
+
+    >>> pieces("x = a + b")
+    ['x = a + b']
+    >>> pieces("V_(D y) = ω_4 frac(r_3, 2) cos(π slash 2) + ω_3 r_3 cos(φ_3 + 3 π slash 2) = 0")
+    ['V_(D y) = ω_4 frac(r_3, 2) cos(π slash 2)', ' + ω_3 r_3 cos(φ_3 + 3 π slash 2) = 0']
+    """
+    if len(source) < LONG or "cases(" in source:
+        return [source]
+    parted = _parted(_SET_ALREADY.sub("", source))
+    return _gathered([piece for long in parted for piece in _opened(long)])
+
+
+def _gathered(found: list[str]) -> list[str]:
+    """Return the pieces with short neighbours joined, and with a final "= 0" joined to the piece before it."""
+    kept = found[:1]
+    for piece in found[1:]:
+        if len(kept[-1]) + len(piece) <= TOGETHER or piece == f"{_AFTER}= 0":
+            kept[-1] += piece
+        else:
+            kept.append(piece)
+    return kept
+
+
+def _parted(source: str) -> list[str]:
+    """Return the formula split before "=", "+" and "-" outside all parentheses; all pieces but the first begin with the sign."""
+    places, depth, is_text = [0], 0, False
+    for place, sign in enumerate(source):
+        if sign == '"':
+            is_text = not is_text
+        elif not is_text:
+            depth += (sign == "(") - (sign == ")")
+            if depth == 0 and place and source.startswith(_SIGNS, place):
+                places.append(place)
+    ends = [*places[1:], len(source)]
+    found = [source[begin:end].strip() for begin, end in zip(places, ends, strict=True)]
+    return [found[0], *(_AFTER + piece for piece in found[1:])]
+
+
+def _opened(piece: str) -> list[str]:
+    """Return a long product that ends in a sum, "g (a - b + c)", split at the terms of that sum; another piece whole."""
+    begin = piece.find(" (")
+    if len(piece) < LONG or begin < 0 or not piece.endswith(")") or "(" in piece[:begin].replace("_(", ""):
+        return [piece]
+    inside = _parted(piece[begin + 2 : -1])
+    depth = 0
+    for sign in piece[begin + 2 : -1]:
+        depth += (sign == "(") - (sign == ")")
+        if depth < 0:  # the last parenthesis does not close the first one
+            return [piece]
+    return [f"{piece[:begin]} \\({inside[0]}", *inside[1:-1], f"{inside[-1]}\\)"] if len(inside) > 1 else [piece]

@@ -21,8 +21,7 @@ from coursework.motion.geometry.drive import breaks, resolution, resolved
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.motion.settings import scheme_for
-from coursework.report.live.drawn import Drawn, drawn_of
-from coursework.report.live.frames import frames_of
+from coursework.report.live.drawn import Drawn, drawn_of, frames_of
 from coursework.report.live.functions import Functions, live_functions, tableau
 from coursework.report.live.script import embedded, hash_of, packed, script_of, shortened, with_own
 from coursework.report.text.words import Words

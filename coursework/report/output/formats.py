@@ -78,7 +78,7 @@ FORMATS: tuple[Format, ...] = (
     Format("pdf", _pdf, ("run", "accuracy", "write_report")),
     Format("csv", _csv, ("run", "accuracy"), paged=False),
     Format("xlsx", _above("workbook.book:write"), ("run",), paged=False, asked=True, package="xlsxwriter"),
-    Format("figures", _above("figures.pictures:write"), ("run",), asked=True),
+    Format("figures", _above("figures.drawings:write"), ("run",), asked=True),
     Format("docx", _above("note.writer:write_docx"), ("run",), asked=True, package="pypandoc"),
     Format("odt", _above("note.writer:write_odt"), ("run",), asked=True, package="pypandoc"),
     Format("tex", _above("note.writer:write_tex"), ("run",), asked=True, package="pypandoc"),

@@ -1,6 +1,7 @@
-"""The drawings of a page, each with a telling name.
+"""The drawings of a page, each with a telling name; `--format figures`: a folder with every one as SVG, PDF and PNG.
 
-Enters: a `ReportModel`.  Leaves: `Picture`s.  Used by `pictures.py` and `dxf.py`.
+Enters: a `ReportModel`, or `Results`.  Leaves: `Picture`s, or the bytes of files.  Used by `dxf.py`, `note/` and by the list of
+formats, by name.
 """
 
 from __future__ import annotations
@@ -14,10 +15,13 @@ from typing import Any
 from coursework.drawing.paper.sheet import HALO
 from coursework.report.formulas.typesetting import typeset
 from coursework.report.graphs.graph_paper import LETTERS
+from coursework.report.output.results import Results
 from coursework.report.pages.model import ReportModel
 from coursework.report.pages.pdf import pdf_of
 from coursework.report.text.parts import Figure, Panels
 from coursework.system.frozen import frozen
+from coursework.words.errors import NotToBeHad
+from coursework.words.sentences import say
 
 DOTS_PER_INCH = 300
 MM_PER_INCH = 25.4
@@ -100,3 +104,18 @@ def _with_density(content: bytes) -> bytes:
     said = b"pHYs" + struct.pack(">IIB", density, density, 1)
     chunk = struct.pack(">I", len(said) - 4) + said + struct.pack(">I", zlib.crc32(said))
     return content[:_END_OF_HEAD] + chunk + content[_END_OF_HEAD:]
+
+
+FOLDER = "figures"
+
+
+def write(results: Results) -> Iterator[tuple[str, bytes]]:
+    """Yield name and bytes of each file.  Raises `NotToBeHad` if the page has no drawing."""
+    pictures = list(pictures_of(results.model).values())
+    if not pictures:
+        raise NotToBeHad(say("fault.W041"))
+    for one, png in zip(pictures, as_png(pictures, results.language), strict=True):
+        stem = f"{FOLDER}/{one.name}"
+        yield f"{stem}.svg", one.file.encode("utf-8")
+        yield f"{stem}.pdf", as_pdf(one, results.language)
+        yield f"{stem}.png", png

@@ -16,8 +16,7 @@ from coursework.report.output.results import Results
 from coursework.report.text.parts import Equations
 from coursework.report.text.words import load_words
 from coursework.system.extras import require
-from coursework.takeaway.figures.drawings import Picture, as_pdf, as_png, pictures_of
-from coursework.takeaway.figures.pictures import FOLDER
+from coursework.takeaway.figures.drawings import FOLDER, Picture, as_pdf, as_png, pictures_of
 from coursework.takeaway.note import tree
 from coursework.takeaway.note.blocks import Blocks, pictures
 from coursework.takeaway.note.dialects import DIALECTS

@@ -6,8 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 from coursework.drawing.check_sheet.graph_check import GraphCheck, check_graph
-from coursework.drawing.check_sheet.pose import Body, Pose
-from coursework.drawing.check_sheet.sketch import Sketch
+from coursework.drawing.check_sheet.sketch import Body, Pose, Sketch
 from coursework.run import Run
 from coursework.variant.record.variant import Variant
 from tests.solved import solved

@@ -17,8 +17,7 @@ from coursework.drawing.check_sheet.drawing import _seen
 from coursework.drawing.check_sheet.graph_check import check_graph
 from coursework.drawing.check_sheet.instant_centres import Findings
 from coursework.drawing.check_sheet.layout import LANDSCAPE, PAGE, SCALES, lay_out
-from coursework.drawing.check_sheet.pose import Body
-from coursework.drawing.check_sheet.sketch import Sketch
+from coursework.drawing.check_sheet.sketch import Body, Sketch
 from coursework.drawing.paper.sheet import HEADLESS
 from coursework.variant.catalogue import names
 from coursework.variant.record.variant import Link

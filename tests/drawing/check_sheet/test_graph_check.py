@@ -12,8 +12,7 @@ import pytest
 
 from coursework import load, parse_variant, solve
 from coursework.drawing.check_sheet.instant_centres import construct
-from coursework.drawing.check_sheet.pose import Body, Pose, Slide
-from coursework.drawing.check_sheet.sketch import read_sketch
+from coursework.drawing.check_sheet.sketch import Body, Pose, Slide, read_sketch
 from coursework.drawing.outline.tracing import read_outline
 from coursework.report.output.record import record
 from coursework.words.errors import InputError

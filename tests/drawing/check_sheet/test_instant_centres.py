@@ -10,7 +10,7 @@ import pytest
 
 from coursework import load, parse_variant, solve
 from coursework.drawing.check_sheet.instant_centres import Centre, construct
-from coursework.drawing.check_sheet.pose import Body
+from coursework.drawing.check_sheet.sketch import Body
 from tests.drawing.check_sheet.checked import scene
 from tests.report.own import BOOM
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.motion.integration.extremes import _flat
+from coursework.motion.integration.turning import _flat
 
 
 @pytest.mark.parametrize("t", [(0.0, 1.0, 2.0), (-3.0, -2.5, 1.0), (5.0, 7.0, 7.5)])

@@ -16,8 +16,7 @@ import numpy as np
 import pytest
 
 from coursework.report.formulas import display, svg, typst_math
-from coursework.report.formulas.outlines import UNITS, outline
-from coursework.report.formulas.svg import draw
+from coursework.report.formulas.svg import UNITS, draw, outline
 from coursework.report.formulas.typesetting import typeset
 from coursework.report.text.symbols import Rates
 from coursework.variant.formula.reader import parse, parse_equation

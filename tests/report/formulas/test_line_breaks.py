@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursework.report.formulas.line_breaks import LONG, _opened
+from coursework.report.formulas.svg import LONG, _opened
 
 END = "e sin phi_2 " + "a" * LONG
 

@@ -5,8 +5,8 @@ import json
 import pytest
 
 import coursework
-from coursework.report.live import frames
-from coursework.report.live.drawn import drawn_of
+from coursework.report.live import drawn
+from coursework.report.live.drawn import drawn_of, frames_of
 
 ROOM = 36_000
 
@@ -22,8 +22,8 @@ def written(found):
 
 def test_twenty_thousand_rows_are_written_out_a_few_times_only(run, monkeypatch):
     dumps, real = [], json.dumps
-    monkeypatch.setattr(frames.json, "dumps", lambda *given, **how: dumps.append(1) or real(*given, **how))
-    found = frames.frames_of(run, drawn_of(run.scene, str), ROOM)["frames"]
+    monkeypatch.setattr(drawn.json, "dumps", lambda *given, **how: dumps.append(1) or real(*given, **how))
+    found = frames_of(run, drawn_of(run.scene, str), ROOM)["frames"]
     assert len(dumps) <= 25
     assert written(found) <= ROOM
     # Positions in tenths of a millimetre tell no distance of 0.100 mm.
@@ -32,7 +32,6 @@ def test_twenty_thousand_rows_are_written_out_a_few_times_only(run, monkeypatch)
 
 def test_a_little_more_room_shows_rows_closer_together(run):
     strides = [
-        round(frames.frames_of(run, drawn_of(run.scene, str), room)["frames"]["step"] / run.step)
-        for room in (ROOM, ROOM * 51 // 50)
+        round(frames_of(run, drawn_of(run.scene, str), room)["frames"]["step"] / run.step) for room in (ROOM, ROOM * 51 // 50)
     ]
     assert strides[1] < strides[0]

@@ -7,7 +7,7 @@ import numpy as np
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.report.live import spots
-from coursework.report.live.scenery import Scenery, _moving_lines
+from coursework.report.live.spots import Scenery, _moving_lines
 from coursework.variant.catalogue import names
 from tests.solved import solved
 

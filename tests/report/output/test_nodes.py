@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from coursework.report.output.nodes import Moving, applied
+from coursework.report.output.reason import Moving, applied
 from coursework.variant.formula.reader import parse
 
 AT, BY = np.array([0.2, 0.55, 0.9]), 1e-6
