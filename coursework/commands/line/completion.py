@@ -1,6 +1,6 @@
 """Completions that the shell offers for the tab key.
 
-Enters: the part of a word typed so far.  Leaves: its completions.  Used by `options.py`.
+Enters: the part of a word typed so far.  Leaves: its completions.  Called by the name that `options.py` gives.
 """
 
 from __future__ import annotations

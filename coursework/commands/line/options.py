@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from functools import wraps
+from functools import partial, wraps
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import click
+
+from coursework.system.late import late
 
 # The keys of a rubric; listed here for the help, which imports nothing of the grading.
 RUBRIC_KEYS = "points, missing_part, parts, table, answers, conventions, confusion, late"
@@ -43,16 +45,7 @@ def listed(_context: click.Context | None, _option: click.Parameter | None, valu
     return tuple(part.strip() for part in value.split(",") if part.strip()) if value else ()
 
 
-def offered(name: str) -> Callable[[click.Context, click.Parameter, str], list[Any]]:
-    """Return the function that completes a word in the shell; it imports the completions only when called."""
-
-    def complete(context: click.Context, parameter: click.Parameter, typed: str) -> list[Any]:
-        from coursework.commands.line import completion
-
-        found: list[Any] = getattr(completion, name)(context, parameter, typed)
-        return found
-
-    return complete
+offered = partial(late, "commands.line.completion")  # the function that completes a word in the shell, by name
 
 
 class SchemeOption(click.Option):

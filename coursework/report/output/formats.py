@@ -8,11 +8,11 @@ along are made in `takeaway/`, a layer above this one, and named here by module 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from coursework.system.frozen import frozen
+from coursework.system.late import late
 from coursework.words.errors import InputError
 from coursework.words.sentences import closest, say
 
@@ -62,27 +62,16 @@ def _csv(results: Results) -> Files:
         yield name, text.encode("utf-8")
 
 
-def _above(place: str) -> Callable[[Results], Files]:
-    """Return a writer that calls a function of `takeaway/`, given as "module:function"."""
-    module, _, function = place.partition(":")
-
-    def write(results: Results) -> Files:
-        files: Files = getattr(import_module(f"coursework.takeaway.{module}"), function)(results)
-        return files
-
-    return write
-
-
 FORMATS: tuple[Format, ...] = (
     Format("html", _html, ("run", "accuracy", "write_report")),
     Format("pdf", _pdf, ("run", "accuracy", "write_report")),
     Format("csv", _csv, ("run", "accuracy"), paged=False),
-    Format("xlsx", _above("workbook.book:write"), ("run",), paged=False, asked=True, package="xlsxwriter"),
-    Format("figures", _above("figures.drawings:write"), ("run",), asked=True),
-    Format("docx", _above("note.writer:write_docx"), ("run",), asked=True, package="pypandoc"),
-    Format("odt", _above("note.writer:write_odt"), ("run",), asked=True, package="pypandoc"),
-    Format("tex", _above("note.writer:write_tex"), ("run",), asked=True, package="pypandoc"),
-    Format("dxf", _above("figures.dxf:write"), ("run",), asked=True, package="ezdxf"),
+    Format("xlsx", late("takeaway.workbook.book", "write"), ("run",), paged=False, asked=True, package="xlsxwriter"),
+    Format("figures", late("takeaway.figures.drawings", "write"), ("run",), asked=True),
+    Format("docx", late("takeaway.note.writer", "write_docx"), ("run",), asked=True, package="pypandoc"),
+    Format("odt", late("takeaway.note.writer", "write_odt"), ("run",), asked=True, package="pypandoc"),
+    Format("tex", late("takeaway.note.writer", "write_tex"), ("run",), asked=True, package="pypandoc"),
+    Format("dxf", late("takeaway.figures.dxf", "write"), ("run",), asked=True, package="ezdxf"),
 )
 
 

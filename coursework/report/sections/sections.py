@@ -8,7 +8,6 @@ To add one: write the function, put it into `PAPER` or `APPENDIX` with the quant
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from importlib import import_module
 from typing import Any
 
 from coursework.report.graphs.figures import drawn_parts
@@ -43,28 +42,16 @@ from coursework.scene.quantities import (
     TABLE,
     Quantity,
 )
+from coursework.system.late import late
 
 Writer = Callable[[PageContext], list[Part]]
 Writers = Sequence[tuple[Writer, Quantity[Any] | None]]
 
 
-def _late(module: str, name: str) -> Writer:
-    """Return a writer whose module is imported only when it writes: a page without forces or a program does not need it.
-
-    The writers of a program are in `takeaway/listing/`, a layer above this one.
-    """
-
-    def write(context: PageContext) -> list[Part]:
-        parts: list[Part] = getattr(import_module(f"coursework.{module}"), name)(context)
-        return parts
-
-    write.__name__ = name
-    return write
-
-
-dynamics = _late("report.sections.effects.dynamics", "dynamics")
-forces, energy = (_late("report.sections.effects.forces", name) for name in ("forces", "energy"))
-listing, flowchart = (_late("takeaway.listing.appendix", name) for name in ("listing", "flowchart"))
+# A page without forces or a program does not need these; the writers of a program are in `takeaway/`, a layer above this one.
+dynamics = late("report.sections.effects.dynamics", "dynamics")
+forces, energy = (late("report.sections.effects.forces", name) for name in ("forces", "energy"))
+listing, flowchart = (late("takeaway.listing.appendix", name) for name in ("listing", "flowchart"))
 
 # Each writer with the quantity that must be asked for; None: always written.
 FIRST: Writers = ((statement, None), (dead_point, None), (structure, None), (equations, None), (solution, None))
