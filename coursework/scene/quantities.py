@@ -18,7 +18,7 @@ import numpy as np
 from coursework.motion.integration.motion import Motion
 from coursework.scene.motion_results import MotionResults, Named
 from coursework.scene.scene import Scene
-from coursework.scene.shown import Columns, Listing, OwnFigure, OwnSection, OwnTable
+from coursework.scene.shown import Columns, OwnFigure, OwnSection, OwnTable
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -183,12 +183,6 @@ def plans(results: MotionResults) -> Plans:
     return make_plans(scene.mechanism, scene.equations, table, exact)
 
 
-def _plans_listing(drawn: Plans) -> Listing:
-    from coursework.drawing.plans.plans import HEAD
-
-    return Listing("polygons.csv", HEAD, drawn.rows())
-
-
 def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
     from coursework.results.kinematics.extra import ExtraTable
 
@@ -224,11 +218,10 @@ def _refuse_no_points(variant: Variant) -> Sentence | None:
     return say("fault.V501")
 
 
-def _force_listing(found: ForceAnalysis) -> Listing:
+def _force_lines(found: ForceAnalysis) -> Iterable[tuple[object, ...]]:
     from coursework.drawing.force_plans.force_plans import make_force_plans
-    from coursework.drawing.plans.plans import HEAD
 
-    return Listing("polygons.csv", HEAD, make_force_plans(found, 0).rows())
+    return make_force_plans(found, 0).rows()
 
 
 def _refuse_no_forces(variant: Variant) -> Sentence | None:
@@ -254,11 +247,10 @@ ACCURACY = Quantity(accuracy, OwnSection(), only_pages=True)
 GRAPH_CHECK = Quantity(graph_check, OwnSection())
 _SYMBOLS_ONLY = OwnFigure(lambda _, drawn, written: drawn)  # which every language writes alike
 TRAJECTORIES = Quantity(trajectories, _SYMBOLS_ONLY, refuses=_refuse_no_points, only_pages=True)
-PLANS = Quantity(
-    plans, OwnFigure(lambda _, found, written: found.drawings(written), _plans_listing), order=2, refuses=_refuse_no_points
-)
+_BY_PLANS = OwnFigure[Any](lambda _, found, written: found.drawings(written), lambda found: found.rows())
+PLANS = Quantity(plans, _BY_PLANS, order=2, refuses=_refuse_no_points)
 FORCES = Quantity(
-    MotionResults.forces, OwnSection(lambda _, found: found.as_table(), _force_listing), order=2, refuses=_refuse_no_forces
+    MotionResults.forces, OwnSection(lambda _, found: found.as_table(), _force_lines), order=2, refuses=_refuse_no_forces
 )
 DYNAMICS = Quantity(MotionResults.dynamics, OwnSection(lambda _, found: found), order=2, refuses=_refuse_no_motor)
 ENERGY = Quantity(

@@ -7,7 +7,7 @@ Used by `live/`, `output/`, `report/` and `run.py`, which hands it to a person.
 from __future__ import annotations
 
 import platform
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -22,7 +22,7 @@ from coursework.motion.settings import Settings
 from coursework.scene.motion_results import MotionResults
 from coursework.scene.quantities import ACCURACY, CHECKS, FORCES, GRAPH_CHECK, Quantity, all_needs, quantities_for
 from coursework.scene.scene import Scene
-from coursework.scene.shown import Columns, Listing, OwnFigure, OwnSection, OwnTable
+from coursework.scene.shown import Columns, OwnFigure, OwnSection, OwnTable
 from coursework.system.arrays import Array
 from coursework.system.on_demand import Plan, make_plan
 from coursework.system.version import VERSION
@@ -238,10 +238,10 @@ class SceneRun:
         return {one.name: shows.table(self.results, self.of(one)) for one, shows in own if shows.table is not None}
 
     @property
-    def listings(self) -> tuple[Listing, ...]:
-        """Return the files that hold the numbers of the drawings asked for."""
+    def lines_of_drawings(self) -> list[Iterable[tuple[object, ...]]]:
+        """Return the lines of `polygons.csv` of each quantity asked for that is drawn to scale."""
         own = self._shown(OwnFigure, OwnSection)
-        return tuple(shows.listing(self.of(one)) for one, shows in own if shows.listing is not None)
+        return [shows.lines(self.of(one)) for one, shows in own if shows.lines is not None]
 
     def mechanism(self) -> Drawing | None:
         """Return the mechanism with names, lengths, angles and drive, None if the file places no points.

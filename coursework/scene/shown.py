@@ -37,24 +37,15 @@ class OwnTable(Generic[T]):
 
 
 @frozen
-class Listing:
-    """A CSV file beside the table: its name, its head, its rows of numbers and words."""
-
-    file: str
-    head: tuple[str, ...]
-    rows: Iterable[tuple[object, ...]]
-
-
-@frozen
 class OwnFigure(Generic[T]):
     """Shown as drawings; `of` also takes the function that puts a sentence into the language of the page.
 
-    `listing` makes the file with their numbers in full precision, None if they have none of their own.
+    `lines` makes those of `polygons.csv`, their numbers in full precision; None if they have none of their own.
     """
 
     kind: ClassVar[str] = "figure"
     of: Callable[[MotionResults, T, Callable[[str], str]], tuple[Drawing, ...]]
-    listing: Callable[[T], Listing] | None = None
+    lines: Callable[[T], Iterable[tuple[object, ...]]] | None = None
 
 
 @frozen
@@ -63,4 +54,4 @@ class OwnSection(Generic[T]):
 
     kind: ClassVar[str] = "section"
     table: Callable[[MotionResults, T], ExtraTable] | None = None
-    listing: Callable[[T], Listing] | None = None
+    lines: Callable[[T], Iterable[tuple[object, ...]]] | None = None

@@ -28,8 +28,6 @@ from coursework.system.frozen import frozen
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
-
 
 @frozen
 class Plans:
@@ -50,7 +48,7 @@ class Plans:
         return self.exact if self.chain else self.table
 
     def rows(self) -> Iterator[tuple[object, ...]]:
-        """Yield the lines of `polygons.csv` (columns `HEAD`), row by row, in SI."""
+        """Yield the lines of `polygons.csv` row by row, in SI."""
         for name, found in (("table", self.table), ("exact", self.exact)):
             for row, t in enumerate(found.t.tolist()):
                 for one in found.segments:

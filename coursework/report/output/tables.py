@@ -6,6 +6,7 @@ Enters: a `SceneRun`.  Leaves: text by file name.  Used by `results.py` and `key
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from coursework.scene.scene_run import SceneRun
@@ -15,6 +16,7 @@ from coursework.system.csv_text import csv_text
 if TYPE_CHECKING:
     from coursework.results.accuracy.record import AccuracyStudy
 
+POLYGON_HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
 STUDY_HEAD = (
     "method", "steps_or_tolerance", "evaluations", "max_error", "unit", "end_error", "end_unit", "seconds",
     "time_ratio", "failed",
@@ -30,12 +32,8 @@ def run_tables(run: SceneRun) -> Iterator[tuple[str, str]]:
         rows = table.rows.tolist()
         blank = [[None if value != value else value for value in row] for row in rows] if table.blanks else rows
         yield f"{name}.csv", csv_text(table.names, blank)
-    lines: dict[str, list[tuple[object, ...]]] = {}
-    heads = {listing.file: listing.head for listing in run.listings}
-    for listing in run.listings:
-        lines.setdefault(listing.file, []).extend(listing.rows)
-    for file, rows_of_file in lines.items():
-        yield file, csv_text(heads[file], rows_of_file)
+    if lines := run.lines_of_drawings:
+        yield "polygons.csv", csv_text(POLYGON_HEAD, chain.from_iterable(lines))
 
 
 def table_csv(run: SceneRun) -> str:
