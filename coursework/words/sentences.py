@@ -204,6 +204,11 @@ class _Number(float):
         return text.replace(".", self.mark)
 
 
+def languages() -> list[str]:
+    """Return the languages that have a words file."""
+    return sorted(path.name.split(".")[1] for path in folder(REPORTS).glob("words.*.toml"))
+
+
 def load_phrases(language: str = ENGLISH) -> Phrases:
     """Return the phrases of a language.  Raises `InputError` if it has no words file."""
     return _phrases(folder("reports"), language)
@@ -217,7 +222,7 @@ def _phrases(place: Path, language: str) -> Phrases:
         if path.is_file():
             entries = _over(entries, _read(path, language))
     if not entries:
-        known = sorted(file.name.split(".")[1] for file in place.glob("words.*.toml"))
+        known = languages()
         hint = closest(language, known) or say("hint.there_is", known=tuple(known))
         raise InputError(say("fault.L002", language=language, place=place, hint=hint))
     return Phrases(language, entries)

@@ -13,7 +13,7 @@ from click.shell_completion import CompletionItem
 from coursework.motion.schemes import SCHEMES
 from coursework.variant.catalogue import entries
 from coursework.variant.record.vocabulary import EXACT
-from coursework.words.data_folders import folder
+from coursework.words.sentences import languages as known_languages
 from coursework.words.sentences import say
 
 
@@ -32,8 +32,7 @@ def schemes(_context: Context, _parameter: Parameter, typed: str) -> list[Comple
 
 def languages(_context: Context, _parameter: Parameter, typed: str) -> list[CompletionItem]:
     """Return the languages that have a words file."""
-    codes = sorted(path.name.split(".")[1] for path in folder("reports").glob("words.*.toml"))
-    return [CompletionItem(code) for code in codes if code.startswith(typed)]
+    return [CompletionItem(code) for code in known_languages() if code.startswith(typed)]
 
 
 def _files(typed: str) -> list[str]:

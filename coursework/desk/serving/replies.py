@@ -17,9 +17,9 @@ from starlette.responses import Response
 
 from coursework.desk.job import FAULT, Answer, plain
 from coursework.desk.serving.bodies import Refused
-from coursework.words.data_folders import REPORTS, folder
 from coursework.words.errors import CourseworkError
 from coursework.words.sentences import ENGLISH, load_phrases, say
+from coursework.words.sentences import languages as known_languages
 
 NOT_WRITTEN = 507
 _CLOSED = {408, 413}  # the connection is closed, because the rest of such a body is not read
@@ -28,8 +28,7 @@ _CLOSED = {408, 413}  # the connection is closed, because the rest of such a bod
 @cache
 def languages() -> tuple[str, ...]:
     """Return the languages that have a words file, English first."""
-    found = (path.name.split(".")[1] for path in folder(REPORTS).glob("words.*.toml"))
-    return tuple(sorted(found, key=lambda language: (language != ENGLISH, language)))
+    return tuple(sorted(known_languages(), key=lambda language: language != ENGLISH))
 
 
 def language_of(request: Request, wanted: object = None, before: str = "") -> str:
