@@ -9,11 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from coursework.words.line_ends import line_groups
 
-_ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&#34;", "'": "&#39;"})
 # The element around text to keep on one line: it has a short name and no meaning, and a page has two hundred of it.
 _BEGIN, _END = "<bdi>", "</bdi>"
 _FORMS = {"t": "{}", "o": '<span class="paper">{}</span>', "p": "<sup>{}</sup>"}
@@ -50,7 +49,7 @@ def _written(runs: Sequence[dict[str, str]], kept: bool) -> str:
         if foreign is not None and language is None:
             parts.append("</span>")
         elif foreign is None and language is not None:
-            parts.append(f'<span lang="{language.translate(_ESCAPED)}">')
+            parts.append(f'<span lang="{escape(language)}">')
         foreign = language
         parts.append(_one(run, kept))
     if foreign is not None:
@@ -61,12 +60,12 @@ def _written(runs: Sequence[dict[str, str]], kept: bool) -> str:
 def _one(run: dict[str, str], kept: bool) -> str:
     for key, form in _FORMS.items():
         if key in run:
-            return form.format(run[key].translate(_ESCAPED))
+            return form.format(escape(run[key]))
     if "c" in run:
-        typed = run["c"].translate(_ESCAPED)
+        typed = escape(run["c"])
         return typed if kept else f"{_BEGIN}{typed}{_END}"
-    letter = f"<i>{run['v'].translate(_ESCAPED)}</i>"
+    letter = f"<i>{escape(run['v'])}</i>"
     if not (low := run.get("s")):
         return letter
     kind = "<sub>" if low.isdigit() else '<sub class="v">'
-    return f"{letter}{kind}{low.translate(_ESCAPED)}</sub>"
+    return f"{letter}{kind}{escape(low)}</sub>"
