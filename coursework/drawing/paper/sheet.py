@@ -26,6 +26,7 @@ DECIMALS = 3  # decimals of a mm: 1 µm is finer than paper or screen can show
 BROAD = frozenset("MWmwωΩΨΦφψЖШЩЮФМжшщюфмы%@…—=+−<>")
 NARROW = frozenset(" \u00a0.,:;/|!'()[]ijl")
 HEAVIER = 1.1  # a bold word is this many times as wide
+AXES = 7.0  # mm, length of the arrows x and y
 LONGEST = 60  # letters of a text; a longer one would run over the drawing
 PITCH = 1.6  # mm between the strokes of a hatch
 CROWDED = 8.0  # mm of covered lines: axes that cover more are not seen among them
@@ -39,12 +40,12 @@ LEAD = 'stroke="#555" stroke-width="0.15"'
 Word = tuple[str, str, str]  # text, its subscript, what follows
 
 
-def plain(text: str, longest: int = LONGEST) -> str:
-    """Return text fit for SVG: printable letters only, escaped, at most `longest` letters."""
+def plain(text: str) -> str:
+    """Return text fit for SVG: printable letters only, escaped, at most `LONGEST` letters."""
     from html import escape  # imported here, as only a drawing needs it, not its readings
 
     kept = "".join(letter for letter in text if letter.isprintable())
-    return escape(kept if len(kept) <= longest else kept[: longest - 1] + "…")
+    return escape(kept if len(kept) <= LONGEST else kept[: LONGEST - 1] + "…")
 
 
 def width(text: str) -> float:
@@ -137,10 +138,10 @@ class Sheet:
         ways = [end - at for end in line if abs(end - at) > OFF_POINT]
         return len(ways) == 1 and (along.conjugate() * ways[0]).real > ALONG * abs(ways[0])
 
-    def axes(self, length: float = 7.0, highest: float = 0.0) -> None:
+    def axes(self, highest: float = 0.0) -> None:
         """Draw the directions of x and y in the corner where they cover least; below, if that is much and `highest` allows."""
         left, top, right, bottom = self.field
-        wide = high = length + 3.5
+        wide = high = AXES + 3.5
         corners = [complex(x, y) for y in (bottom - high, top) for x in (left, right - wide)]
         middles = np.array([(corner.real + wide / 2, corner.imag + high / 2) for corner in corners])
         costs = self.taken.covered(middles, wide, high, self.field)
@@ -150,7 +151,7 @@ class Sheet:
             corner = complex(left, bottom)
         at = corner + complex(1, high - 1.5)
         pen = 'stroke="black" stroke-width="0.2"'
-        for toward, name, shift in ((complex(length), "x", 0.5 + 0.9j), (-length * 1j, "y", 1.0 + 1.2j)):
+        for toward, name, shift in ((complex(AXES), "x", 0.5 + 0.9j), (-AXES * 1j, "y", 1.0 + 1.2j)):
             self.arrow(at, at + toward, pen, head=1.6)
             self.text(at + toward + shift, (name, "", ""), ITALIC)
         self.words.append((corner.real, corner.imag, corner.real + wide, corner.imag + high))
@@ -213,10 +214,10 @@ class Sheet:
         place = f'x="{number(at.real)}" y="{number(at.imag)}"{high}'
         self.items.append(f'<text class="halo" {place}{" " if look else ""}{look}>{head}{below}{beside}</text>')
 
-    def sense(self, at: complex, turn: int, radius: float = 2.3) -> None:
+    def sense(self, at: complex, turn: int) -> None:
         """Draw the sense of a rotation: an arc of 250 degrees with an arrowhead, +1 counter-clockwise as seen."""
         angles = [math.radians(90 + turn * (-125 + 250 * k / 20)) for k in range(21)]
-        arc = [at + radius * cmath.exp(1j * angle).conjugate() for angle in angles]
+        arc = [at + 2.3 * cmath.exp(1j * angle).conjugate() for angle in angles]
         self.path(arc, 'fill="none" stroke="black" stroke-width="0.3"', blocks=False)
         along = (arc[-1] - arc[-2]) / abs(arc[-1] - arc[-2])
         tip = arc[-1] + 1.7 * along

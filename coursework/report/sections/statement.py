@@ -117,7 +117,7 @@ def _driven_laws(context: PageContext) -> list[Part]:
 def _source(context: PageContext) -> Runs:
     """Return the source of the task: our words around those of the file."""
     before, _, behind = context.words("statement.source", source=GAP).partition(GAP)
-    return [*runs(before), *context.quoted(context.variant.source, LONGEST_NAME), *runs(behind)]
+    return [*runs(before), *context.quoted(context.variant.source), *runs(behind)]
 
 
 def _held(context: PageContext) -> list[str]:
@@ -208,7 +208,7 @@ def _data(context: PageContext) -> Table:
     listed: list[tuple[Runs, Runs, tuple[str, str]]] = [
         (
             context.symbol_runs([g.name]),
-            context.quoted(g.means, LONGEST_NAME) if g.means else context.lettered(context.told(means[g.name])),
+            context.quoted(g.means) if g.means else context.lettered(context.told(means[g.name])),
             (_given(context, g.text), context.unit(g.unit)),
         )
         for g in variant.given

@@ -15,7 +15,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.parts import Runs
 from coursework.report.text.symbols import LINEAR, Rates, Symbol, symbol
-from coursework.report.text.text_runs import ITALIC, Names, derivative, printed, runs, with_names
+from coursework.report.text.text_runs import ITALIC, LONGEST_NAME, Names, derivative, printed, runs, with_names
 from coursework.report.text.words import Words
 from coursework.results.checks.result import beside
 from coursework.scene.quantities import ACCURACY, CHECKS, PLOTS, TABLE
@@ -140,9 +140,9 @@ class PageContext:
         text = self.symbol(name).text
         return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 and text.isascii() else text
 
-    def rich(self, text: str, longest: int = LONGEST) -> Runs:
+    def rich(self, text: str) -> Runs:
         """Return a sentence of the tool as runs: in the language of the page, cleaned, with numbers and symbols set."""
-        return self.lettered(printed(self.told(text, longest)))
+        return self.lettered(printed(self.told(text)))
 
     def told(self, text: str, longest: int = LONGEST) -> str:
         """Return a sentence of the tool in the language of the page, cleaned."""
@@ -155,9 +155,9 @@ class PageContext:
         key = f"event.kind.{kind}"
         return self.words(key) if self.words.has(key) else clean(kind)
 
-    def quoted(self, text: str, longest: int = LONGEST) -> Runs:
+    def quoted(self, text: str) -> Runs:
         """Return a sentence of the file as runs, cleaned, with symbols set and nothing else changed."""
-        return self.in_its_language(text, self.lettered(clean(text, longest)))
+        return self.in_its_language(text, self.lettered(clean(text, LONGEST_NAME)))
 
     def in_its_language(self, text: str, found: Runs) -> Runs:
         """Return the runs `found` of a `text` of the file, marked if the text is in another language than the page."""
