@@ -22,7 +22,6 @@ from coursework.words.sentences import say
 
 T = TypeVar("T")
 UNDER_WAY: list[str] = []  # names of the quantities this process is computing, innermost last; read to say where the time went
-Needs = Mapping[str, tuple[str, ...]]
 
 
 @contextmanager
@@ -130,7 +129,7 @@ class Plan:
         return [say("plan.computed"), *first, say("plan.left_out"), *(rest or [say("plan.nothing")])]
 
 
-def make_plan(needs: Needs, wanted: Iterable[str]) -> Plan:
+def make_plan(needs: Mapping[str, tuple[str, ...]], wanted: Iterable[str]) -> Plan:
     """Return the plan that computes `wanted`; needed names that are no key of `needs` count as given.
 
     Raises `graphlib.CycleError` if quantities need each other in a circle.

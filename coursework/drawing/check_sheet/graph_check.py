@@ -37,8 +37,6 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-GraphRow = tuple[str, float, float, float, str]
-
 
 @frozen
 class GraphCheck:
@@ -54,7 +52,7 @@ class GraphCheck:
     time: float
     sketch: Sketch
     findings: Findings
-    rows: tuple[GraphRow, ...]
+    rows: tuple[tuple[str, float, float, float, str], ...]
     true: Callable[[], dict[str, tuple[float, str]]]
     notes: tuple[str, ...]
     readings: tuple[Reading, ...] = ()

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import Symbols
 from coursework.mechanism import groups
@@ -31,9 +31,6 @@ from coursework.variant.record.variant import Coordinate, Group, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
-
-if TYPE_CHECKING:
-    from coursework.equations.algebra.expression import Expression
 
 # The largest turn of a crank (rad) between two positions, so that the angles of its followers keep the right whole turn.
 _TURN = 1.0

@@ -18,8 +18,6 @@ from coursework.equations.reduction.symbolic import local, symbol
 from coursework.equations.reduction.system import bound_values
 from coursework.system.arrays import Array, as_columns
 
-RowFunction = Callable[..., Any]
-
 
 def derivative(velocity: str) -> Expression:
     """Return the symbol for the time derivative of a velocity."""
@@ -37,7 +35,7 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[Expression], ord
     if order >= 2:
         arguments += map(acceleration, velocities)
     body, results = bound_values(equations, wanted, list(map(symbol, velocities)))
-    function: RowFunction = compile_function("rows", arguments, body, results, numpy=True)
+    function: Callable[..., Any] = compile_function("rows", arguments, body, results, numpy=True)
 
     def rows(t: Array, q: Array, u: Array | None = None, du: Array | None = None) -> Array:
         columns = [*q.T, *(u.T if u is not None and order >= 1 else ()), *(du.T if du is not None and order >= 2 else ())]

@@ -21,7 +21,6 @@ from coursework.motion.schemes import Scheme, Sum
 from coursework.system.frozen import frozen
 
 Loop = Callable[..., tuple[float, ...]]
-RowLoop = Callable[..., None]
 _WRITTEN = re.compile(r"[\d.]+(?:e[+-]?\d+)?")
 
 
@@ -53,7 +52,7 @@ def _loop_source(scheme: Scheme, shape: _Shape) -> str:
     return "\n".join(source)
 
 
-def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: float) -> RowLoop:
+def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: float) -> Callable[..., None]:
     """Return `rows(first, last, h, latest, keep, *q)`, which marches from row `first` at q and passes each row to `keep`.
 
     A row is (*coordinates, *velocities, *determinants) at t = i*h.  The march ends before `last` if a determinant changes

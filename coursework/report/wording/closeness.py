@@ -12,7 +12,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from coursework.motion.schemes import SCHEMES, title_of
+from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, title_of
 from coursework.report.text.page_context import PageContext
 from coursework.results.checks.close_to_motion.period import Split, mismatch
 from coursework.results.checks.close_to_motion.rows import off_row
@@ -128,8 +128,6 @@ def largest_error_sentence(context: PageContext) -> str:
 
 
 def _title(context: PageContext, own: bool) -> str:
-    from coursework.motion.schemes import DEFAULT_SCHEME
-
     return context.run.scheme_title if own else title_of(DEFAULT_SCHEME)
 
 

@@ -11,7 +11,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from coursework.motion.integration.extended_precision import march_in
+from coursework.motion.integration.loops import generate_loop
 from coursework.motion.integration.rates import Rates
+from coursework.motion.schemes import SCHEMES
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -35,9 +37,6 @@ def round_off_curve(
     rates: Rates, scheme: str, start: Sequence[float], step: float, rows: int, end: Array
 ) -> Iterator[RoundOffRow]:
     """Yield the curve from coarse to fine until it has turned up again; this takes some seconds in all."""
-    from coursework.motion.integration.loops import generate_loop
-    from coursework.motion.schemes import SCHEMES
-
     loop = generate_loop(SCHEMES[scheme], rates)
     least = [np.inf, np.inf]
     for substeps in SUBSTEPS:

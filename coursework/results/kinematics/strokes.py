@@ -27,8 +27,6 @@ _ROUND_OFF = 1e-9
 # If the crank angles of two strokes differ by less than this share, the first is taken: they belong to two turns.
 _ALIKE = 1e-2
 
-Bracket = tuple[int, int]
-
 
 @frozen
 class Samples:
@@ -95,7 +93,7 @@ def samples_of(exact: Motion, rates: Rates) -> Samples:
     return Samples(_together(exact, rates, parts), before is None, behind is None)
 
 
-def _brackets(samples: Samples, rate: str) -> list[Bracket]:
+def _brackets(samples: Samples, rate: str) -> list[tuple[int, int]]:
     """Return pairs of samples between which the coordinate of a rate is at a dead position; an equal pair if it is at one."""
     slopes = samples.motion.column(rate)
     at_rest, last = stands(slopes), len(slopes) - 1

@@ -11,11 +11,12 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import Assign, Statement, compile_function
 from coursework.equations.codegen.tabulated import OutsideTable
@@ -39,9 +40,6 @@ from coursework.variant.record.places import lengths_of
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError, visible
 from coursework.words.sentences import say
-
-if TYPE_CHECKING:
-    from coursework.equations.algebra.expression import Expression
 
 Columns = list[Any]
 

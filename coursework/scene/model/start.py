@@ -7,10 +7,11 @@ Used by `sets.py` and `assigning/judge.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.symbolic import symbol
 from coursework.mechanism.groups import CannotAssemble, group_kind
 from coursework.motion.geometry.chain import dyad
@@ -22,9 +23,6 @@ from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags, as_columns
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Group
-
-if TYPE_CHECKING:
-    from coursework.equations.algebra.expression import Expression
 
 # Largest number of Newton corrections, and the size (rad, m) below which the last one is round-off.
 _MOST, _SETTLED = 12, 1e-11

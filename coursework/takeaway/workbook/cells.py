@@ -58,9 +58,6 @@ class Matrix:
         return f"INDEX(MMULT(MINVERSE({block}),${right}${top}:${right}${top + self.size - 1}),{unknown + 1})"
 
 
-Solved = tuple[Matrix, int]
-
-
 @changing
 class StepTable:
     """The table: `columns` in order, `matrices` beside them, `solved` the columns that are solved from a matrix."""
@@ -71,7 +68,7 @@ class StepTable:
     tables: Tables
     columns: list[Column] = field(default_factory=list)
     matrices: list[Matrix] = field(default_factory=list)
-    solved: dict[int, Solved] = field(default_factory=dict)
+    solved: dict[int, tuple[Matrix, int]] = field(default_factory=dict)
     text: Callable[[Formula], str] = str
 
     @classmethod

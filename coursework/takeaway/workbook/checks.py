@@ -6,10 +6,11 @@ Enters: a `Book` and `StepTable`.  Leaves: the sheets.  Used by `book.py`.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
@@ -19,11 +20,8 @@ from coursework.takeaway.workbook.cells import FIRST, ROW, SHEET, StepTable
 from coursework.takeaway.workbook.names import letters
 from coursework.takeaway.workbook.sheet import RESIDUAL, WIDTH, Book, number, plain
 
-if TYPE_CHECKING:
-    from coursework.equations.algebra.expression import Expression
-
 EXACT = "Exact"
-Residual = tuple[str, str, "Expression", bool]  # head, formula, expression, whether it only has to keep its first value
+Residual = tuple[str, str, Expression, bool]  # head, formula, expression, whether it only has to keep its first value
 
 
 def write_exact(book: Book, sheet: Any, table: StepTable) -> None:

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import derivative, private
 from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.symbolic import local, symbol
@@ -28,9 +28,6 @@ from coursework.takeaway.workbook.formulas import spreadsheet
 from coursework.takeaway.workbook.names import STEP, defined_names, letters, start_of
 from coursework.takeaway.workbook.tables import Tables
 from coursework.variant.formula.tree import Formula, mapped
-
-if TYPE_CHECKING:
-    from coursework.equations.algebra.expression import Expression
 
 TIMES = letters(0)  # the column with the times of the rows
 

@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import field
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.tidy import as_formula
 from coursework.mechanism.groups import group_kind
 from coursework.motion.geometry.time_derivatives import compile_rows
@@ -24,9 +24,6 @@ from coursework.takeaway.workbook.names import letters, start_of
 from coursework.takeaway.workbook.tables import Tables
 from coursework.variant.formula.tree import Formula, mapped, named
 from coursework.variant.record.variant import Group
-
-if TYPE_CHECKING:
-    from coursework.equations.algebra.expression import Expression
 
 _NEAR = 1e-9  # rad or m: most that a formula may differ from the start of the run
 

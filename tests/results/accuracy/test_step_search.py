@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.motion.integration import loops
 from coursework.motion.integration.extended_precision import march_in
 from coursework.motion.schemes import SCHEMES
 from coursework.results.accuracy import round_off, step_search
@@ -214,7 +213,7 @@ def test_it_ends_where_both_errors_are_four_times_their_least(monkeypatch, risen
 def curve_of(monkeypatch, errors, rows, running=None):
     """Return the curve where single precision has these errors, row by row."""
     left = [one for pair in zip(errors, running or errors, strict=True) for one in pair]
-    monkeypatch.setattr(loops, "generate_loop", lambda *_: lambda *_: [0.0])
+    monkeypatch.setattr(round_off, "generate_loop", lambda *_: lambda *_: [0.0])
     monkeypatch.setattr(round_off, "march_in", lambda *_, **__: np.array([[left.pop(0)]]))
     return list(round_off_curve(None, "euler", [0.0], 0.1, rows, np.zeros(1)))
 

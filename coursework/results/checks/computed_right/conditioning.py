@@ -5,10 +5,9 @@ Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.magnitude import largest
 from coursework.equations.reduction.system import compile_system
@@ -19,9 +18,6 @@ from coursework.results.checks.result import Finding, floored, skipped
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 from coursework.words.sentences import joined, say
-
-if TYPE_CHECKING:
-    from coursework.equations.algebra.expression import Expression
 
 # A double has sixteen digits; six are more than any table of the coursework shows.
 DIGITS, FEWEST = 16.0, 6.0
