@@ -11,9 +11,10 @@ import pytest
 import sympy as sp
 
 import coursework
-from coursework.equations.algebra.expression import add, variable
+from coursework.equations.algebra.expression import add
 from coursework.equations.algebra.symbolic_objects import symbolic
 from coursework.equations.reduction.blocks import reduce
+from coursework.equations.reduction.symbolic import local
 from coursework.motion.integration.exact_motion import exact_motion
 from coursework.motion.integration.integrate import March
 from coursework.motion.integration.loops import generate_loop
@@ -76,7 +77,7 @@ def compiled(compiler, folder):
 
 def as_sympy(equations):
     """Return the equations as bare SymPy expressions, and the unknowns."""
-    sums = [add(*[c * variable(n) for n, c in e.coefficients.items()], -e.right_side) for e in equations.equations]
+    sums = [add(*[c * local(n) for n, c in e.coefficients.items()], -e.right_side) for e in equations.equations]
     return list(map(symbolic, sums)), [sp.Symbol(name, real=True) for name in equations.unknowns]
 
 

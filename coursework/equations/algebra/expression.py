@@ -155,11 +155,6 @@ def number(value: Number) -> Expression:
     return node("number", value=value if type(value) is Fraction else Fraction(value))
 
 
-def variable(name: str) -> Expression:
-    """Return a symbol that stands for a real number."""
-    return node("symbol", name=name)
-
-
 def as_expression(value: Expression | Number) -> Expression:
     """Return an expression unchanged, a number as an expression."""
     return value if isinstance(value, Expression) else number(value)

@@ -33,8 +33,8 @@ def derivative(name: str, by: str, declared: Sequence[str]) -> str:
     >>> derivative("v_r", "v_phi", ["t", "r", "phi"]), derivative("d1_2", "t", ["t", "r", "phi"])
     ('d1_2', 'd1_2_0')
     """
-    numbers = name[1:] if name[0] == "d" else str(declared.index(_plain(name)))
-    return f"d{numbers}_{declared.index(_plain(by))}"
+    numbers = name[1:] if name[0] == "d" else str(declared.index(name.removeprefix("v_")))
+    return f"d{numbers}_{declared.index(by.removeprefix('v_'))}"
 
 
 def public(name: str, declared: Sequence[str]) -> str:
@@ -44,12 +44,8 @@ def public(name: str, declared: Sequence[str]) -> str:
     ('e_', '∂r/∂phi')
     """
     if name[0] != "d":
-        return _plain(name)
+        return name.removeprefix("v_")
     first, *others = (declared[int(number)] for number in name[1:].split("_"))
     for by in others:
         first = f"∂{first}/∂{by}"
     return first
-
-
-def _plain(name: str) -> str:
-    return name.removeprefix("v_")

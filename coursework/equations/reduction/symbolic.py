@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import comb, prod
 
 from coursework.equations.algebra.calculus import derivative, expand, piecewise, table
-from coursework.equations.algebra.expression import PI, POLE, ZERO, Expression, node, number, value, variable
+from coursework.equations.algebra.expression import PI, POLE, ZERO, Expression, node, number, value
 from coursework.equations.algebra.functions import call, cosine, sine
 from coursework.equations.codegen.names import derivative as name_of_derivative
 from coursework.equations.codegen.names import private, public
@@ -33,7 +33,7 @@ def symbol(name: str) -> Expression:
 
 def local(name: str) -> Expression:
     """Return the symbol of a private name."""
-    return variable(name)
+    return node("symbol", name=name)
 
 
 TIME = symbol("t")

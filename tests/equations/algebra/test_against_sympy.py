@@ -14,11 +14,12 @@ import sympy as sp
 import coursework
 from coursework import InputError
 from coursework.equations.algebra.calculus import derivative, expand, piecewise, replaced, together
-from coursework.equations.algebra.expression import HALF, PI, ZERO, absolute, node, number, power, value, variable
+from coursework.equations.algebra.expression import HALF, PI, ZERO, absolute, node, number, power, value
 from coursework.equations.algebra.functions import call
 from coursework.equations.algebra.symbolic_objects import symbolic, sympy_version
 from coursework.equations.reduction.cramer import cramer
 from coursework.equations.reduction.solution import shown_equations, solutions
+from coursework.equations.reduction.symbolic import local
 from coursework.scene.model.model import model_of
 from coursework.variant.catalogue import entries
 from coursework.variant.formula.tree import spelled
@@ -40,7 +41,7 @@ def pair(dice, depth):
             value = Fraction(dice.choice((1, 2, 3, -1, -2)), dice.choice((1, 1, 2, 3)))
             return number(value), sp.Rational(value.numerator, value.denominator)
         name = dice.choice(NAMES)
-        return variable(name), sp.Symbol(name, real=True)
+        return local(name), sp.Symbol(name, real=True)
     (a, one), (b, other) = pair(dice, depth - 1), pair(dice, depth - 1)
     match dice.choice("++-****/^ffffr"):
         case "+":
@@ -67,7 +68,7 @@ PLACE = {name: Fraction(4517 + 1739 * number**2 % 7919, 10007) for number, name 
 
 def at_place(own):
     """Return the value of the house's expression."""
-    return value(replaced(own, {variable(name): number(size) for name, size in PLACE.items()}))
+    return value(replaced(own, {local(name): number(size) for name, size in PLACE.items()}))
 
 
 def judged(judge):
@@ -97,7 +98,7 @@ def test_expressions_mean_what_those_of_sympy_do(seed):
         above, below = together(own)
         assert at_place(above) / at_place(below) == wanted, place
         slope = judged(sp.diff(judge, sp.Symbol("v_phi1", real=True)))
-        assert at_place(derivative(own, variable("v_phi1"))) == pytest.approx(slope, rel=1e-9, abs=1e-12), place
+        assert at_place(derivative(own, local("v_phi1"))) == pytest.approx(slope, rel=1e-9, abs=1e-12), place
 
 
 def test_what_is_equal_becomes_nothing_when_it_is_multiplied_out():
@@ -107,7 +108,7 @@ def test_what_is_equal_becomes_nothing_when_it_is_multiplied_out():
 
 
 def test_one_denominator_below_and_none_above():
-    a, b, c = map(variable, "abc")
+    a, b, c = map(local, "abc")
     assert together(a / (2 * b + 2 * c) + a / (b + c)) == (Fraction(3, 2) * a, b + c)
     assert together((1 / a + 1 / b) ** -1 + c / a) == (a**2 * b + (a + b) * c, a * (a + b))
 
@@ -117,7 +118,7 @@ def test_one_denominator_below_and_none_above():
     [("sin", lambda x: sp.sin(x)), ("cos", lambda x: sp.cos(x)), ("tan", lambda x: sp.tan(x).rewrite(sp.tan))],
 )
 def test_right_angles_and_usual_parts_of_pi(own, judge):
-    x = variable("x")
+    x = local("x")
     for twelfths in (part for part in range(-30, 31) if part % 2 == 0 or part % 3 == 0):
         for angle in (PI * twelfths / 12, x + PI * twelfths / 12 if twelfths % 6 == 0 else x - PI / 2):
             value = judge(symbolic(angle))
@@ -129,7 +130,7 @@ def test_right_angles_and_usual_parts_of_pi(own, judge):
 )
 def test_a_law_in_pieces_is_one_of_sympys_too(time, value):
     """t before 1, 2 t before 3, 3 t then: at a break the piece that begins there."""
-    t = variable("t")
+    t = local("t")
     law = symbolic(piecewise(t, t, number(1), 2 * t, number(3), 3 * t))
     assert law.subs(sp.Symbol("t", real=True), time) == value
 
@@ -137,7 +138,7 @@ def test_a_law_in_pieces_is_one_of_sympys_too(time, value):
 @pytest.mark.parametrize("inverse", ["asin", "acos", "atan"])
 @pytest.mark.parametrize("name", ["sin", "cos", "tan"])
 def test_functions_of_inverse_ones(name, inverse):
-    x = variable("x")
+    x = local("x")
     judge = getattr(sp, name)(getattr(sp, inverse)(sp.Symbol("x", real=True)))
     assert symbolic(call(name, call(inverse, x))) == judge
 
@@ -152,7 +153,7 @@ def test_of_an_expression_and_its_opposite_one_is_written_with_a_minus():
 
 
 def test_roots_and_absolute_values_take_out_what_is_known():
-    a, b = variable("a"), variable("b")
+    a, b = local("a"), local("b")
     root = lambda part: power(part, HALF.value)  # noqa: E731
     assert root(number(Fraction(9, 4))) is number(Fraction(3, 2))
     assert root(number(2)) * root(number(2)) is number(2)
@@ -167,7 +168,7 @@ def test_roots_and_absolute_values_take_out_what_is_known():
 def test_equal_expressions_are_one_object_and_stay_so_in_a_copy():
     import pickle
 
-    a, b = variable("a"), variable("b")
+    a, b = local("a"), local("b")
     assert a * b + 1 is 1 + b * a
     assert pickle.loads(pickle.dumps(call("sin", a) / b)) is call("sin", a) / b
     assert (number(3) is number(3), a - a is ZERO) == (True, True)

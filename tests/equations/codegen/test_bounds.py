@@ -2,15 +2,15 @@
 
 import pytest
 
-from coursework.equations.algebra.expression import variable
 from coursework.equations.codegen.straight_line import MOST_OPERATIONS, FormulaRefused, StraightLine
+from coursework.equations.reduction.symbolic import local
 
 
 def chain(count: int) -> StraightLine:
     """Return the lines of x + 1, (x + 1)*x, … : as many different operations as asked for."""
-    x = variable("v_x")
+    x = local("v_x")
     lines = StraightLine((), {}, set())
-    lines.add([variable(f"v_y{0}")], [x])
+    lines.add([local(f"v_y{0}")], [x])
     made = len(lines._forms)
     for number in range(count - made + 1):
         lines._number("sin" if number % 2 else "cos", made + number - 1)

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.equations.algebra.expression import variable
 from coursework.equations.algebra.functions import sine
 from coursework.equations.reduction import solution, tidy
+from coursework.equations.reduction.symbolic import local
 from coursework.report.pages import build_model
 from coursework.report.pages.html import render_html
 from coursework.variant.formula.tree import evaluate, spelled
@@ -81,7 +81,7 @@ def test_formulas_that_grow_are_printed_up_to_two_thousand_letters():
 def test_an_expression_of_too_many_parts_is_not_rewritten_and_means_the_same(spare, monkeypatch):
     """(r + sin phi)(r - sin phi) has 11 parts; multiplied out it is r^2 - sin^2 phi."""
     order = coursework.solve("31").scene.equations.order
-    length, swing = variable("r1"), sine(variable("phi1"))
+    length, swing = local("r1"), sine(local("phi1"))
     expression = (length + swing) * (length - swing)
     assert (expression.size, tidy.MOST_PARTS) == (11, 1000)
     monkeypatch.setattr(tidy, "MOST_PARTS", 11 + spare)

@@ -11,14 +11,14 @@ from hypothesis import strategies as st
 
 from coursework import InputError
 from coursework.equations.algebra.calculus import derivative, piecewise
-from coursework.equations.algebra.expression import PI, POLE, absolute, add, number, variable
+from coursework.equations.algebra.expression import PI, POLE, absolute, add, number
 from coursework.equations.algebra.expression import value as value_of
 from coursework.equations.algebra.functions import call, cosine, sine
 from coursework.equations.algebra.symbolic_objects import symbolic
 from coursework.equations.codegen.programs import Assign, Solve, compile_function, program
-from coursework.equations.reduction.symbolic import expanded
+from coursework.equations.reduction.symbolic import expanded, local
 
-x, y, c = map(variable, ("x", "y", "c"))
+x, y, c = map(local, ("x", "y", "c"))
 CONSTANTS = {"c": -0.75}
 LEAVES = st.sampled_from([x, y, c, number(2), number(Fraction(-3, 7)), PI])
 # Powers stand over something with x in it: those of numbers alone are worked out, and nested ones have no end of digits.
@@ -40,7 +40,7 @@ NODES = st.recursive(
 def compiled(*wanted, arrays=False, definitions=None):
     """Return the function of x and y for some expressions."""
     results = [f"_out{place}" for place in range(len(wanted))]
-    statements = [Assign(variable(name), expr) for name, expr in zip(results, wanted, strict=True)]
+    statements = [Assign(local(name), expr) for name, expr in zip(results, wanted, strict=True)]
     body = program(statements, definitions or {}, list(CONSTANTS), {}).bind(CONSTANTS)
     return compile_function("values", ["x", "y"], body, results, numpy=arrays)
 
@@ -77,7 +77,7 @@ def test_a_value_read_twice_is_computed_once():
 
 
 def test_a_definition_is_written_where_it_is_first_read():
-    source = compiled(y * x, variable("v") + 1, definitions={variable("v"): sine(x)}).__doc__
+    source = compiled(y * x, local("v") + 1, definitions={local("v"): sine(x)}).__doc__
     lines = [line.strip() for line in source.splitlines()]
     assert lines[1:] == ["_out0 = x*y", "v = sin(x)", "_out1 = v + 1.0", "return (_out0, _out1)"]
 
@@ -163,7 +163,7 @@ def test_what_has_no_real_value_is_refused(expr):
 
 
 def test_large_blocks_are_solved_by_their_entries():
-    names = list(map(variable, ("u", "v", "w", "det")))
+    names = list(map(local, ("u", "v", "w", "det")))
     entries = (x, *map(number, (1, 0, 0)), y, *map(number, (1, 1, 0, 2, 1, 2, 3)))
     body = program([Solve(tuple(names[:3]), names[3], entries)], {}, (), {}).free()
     one = compile_function("values", ["x", "y"], body, ["u", "v", "w", "det"])
@@ -183,8 +183,8 @@ def test_powers_up_to_sixteen_are_products_and_roots(power):
 
 def test_what_has_more_than_a_hundred_terms_is_not_multiplied_out():
     """(a1 + … + a10)(b1 + … + b10) has them; a power of a sum has as many as ways to share it out."""
-    sums = [add(*[variable(f"{letter}{k}") for k in range(10)]) for letter in "ab"]
-    eleven = sums[1] + variable("b10")
+    sums = [add(*[local(f"{letter}{k}") for k in range(10)]) for letter in "ab"]
+    eleven = sums[1] + local("b10")
     assert len(expanded(sums[0] * sums[1]).terms) == 100
     assert expanded(sums[0] * eleven) == sums[0] * eleven
     assert len(expanded((x + y + c) ** 12).terms) == 14 * 13 // 2  # 91

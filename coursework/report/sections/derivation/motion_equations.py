@@ -235,10 +235,11 @@ def _contours(context: PageContext, first: bool) -> list[Part]:
         if not both:
             continue
         label = context.contours.get(contour.name, clean(contour.name, 40))
-        vector = display(_put_in(context, contour.left), _put_in(context, contour.right), context.rates)
+        vector = _set(context, contour.left, contour.right)
+        two = [_set(context, *sides) for sides in zip(contour.left_parts, contour.right_parts, strict=True)]
         parts += [
             Paragraph(context.lettered(context.words("constraints.contour", name=label))),
-            Equations([vector]), Paragraph(context.say("constraints.two")), Equations(_two(context, contour), flow=True),
+            Equations([vector]), Paragraph(context.say("constraints.two")), Equations(two, flow=True),
             Paragraph(context.say("constraints.derivatives")),
             Equations([replace(_shown(context, one), before=[]) for one in both]),
         ]  # fmt: skip
@@ -249,13 +250,9 @@ def _contours(context: PageContext, first: bool) -> list[Part]:
     return parts
 
 
-def _put_in(context: PageContext, formula: Formula) -> Formula:
-    return context.angles.put_in(formula)
-
-
-def _two(context: PageContext, contour: Contour) -> list[Display]:
-    pairs = zip(contour.left_parts, contour.right_parts, strict=True)
-    return [display(_put_in(context, left), _put_in(context, right), context.rates) for left, right in pairs]
+def _set(context: PageContext, left: Formula, right: Formula) -> Display:
+    """Return an equation of positions, its constant angles under their names."""
+    return display(context.angles.put_in(left), context.angles.put_in(right), context.rates)
 
 
 def _points(context: PageContext, contours: Sequence[Contour]) -> list[Part]:
@@ -263,9 +260,6 @@ def _points(context: PageContext, contours: Sequence[Contour]) -> list[Part]:
     mechanism = context.run.scene.mechanism
     met = {name for one in contours for side in (one.left, one.right) for name in side.names()}
     coordinates = {coordinate.name for coordinate in context.run.variant.coordinates}
-    shown = [
-        display(named(name), _put_in(context, formula), context.rates)
-        for name, formula in mechanism.points
-        if name in met and (set(formula.names()) & coordinates)
-    ]
+    points = [(name, formula) for name, formula in mechanism.points if name in met and (set(formula.names()) & coordinates)]
+    shown = [_set(context, named(name), formula) for name, formula in points]
     return [Paragraph(context.say("constraints.points")), Equations(shown, flow=True)] if shown else []
