@@ -173,12 +173,13 @@ def _clash(equations: VelocityEquations, derived: Sequence[VelocityEquation], ev
     return [Fault(say("fault.V320", names=names, sections=_sections(equations)), equations.variant.file, line)]
 
 
-def _sections(equations: VelocityEquations) -> tuple[str, str]:
+def _sections(equations: VelocityEquations) -> tuple[str, ...]:
     """Return the names of the sections of the file that describe its geometry."""
     if equations.from_closure:
         if ("closure",) in equations.variant.lines:
             return "[points]", "[closure]"
-        return "[points]", "[frame]" if equations.variant.holds else "[drive]"
+        variant = equations.variant
+        return "[points]", *(["[frame]"] if variant.holds else []), *(["[drive]"] if variant.driven else [])
     return "[points]", "[[group]]" if equations.variant.groups else "closure = …" if equations.positions else "[unknowns]"
 
 

@@ -1,6 +1,6 @@
-"""What [closure] holds: the unit of an expression, which expressions can only be zero, and which are two sides of a vector.
+"""What [closure] holds: points that follow a drive, units of expressions, which can only be zero, which are parts of a vector.
 
-Enters: a `Variant`.  Leaves: units, flags.  Used by `equations.py`, `changes.py`, `gaps.py` and `drift.py`.
+Enters: a `Variant`.  Leaves: units, flags.  Used by `equations.py`, `changes.py`, `gaps.py`, `drift.py` and by `scheme.py`.
 """
 
 from __future__ import annotations
@@ -15,6 +15,13 @@ from coursework.variant.record.variant import Variant
 
 MOST_PAIRED = 40  # scalars among which components of one vector are looked for; every pair is tried
 POWERS = {2: "m²", 3: "m³", 4: "m⁴"}  # units of position equations in products of lengths
+
+
+def followed(variant: Variant) -> dict[str, tuple[str, str]]:
+    """Return the laws of [drive] that points follow, each with its point and its axis: VMx of M along x."""
+    laws = {law.name for law in variant.drive}
+    parts = {f"V{point}{axis}": (point, axis) for point in filter(None, (variant.driven, *variant.also_driven)) for axis in "xy"}
+    return {law: part for law, part in parts.items() if law in laws}
 
 
 def closed_loops(variant: Variant) -> tuple[bool, ...]:
