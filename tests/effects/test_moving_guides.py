@@ -5,6 +5,7 @@ import math
 import pytest
 
 import coursework
+from tests.effects.massed import of_text
 
 BARS = """
 format = 1
@@ -114,7 +115,9 @@ def test_start_values_measured_on_a_drawing_leave_the_pins_in_their_links(start,
     if is_measured:
         assert {"VIRTUAL-POWER", "FORCE-ACCURACY"} <= {one.code for one in run.checks}
     else:
-        with pytest.raises(coursework.InputError, match=r"V735 own.toml:\d+  masses.3: point C does not stand still"):
+        with pytest.raises(
+            coursework.InputError, match=r"V735 own.toml:\d+  masses.3: .*or correct the start.*point C does not stand still"
+        ):
             _ = run.results.forces
 
 
@@ -160,3 +163,23 @@ def test_a_sleeve_turns_with_its_bar_whether_or_not_the_file_names_the_rate(rate
     with pytest.raises(coursework.InputError, match=r"V725 .*link 2 turns and has a mass, but no inertia"):
         bare = SLEEVE.replace('"E"]', f'"E"]{rate}').replace(', inertia = "0.01 kg*m^2"', "")
         _ = coursework.solve(coursework.parse_variant(bare)).results.forces
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "named"),
+    [
+        ("= 0.22*w3*cos", "= -0.22*w3*cos", "equation 2 does not fit how the links move at the start: "),
+        ("- 0.25*w2*sin", "- 0.25*w2*cos", "equation 1 does not fit "),
+        ("0.22*w3*", "0.32*w3*", "equations 1 and 2 do not fit "),
+        ('["D", "C"], rate = "w3"', '["D", "C"]', "of the equations no geometry judges 1 and 2: look for a wrong sign there first"),
+    ],
+)
+def test_an_equation_that_no_position_judges_is_told_before_the_links(right, wrong, named):
+    """Points of the rocker are those of the frame and of the coupler: only its shape judges the equations."""
+    right_one = FOUR_BAR.replace("START", "70.2 deg")
+    assert of_text(right_one).reactions.names
+    text = right_one.replace(right, wrong)
+    if "rate" in right:
+        text = text.replace("= 0.22*w3*cos", "= -0.22*w3*cos")
+    with pytest.raises(coursework.InputError, match=rf"V735 .*: {named}.*, point C does not stand still"):
+        of_text(text)

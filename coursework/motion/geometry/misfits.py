@@ -1,0 +1,44 @@
+"""Which written equations do not fit the links, where no position equation judges them: at the start the links move otherwise.
+
+Enters: velocity equations, the start.  Leaves: their names.  Used by `analysis.py` and `turning.py`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from coursework.equations.algebra.expression import MINUS
+from coursework.equations.reduction.bound import Speed
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.system import compile_system
+from coursework.motion.geometry.agreement import given_by_geometry, gives
+from coursework.system.arrays import Array
+
+_LARGE = 0.05  # share of the largest term: above what start values with two digits leave open, below a wrong sign
+_RANK = 1e-6
+
+
+def row_of(speed: Speed) -> VelocityEquation:
+    """Return an equation whose residual (coefficients times velocities less the right side) is the given speed."""
+    return VelocityEquation("", "", dict(speed.coefficients), -speed.rest)
+
+
+def misfits(equations: VelocityEquations, times: Array, positions: Array) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the written equations that no position equation judges, and those of them that do not fit the links.
+
+    Links keep their shape and turn at their rates: the first row (n, m) of some positions tells; if that leaves velocities open
+    there, none is named as unfit.
+    """
+    shapes = [part for turn in equations.geometry.turns() for part in (turn.named.plus(turn.found, MINUS), turn.grows)]
+    derived, written = given_by_geometry(equations), [one for one in equations.equations if one.written]
+    matrix, right, _ = compile_system(equations, [*derived, *map(row_of, shapes), *written]).matrices(times[:1], positions[:1])
+    first = matrix.shape[1] - len(written)
+    known, asked, wanted = matrix[0, :first], matrix[0, first:], right[0, first:]
+    open_rows = [place for place in range(len(written)) if not gives(matrix[:, : len(derived)], asked[place])]
+    unjudged = tuple(written[place].name for place in open_rows)
+    if np.linalg.matrix_rank(known, _RANK) < known.shape[1]:
+        return unjudged, ()
+    velocities = np.linalg.lstsq(known, right[0, :first], rcond=None)[0]
+    largest = np.abs(np.column_stack([asked * velocities, wanted])).max(axis=1)
+    off = np.abs(asked @ velocities - wanted) > _LARGE * largest
+    return unjudged, tuple(written[place].name for place in open_rows if off[place])
