@@ -9,6 +9,7 @@ from coursework.api import make_run, variant_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, tell_own_file, title_of
 from coursework.equations.reduction.cramer import cramer
+from coursework.mechanism.structure import axes_of_points
 from coursework.motion.geometry.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_joints
@@ -31,7 +32,10 @@ def check_variant(variant: str) -> int:
     equations, reduction = scene.equations, scene.reduction
     free = chosen.motor.rates if chosen.motor is not None else ()
     if chosen.sought:  # if forces move each link by itself, nothing is left to solve
-        size = {"number": len(chosen.sought), "equations": len(equations.equations), "drives": len(chosen.drive) - len(free)}
+        helping = {name for law in chosen.drive for formula in law.formulas for name in formula.names()}
+        helping -= {*chosen.rates, *axes_of_points(chosen)}
+        drives = sum(law.name not in helping for law in chosen.drive) - len(free)
+        size = {"number": len(chosen.sought), "equations": len(equations.equations), "drives": drives}
         tell(say("screen.counts", **size, unknowns=", ".join(chosen.sought)))
     if free:
         tell(say_count("dynamics.free", len(free), rates=", ".join(free)))

@@ -99,7 +99,7 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     theirs; the written rows that are left must not contradict each other.
     """
     _require_free(equations, times, positions)
-    written = [equation for equation in equations.equations if equation.written]
+    written = [equation for equation in equations.equations if equation.written and equation.coefficients]
     derived = given_by_geometry(equations)
     first = len(derived)
     matrix, right, _ = compile_system(equations, [*derived, *written]).matrices(times, positions)
@@ -120,9 +120,12 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     known, axes = known[regular], np.eye(known.shape[2])
     follows = [gives(known, sound[regular, place, :-1]) for place in range(first, sound.shape[1])]
     unknown = [name for name, axis in zip(equations.unknowns, axes, strict=True) if not gives(known, axis)]
-    agreed = tuple(one.name for one, does in zip(written, follows, strict=True) if does)
+    agreed = [one.name for one in equations.equations if one.written and not one.coefficients]  # held against the drives
+    agreed += [one.name for one, does in zip(written, follows, strict=True) if does]
     rest = [one for one, does in zip(written, follows, strict=True) if not does]
-    return Agreement(agreed, tuple((one.name, tuple(name for name in unknown if name in one.coefficients)) for one in rest))
+    return Agreement(
+        tuple(agreed), tuple((one.name, tuple(name for name in unknown if name in one.coefficients)) for one in rest)
+    )
 
 
 def given_by_geometry(equations: VelocityEquations) -> list[VelocityEquation]:
