@@ -23,7 +23,7 @@ _INDEPENDENT = 1e-4  # a row of derivatives that differs less from the others, r
 
 
 def with_implied_closure(variant: Variant) -> Variant:
-    """Return the variant with the points that its [drive] moves and, if its file holds nothing itself, what its [frame] holds.
+    """Return the variant with points that its [drive] moves and, if its file holds nothing itself, with what its [frame] holds.
 
     What says nothing of its own at the start is left out; if a value is not known there, nothing is added.
 
@@ -36,6 +36,8 @@ def with_implied_closure(variant: Variant) -> Variant:
     if variant.driven or variant.groups or variant.motor or any(one.is_closure for one in variant.constraints):
         return variant
     driven = [*followed(replace(variant, also_driven=tuple(point for point, _ in variant.points))).values()]
+    if variant.holds:  # [closure] names points that are driven along both axes, and no others
+        driven = [(point, axis) for point, axis in driven if [one for one, _ in driven].count(point) == 1]
     held = [] if variant.holds else [*_held(variant)]
     rows = [*variant.holds, *(_part(named(point), axis) for point, axis in driven), *(hold for _, hold in held)]
     if not driven and not held:
