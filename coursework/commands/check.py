@@ -9,7 +9,7 @@ from coursework.api import make_run, variant_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, tell_own_file, title_of
 from coursework.equations.reduction.cramer import cramer
-from coursework.mechanism.structure import axes_of_points
+from coursework.mechanism.structure import axes_of_points, driven_freedoms
 from coursework.motion.geometry.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_joints
@@ -84,7 +84,7 @@ def _tell_mobility(run: Run) -> None:
     if mobility is None:
         return
     sum_of = say("screen.mobility_sum", links=mobility.links, lower=mobility.lower_pairs, higher=mobility.higher_pairs)
-    drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
+    drives = driven_freedoms(run.variant)
     verdict = say("screen.driven", number=drives)
     joints: list[Sentence] = []
     if drives and mobility.degrees != drives:

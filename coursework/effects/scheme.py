@@ -6,7 +6,7 @@ Used by `analysis.py` and `draft.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
@@ -21,13 +21,15 @@ from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import closest, say
+from coursework.words.sentences import closest, joined, say
+
+Pairs = tuple[tuple[str, str], ...]
 
 
-def read_scheme(mechanism: Mechanism, instead: Forces | None = None) -> ForceScheme:
+def read_scheme(mechanism: Mechanism, instead: Forces | None = None, near: Callable[[], Pairs] | None = None) -> ForceScheme:
     """Return bodies and unknown forces, for the file's own masses or those given as `instead`.
 
-    Raises `InputError` with every fault of the masses.
+    Raises `InputError` with every fault of the masses; where a joint is missing, `near` gives the points that may be hinges.
     """
     variant, forces = mechanism.variant, instead or mechanism.variant.forces
     if forces is None:
@@ -37,7 +39,10 @@ def read_scheme(mechanism: Mechanism, instead: Forces | None = None) -> ForceSch
         mobility, drives = mechanism.mobility, driven_freedoms(variant)
         if mobility is None or not 0 < drives < mobility.degrees:
             raise InputError([Fault(say("fault.V722.none"), variant.file, 1)])
-        told = say("fault.V722.loose", degrees=mobility.degrees, drives=drives)
+        found_near = near() if near is not None else ()
+        pairs = joined(say("fault.meet.pair", one=one, other=other) for one, other in found_near)
+        meet = say("fault.meet.some", pairs=pairs) if found_near else "" if near is None else say("fault.meet.none")
+        told = say("fault.V722.loose", degrees=mobility.degrees, drives=drives, meet=meet)
         raise InputError(
             [Fault(told, variant.file, variant.nearest_line("links", variant.links[0].name) if variant.links else 1)]
         )

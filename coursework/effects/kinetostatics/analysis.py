@@ -24,6 +24,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.joints import FRAME
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.misfits import misfits
+from coursework.motion.geometry.rigid import may_be_hinges
 from coursework.motion.integration.motion import Motion
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.system.arrays import Array, Complex
@@ -135,8 +136,12 @@ def _unit_beside(name: str) -> str:
 
 def analyse(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, second: Array) -> ForceAnalysis:
     """Return the force analysis of a motion; `second` (n, k) are its accelerations."""
+
+    def near() -> tuple[tuple[str, str], ...]:
+        return may_be_hinges(equations, motion.coordinates[0].tolist())
+
     program: Program = equations.once(
-        ("forces", equations.variant.forces), lambda: compile_program(equations, read_scheme(mechanism))
+        ("forces", equations.variant.forces), lambda: compile_program(equations, read_scheme(mechanism, near=near))
     )
     rows = program.rows(equations, motion, second)
     _require_rigid(rows, equations)
