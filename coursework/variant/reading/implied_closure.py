@@ -1,6 +1,6 @@
 """What [frame] and [drive] hold beside [closure] or without it: hinges rest, points stay on rails, driven points move.
 
-Enters: a `Variant` as its file has it.  Leaves: the same, with what is held.  Used by `reader.py`.
+Enters: a `Variant` as its file has it.  Leaves: the same, with what is held.  Used by `reader.py`, `rigid.py`.
 """
 
 from __future__ import annotations
