@@ -226,7 +226,7 @@ def _driven_words(outline: Outline, variant: Variant) -> str:
     turned = tuple(rate for rate, _ in outline.cranks)
     laws = tuple(law.name for law in variant.drive if law.name not in {*variant.rates, *followed(variant)})
     others = (*(rate for rate in variant.given_rates if rate not in turned), *laws)
-    told = [say("drawing.mechanism.driven", points=outline.driven)] if outline.driven else []
+    told = [say("drawing.mechanism.driven", points=(point,)) for point in outline.driven]
     told += [say_count("drawing.mechanism.turned", len(turned), rates=turned)] if turned else []
     told += [say("drawing.mechanism.given", rates=others)] if others else []
     return joined(told) if told else say("drawing.mechanism.free")

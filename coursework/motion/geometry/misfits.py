@@ -16,7 +16,8 @@ from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.agreement import given_by_geometry, gives
 from coursework.system.arrays import Array
 
-_LARGE = 0.05  # share of the largest term: above what start values with two digits leave open, below a wrong sign
+# Shares of the largest term of an equation, and of all: above what start values with two digits leave open, below a wrong sign.
+_LARGE, _OF_ALL = 0.05, 0.03
 _RANK = 1e-6
 
 
@@ -52,5 +53,6 @@ def misfits(equations: VelocityEquations, times: Array, positions: Array) -> tup
         return unjudged, ()
     velocities = np.linalg.lstsq(known, right[0, :first], rcond=None)[0]
     largest = np.abs(np.column_stack([asked * velocities, wanted])).max(axis=1)
-    off = np.abs(asked @ velocities - wanted) > _LARGE * largest
+    least = np.maximum(_LARGE * largest, _OF_ALL * np.max(largest[open_rows], initial=0.0))
+    off = np.abs(asked @ velocities - wanted) > least
     return unjudged, tuple(written[place].name for place in open_rows if off[place])
