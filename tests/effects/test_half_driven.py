@@ -186,3 +186,20 @@ def test_two_driven_points_each_along_one_axis():
 def test_a_slip_beside_two_driven_points_is_refused(name, right, wrong):
     with pytest.raises(coursework.InputError, match=rf"V302 .*equation {name} contradicts"):
         coursework.solve(coursework.parse_variant(FIVE_BAR.replace(right, wrong, 1))).compute()
+
+
+@pytest.mark.parametrize(("right", "wrong"), [("", ""), ("= -a*w1*sin(f1)", "= -a*w1*cos(f1)"), ("= d*w4*cos", "= -d*w4*cos")])
+def test_points_driven_along_one_axis_beside_a_loop_written_as_closure(right, wrong):
+    foot = 0.2 * np.exp(1.9j) + 0.35 * np.exp(0.62j) + 0.3 * np.exp(-0.9j) - 0.22 * np.exp(0.4j)
+    loop = FIVE_BAR[FIVE_BAR.index('[[constraint]]\nname = "x"') : FIVE_BAR.index("[points]")]
+    text = FIVE_BAR.replace(loop, '[[constraint]]\nname = "loop"\nclosure = "D = (X, Y)"\n')
+    text = text.replace("[drive]", f'X = "{foot.real:.15g} m"\nY = "{foot.imag:.15g} m"\n[drive]').replace(right, wrong)
+    run = coursework.solve(coursework.parse_variant(text))
+    if right:
+        with pytest.raises(coursework.InputError, match=r"V302 .*equation [AB] contradicts"):
+            run.compute()
+    else:
+        assert {one.code: one.verdict for one in run.checks}["AGREEMENT"] == "PASS"
+        assert run.table.to_numpy() == pytest.approx(
+            coursework.solve(coursework.parse_variant(FIVE_BAR)).table.to_numpy(), abs=1e-9
+        )

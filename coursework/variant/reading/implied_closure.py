@@ -12,7 +12,7 @@ from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
-from coursework.variant.record.held import followed
+from coursework.variant.record.held import closed_parts, followed
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
@@ -33,18 +33,19 @@ def with_implied_closure(variant: Variant) -> Variant:
     >>> bare.driven, [coursework.variant.formula.tree.spelled(hold) for hold in bare.holds]
     ('M', ['P.y'])
     """
-    if variant.driven or variant.groups or variant.motor or any(one.is_closure for one in variant.constraints):
+    if variant.driven or variant.groups or variant.motor:
         return variant
+    written = [*variant.holds, *closed_parts(variant)]
     driven = [*followed(replace(variant, also_driven=tuple(point for point, _ in variant.points))).values()]
-    if variant.holds:  # [closure] names points that are driven along both axes, and no others
+    if written:  # [closure] names points that are driven along both axes, and no others
         driven = [(point, axis) for point, axis in driven if [one for one, _ in driven].count(point) == 1]
-    held = [] if variant.holds else [*_held(variant)]
-    rows = [*variant.holds, *(_part(named(point), axis) for point, axis in driven), *(hold for _, hold in held)]
+    held = [] if written else [*_held(variant)]
+    rows = [*written, *(_part(named(point), axis) for point, axis in driven), *(hold for _, hold in held)]
     if not driven and not held:
         return variant
     free = [one.name for one in variant.coordinates if one.rate not in variant.known_rates]
     derivatives = _derivatives(variant, rows, free)
-    points = dict(enumerate((point for point, _ in driven), start=len(variant.holds)))
+    points = dict(enumerate((point for point, _ in driven), start=len(written)))
     own = _independent(derivatives)
     idle = {point for place, point in points.items() if place not in own}  # its coordinates are driven already
     own = _independent([[0 * one for one in row] if points.get(place) in idle else row for place, row in enumerate(derivatives)])

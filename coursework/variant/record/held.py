@@ -65,6 +65,14 @@ def held_vectors(variant: Variant) -> tuple[Formula, ...]:
     return tuple(dict.fromkeys([*loops, *paired]))
 
 
+def closed_parts(variant: Variant) -> list[Formula]:
+    """Return what closures keep zero, as scalars: both components of a vector equation."""
+    points = {name for name, _ in variant.points}
+    closures = [one for one in variant.constraints if one.is_closure]
+    both = [(one.difference, "xy" if _is_vector(one.left, points) or _is_vector(one.right, points) else "") for one in closures]
+    return [Formula("part", (gap,), axis) if axis else gap for gap, axes in both for axis in axes or [""]]
+
+
 def between_points(gap: Formula) -> tuple[str, str, Formula] | None:
     """Return two points and the vector from the first to the second, if a sum that stays zero holds them alone; else None."""
     parts = [*signed(gap)]
