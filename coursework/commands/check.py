@@ -9,13 +9,13 @@ from coursework.api import make_run, variant_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, tell_own_file, title_of
 from coursework.equations.reduction.cramer import cramer
-from coursework.mechanism.structure import axes_of_points, driven_freedoms
 from coursework.motion.geometry.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_joints
 from coursework.run import Run
 from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
+from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
@@ -33,7 +33,7 @@ def check_variant(variant: str) -> int:
     free = chosen.motor.rates if chosen.motor is not None else ()
     if chosen.sought:  # if forces move each link by itself, nothing is left to solve
         helping = {name for law in chosen.drive for formula in law.formulas for name in formula.names()}
-        helping -= {*chosen.rates, *axes_of_points(chosen)}
+        helping -= {*chosen.rates, *followed(chosen)}
         drives = sum(law.name not in helping for law in chosen.drive) - len(free)
         size = {"number": len(chosen.sought), "equations": len(equations.equations), "drives": drives}
         tell(say("screen.counts", **size, unknowns=", ".join(chosen.sought)))
@@ -84,7 +84,7 @@ def _tell_mobility(run: Run) -> None:
     if mobility is None:
         return
     sum_of = say("screen.mobility_sum", links=mobility.links, lower=mobility.lower_pairs, higher=mobility.higher_pairs)
-    drives = driven_freedoms(run.variant)
+    drives = len(run.variant.known_rates) + len(followed(run.variant))
     verdict = say("screen.driven", number=drives)
     joints: list[Sentence] = []
     if drives and mobility.degrees != drives:

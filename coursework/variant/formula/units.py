@@ -248,7 +248,7 @@ def unknown(text: str, unit: str, wanted: str = "", *, of_mass: bool = False) ->
     from coursework.variant.formula import mass_units
 
     if not (meant or of_mass) and plain_mass_unit(unit) in mass_units.UNITS:
-        meant = say("hint.mass", unit=unit)
+        meant = say("hint.mass", unit=unit, known=known_units())
     return say("fault.V109", found=found, hint=meant or say("hint.units", known=known_units(of_mass=of_mass)))
 
 
