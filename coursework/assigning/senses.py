@@ -6,6 +6,7 @@ Used by `sheet.py`.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -23,6 +24,7 @@ from coursework.report.text.words import Words
 from coursework.variant.formula.made import part_of_pi, summed
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, signed
 from coursework.variant.record.entries import Binding, Coordinate
+from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
@@ -41,10 +43,10 @@ def sense_rows(handout: Handout, words: Words) -> list[list[Runs]]:
         rows.append(((one.name, one.rate), *told))
     rates = {one.rate for one in variant.coordinates}
     rows += [((name,), *_velocity(variant, name, words)) for name in variant.velocities if name not in rates]
-    driven = [law.name for law in variant.drive if law.name in {f"V{variant.driven}x", f"V{variant.driven}y"}]
-    if driven:
-        ways = words("join.comma").join(words("sheet.sense.right" if name.endswith("x") else "sheet.sense.up") for name in driven)
-        rows.append((tuple(driven), words("sheet.sense.velocity", point=clean(variant.driven or "")), "", ways))
+    for point, laws in itertools.groupby(followed(variant).items(), lambda law: law[1][0]):
+        axes = {law: axis for law, (_, axis) in laws}
+        ways = words("join.comma").join(words(f"sheet.sense.{'right' if axis == 'x' else 'up'}") for axis in axes.values())
+        rows.append((tuple(axes), words("sheet.sense.velocity", point=clean(point)), "", ways))
     return [[_symbols(variant, names), *(lettered(variant, text) for text in told)] for names, *told in rows]
 
 

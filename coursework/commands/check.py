@@ -15,6 +15,7 @@ from coursework.results.checks.computed_right.equations import open_to_doubt, pr
 from coursework.run import Run
 from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
+from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
@@ -31,7 +32,10 @@ def check_variant(variant: str) -> int:
     equations, reduction = scene.equations, scene.reduction
     free = chosen.motor.rates if chosen.motor is not None else ()
     if chosen.sought:  # if forces move each link by itself, nothing is left to solve
-        size = {"number": len(chosen.sought), "equations": len(equations.equations), "drives": len(chosen.drive) - len(free)}
+        helping = {name for law in chosen.drive for formula in law.formulas for name in formula.names()}
+        helping -= {*chosen.rates, *followed(chosen)}
+        drives = sum(law.name not in helping for law in chosen.drive) - len(free)
+        size = {"number": len(chosen.sought), "equations": len(equations.equations), "drives": drives}
         tell(say("screen.counts", **size, unknowns=", ".join(chosen.sought)))
     if free:
         tell(say_count("dynamics.free", len(free), rates=", ".join(free)))
@@ -80,7 +84,7 @@ def _tell_mobility(run: Run) -> None:
     if mobility is None:
         return
     sum_of = say("screen.mobility_sum", links=mobility.links, lower=mobility.lower_pairs, higher=mobility.higher_pairs)
-    drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
+    drives = len(run.variant.known_rates) + len(followed(run.variant))
     verdict = say("screen.driven", number=drives)
     joints: list[Sentence] = []
     if drives and mobility.degrees != drives:

@@ -31,7 +31,7 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.system.angles import dot
 from coursework.variant.formula.tree import Formula, terms
-from coursework.variant.record.held import is_origin
+from coursework.variant.record.held import followed, is_origin
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 from coursework.words.sentences import joined, say, say_count
@@ -224,10 +224,9 @@ def _between(ends: tuple[complex, complex], at: complex) -> bool:
 def _driven_words(outline: Outline, variant: Variant) -> str:
     """Return a sentence on how arrows show the drives; drives without an arrow are named."""
     turned = tuple(rate for rate, _ in outline.cranks)
-    ways = {f"V{variant.driven}{axis}" for axis in "xy"}
-    laws = tuple(law.name for law in variant.drive if law.name not in {*variant.rates, *ways})
+    laws = tuple(law.name for law in variant.drive if law.name not in {*variant.rates, *followed(variant)})
     others = (*(rate for rate in variant.given_rates if rate not in turned), *laws)
-    told = [say("drawing.mechanism.driven", points=outline.driven)] if outline.driven else []
+    told = [say("drawing.mechanism.driven", points=(point,)) for point in outline.driven]
     told += [say_count("drawing.mechanism.turned", len(turned), rates=turned)] if turned else []
     told += [say("drawing.mechanism.given", rates=others)] if others else []
     return joined(told) if told else say("drawing.mechanism.free")

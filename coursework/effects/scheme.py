@@ -6,8 +6,8 @@ Used by `analysis.py` and `draft.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
 
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
 from coursework.mechanism.groups.joint import Joint
@@ -17,16 +17,19 @@ from coursework.mechanism.structure import Bodies, driven_freedoms, fitting_link
 from coursework.variant.formula.tree import Formula, named, number, signed
 from coursework.variant.record.entries import reached
 from coursework.variant.record.forces import DISC, POINT, ROD, Forces, Mass
+from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import closest, say
+from coursework.words.sentences import closest, joined, say
+
+Pairs = tuple[tuple[str, str], ...]
 
 
-def read_scheme(mechanism: Mechanism, instead: Forces | None = None) -> ForceScheme:
+def read_scheme(mechanism: Mechanism, instead: Forces | None = None, near: Callable[[], Pairs] | None = None) -> ForceScheme:
     """Return bodies and unknown forces, for the file's own masses or those given as `instead`.
 
-    Raises `InputError` with every fault of the masses.
+    Raises `InputError` with every fault of the masses; where a joint is missing, `near` gives the points that may be hinges.
     """
     variant, forces = mechanism.variant, instead or mechanism.variant.forces
     if forces is None:
@@ -36,7 +39,10 @@ def read_scheme(mechanism: Mechanism, instead: Forces | None = None) -> ForceSch
         mobility, drives = mechanism.mobility, driven_freedoms(variant)
         if mobility is None or not 0 < drives < mobility.degrees:
             raise InputError([Fault(say("fault.V722.none"), variant.file, 1)])
-        told = say("fault.V722.loose", degrees=mobility.degrees, drives=drives)
+        found_near = near() if near is not None else ()
+        pairs = joined(say("fault.meet.pair", one=one, other=other) for one, other in found_near)
+        meet = say("fault.meet.some", pairs=pairs) if found_near else "" if near is None else say("fault.meet.none")
+        told = say("fault.V722.loose", degrees=mobility.degrees, drives=drives, meet=meet)
         raise InputError(
             [Fault(told, variant.file, variant.nearest_line("links", variant.links[0].name) if variant.links else 1)]
         )
@@ -206,7 +212,7 @@ class _Reader:
             yield Unknown(f"N{_pair(off, on)}", on, off, contact, across)
 
     def drives(self) -> Iterator[Unknown]:
-        """Yield the unknowns of the drives: a couple for each driven rate, a force for a slide, two for a driven point."""
+        """Yield the unknowns of the drives: a couple for a driven rate, a force for a slide or for an axis of a driven point."""
         variant, rates, called = self.variant, self.bodies.rates(), self.bodies.called
         units = {c.rate: c.unit for c in variant.coordinates}
         several = len(variant.known_rates) > 1
@@ -225,13 +231,11 @@ class _Reader:
             else:
                 couple = Direction("couple")
                 yield Unknown(f"M{name if several else ''}", name, called[self.stands_on(body)], None, couple, rate)
-        if variant.driven:
-            holders = [body for body, points in self.bodies.points().items() if variant.driven in points and body != FRAME]
-            for axis in "xy":
-                velocity = f"V{variant.driven}{axis}"
-                if holders and any(law.name == velocity for law in variant.drive):
-                    name = f"F{variant.driven}{axis}"
-                    yield Unknown(name, called[holders[0]], FRAME, named(variant.driven), Direction(axis), velocity)
+        if self.bodies.linkage.mobility.degrees == driven_freedoms(variant):  # whatever [closure] says of them
+            variant = replace(variant, also_driven=tuple(point for point, _ in variant.points))
+        for velocity, (point, axis) in followed(variant).items():
+            if holders := [body for body, points in self.bodies.points().items() if point in points and body != FRAME]:
+                yield Unknown(f"F{point}{axis}", called[holders[0]], FRAME, named(point), Direction(axis), velocity)
 
     def arm(self, rate: str, name: str) -> Unknown:
         """Return the drive of a driven rate that belongs to no link, at the point of a link that it moves.

@@ -60,10 +60,10 @@ def fitting_linkage(mechanism: Mechanism) -> Linkage | None:
 def driven_freedoms(variant: Variant) -> int:
     """Return how many freedoms are driven: rates, and components of point velocities."""
     laws = {law.name for law in variant.drive}
-    return len(variant.known_rates) + len(laws.intersection(_axes(variant)))
+    return len(variant.known_rates) + len(laws.intersection(axes_of_points(variant)))
 
 
-def _axes(variant: Variant) -> dict[str, str]:
+def axes_of_points(variant: Variant) -> dict[str, str]:
     """Return the names of velocity components along the axes, such as VMx, mapped to their points."""
     return {f"V{name}{axis}": name for name, _ in variant.points for axis in "xy"}
 
@@ -93,7 +93,7 @@ class Bodies:
         is_chain = bool(self.linkage.coordinates)
         self.called = link_names(self.linkage, variant) if is_chain else {body: body for body in self.linkage.bodies}
         self.called[FRAME] = FRAME
-        laws, axes = {law.name for law in variant.drive}, _axes(variant)
+        laws, axes = {law.name for law in variant.drive}, axes_of_points(variant)
         self.driven = next((point for velocity, point in axes.items() if velocity in laws), "")
 
     def point(self, joint: Joint) -> str:
@@ -177,7 +177,7 @@ class Bodies:
         return [*((bodies, 2) for bodies in hinges.values()), *others]
 
     def _driven_bodies(self) -> list[str] | None:
-        """Return the body of each driven rate; None if a rate has no body, or if only one component of a point is driven."""
+        """Return the body of each driven rate; None if a rate has no body, or a point is not driven as a whole, alone."""
         variant, rates = self.mechanism.variant, self.rates()
         sliding = {link.name for link in variant.links if link.slides}
         found = []
@@ -186,8 +186,8 @@ class Bodies:
             if not bodies:
                 return None
             found.append(bodies[0])
-        halves = driven_freedoms(variant) - len(variant.known_rates)
-        return found if halves == (2 if self.driven else 0) else None
+        parts = [axes_of_points(variant)[law.name] for law in variant.drive if law.name in axes_of_points(variant)]
+        return found if parts == 2 * [self.driven] or not parts else None
 
     def _found(self) -> Iterator[tuple[tuple[str, ...], set[str]]]:
         """Yield the smallest sets of bodies that the placed ones and their drives leave no freedom, each with those placed."""

@@ -114,10 +114,25 @@ def test_links_that_share_no_hinge_are_told_as_that_and_not_as_missing(end, is_l
     text = mechanism("four-bar-by-its-points", ("[ask]", LINKS.replace("END", end)))
     run = coursework.solve(coursework.parse_variant(text, "bad.toml"))
     if is_loose:
-        with pytest.raises(coursework.InputError, match=r"V722 bad.toml:\d+ .*leave 3 freedoms where 1 are driven"):
+        told = r"V722 bad.toml:\d+ .*leave 3 freedoms where 1 are driven.* R and S lie in one place at the start: if they are one"
+        with pytest.raises(coursework.InputError, match=told):
             _ = run.results.forces
     else:
         assert run.results.forces.rows.count
+
+
+def test_a_joint_that_no_point_shows_is_not_looked_for_elsewhere():
+    """A link that an equation keeps from turning has no drive; with its rate in [drive] a moment holds it."""
+    held = '[coordinates]\nphi9 = { start = "0.3 rad", rate = "w9" }'
+    links = LINKS.replace("[frame]", '9 = { points = ["R", "X"], rate = "w9" }\n[frame]').replace("END", "R")
+    text = mechanism(
+        "four-bar-by-its-points", ("[ask]", links), ("[coordinates]", held), ("[points]", '[points]\nX = "R + 0.1 @ phi9"')
+    )
+    loop = ("a*w1*SIN(phi1) + b*w2*SIN(phi2) = c*w3*SIN(phi3)".replace("SIN", name) for name in ("sin", "cos"))
+    text += "".join(f'\n[[constraint]]\nequation = "{one}"' for one in ("w9 = 0", *loop))
+    run = coursework.solve(coursework.parse_variant(text, "bad.toml"))
+    with pytest.raises(coursework.InputError, match=r"V722 .*No two points of different links lie in one place at the start"):
+        _ = run.results.forces
 
 
 def test_units():

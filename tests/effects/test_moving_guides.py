@@ -1,10 +1,12 @@
 """A guide is part of a link only if it turns and shifts with it; start values measured on a drawing are no moving pins."""
 
 import math
+import re
 
 import pytest
 
 import coursework
+from tests.effects.massed import of_text
 
 BARS = """
 format = 1
@@ -114,7 +116,9 @@ def test_start_values_measured_on_a_drawing_leave_the_pins_in_their_links(start,
     if is_measured:
         assert {"VIRTUAL-POWER", "FORCE-ACCURACY"} <= {one.code for one in run.checks}
     else:
-        with pytest.raises(coursework.InputError, match=r"V735 own.toml:\d+  masses.3: point C does not stand still"):
+        with pytest.raises(
+            coursework.InputError, match=r"V735 own.toml:\d+  masses.3: .*or correct the start.*point C does not stand still"
+        ):
             _ = run.results.forces
 
 
@@ -160,3 +164,70 @@ def test_a_sleeve_turns_with_its_bar_whether_or_not_the_file_names_the_rate(rate
     with pytest.raises(coursework.InputError, match=r"V725 .*link 2 turns and has a mass, but no inertia"):
         bare = SLEEVE.replace('"E"]', f'"E"]{rate}').replace(', inertia = "0.01 kg*m^2"', "")
         _ = coursework.solve(coursework.parse_variant(bare)).results.forces
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "named"),
+    [
+        ("= 0.22*w3*cos", "= -0.22*w3*cos", "equation 2 does not fit how the links move at the start: "),
+        ("- 0.25*w2*sin", "- 0.25*w2*cos", "equation 1 does not fit "),
+        ("0.22*w3*", "0.32*w3*", "equations 1 and 2 do not fit "),
+        (
+            '["D", "C"], rate = "w3"',
+            '["D", "C"]',
+            "of the equations no geometry judges 1 and 2: look for a wrong sign there first",
+        ),
+    ],
+)
+def test_an_equation_that_no_position_judges_is_told_before_the_links(right, wrong, named):
+    """Points of the rocker are those of the frame and of the coupler: only its shape judges the equations."""
+    right_one = FOUR_BAR.replace("START", "70.2 deg")
+    assert of_text(right_one).reactions.names
+    text = right_one.replace(right, wrong)
+    if "rate" in right:
+        text = text.replace("= 0.22*w3*cos", "= -0.22*w3*cos")
+    with pytest.raises(coursework.InputError, match=rf"V735 .*: {named}.*, point C does not stand still"):
+        of_text(text)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "told"),
+    [
+        ("", "", "Signs are not checked"),
+        ("= 0.22*w3*cos", "= -0.22*w3*cos", "Equation 2 does not fit how the links move at the start: a sign is wrong there"),
+        ("0.22*w3*", "0.32*w3*", "Equations 1 and 2 do not fit how the links move at the start"),
+    ],
+)
+def test_without_forces_the_first_line_names_what_does_not_fit_the_links(right, wrong, told):
+    text = re.sub(r"\[masses\]\n.*\n", "", FOUR_BAR.replace("START", "70.2 deg").replace(', "forces"', ""))
+    assert coursework.solve(coursework.parse_variant(text.replace(right, wrong))).summary.startswith(told)
+
+
+def test_an_arm_that_grows_is_no_rigid_link():
+    """A bar swings and reaches: its length is a coordinate, its points are no shape; nothing gives its angle."""
+    text = """
+format = 1
+[given]
+n = "3 rad/s"
+[coordinates]
+s = { start = "0.5 m", rate = "u" }
+q = { start = "0.3 rad", rate = "w" }
+c = { start = "0.3 rad", rate = "wc" }
+[time]
+step = "0.01 s"
+end = "0.1 s"
+[[constraint]]
+equation = "wc = n"
+[[constraint]]
+equation = "u = 0.1*wc*cos(c)"
+[[constraint]]
+equation = "w = wc/2"
+[points]
+O = "(0, 0)"
+A = "O + s @ q"
+[links]
+1 = { points = ["O", "A"], rate = "w" }
+[frame]
+hinges = ["O"]
+"""
+    assert "does not fit" not in coursework.solve(coursework.parse_variant(text)).summary

@@ -3,8 +3,10 @@
 import re
 
 import pytest
+from click.testing import CliRunner
 
 import coursework
+from coursework.commands.cli import main
 
 FIVE_BAR = """
 format = 1
@@ -49,13 +51,14 @@ closure = "P = B + c @ gamma"
 AS_DRIVES = '[drive]\nwa = "n1"\nwd = "-2*n1*(1 + t/T)"\n'
 DRIVEN = coursework.parse_variant(FIVE_BAR + AS_DRIVES)
 PRECEDING = "n1 = wa", "wa - n1 = 0", "2*n1 - 2*wa = 0", "-wa = -n1", "wa/n1 = 1", "L*wa + d*n1 = L*n1 + d*n1"
+MORE = "wa + wa = 2*n1", "wa - n1 + 0*wd = 0", "0*wd + wa = n1", "L*wa - d*wa = (L - d)*n1", "3*(wa - n1)/L = 0"
 
 
 def written(*equations, text=FIVE_BAR):
     return coursework.parse_variant(text + "".join(f'[[constraint]]\nequation = "{one}"\n' for one in equations))
 
 
-@pytest.mark.parametrize("equation", ["wa = n1", *PRECEDING])
+@pytest.mark.parametrize("equation", ["wa = n1", *PRECEDING, *MORE])
 def test_a_rate_given_by_a_constraint_is_a_drive(equation):
     run, same = coursework.solve(written(equation, "0 = wd/2 + n1*(1 + t/T)")), coursework.solve(DRIVEN)
     assert run.variant.known_rates == same.variant.known_rates == ("wa", "wd")
@@ -108,3 +111,36 @@ def test_a_wheel_train_of_the_catalogue():
 def test_a_rate_times_nothing_is_refused_where_it_stands():
     with pytest.raises(coursework.InputError, match=r"V088 .*constraint 3: wd appears only beside 0"):
         written("wa = n1", "wd*0 = n1")
+
+
+def test_a_rate_given_twice_alike_is_driven_once():
+    run = coursework.solve(written("wa = n1", "wd = n1", "wa/2 = n1/2"))
+    assert run.variant.known_rates == ("wa", "wd")
+    assert run.table.equals(coursework.solve(written("wa = n1", "wd = n1")).table)
+
+
+@pytest.mark.parametrize("second", ["wa = 2*n1", "2*wa + n1 = 0"])
+def test_an_equation_against_a_drive_is_told_with_the_line_of_the_drive(second):
+    text = FIVE_BAR.replace("[coordinates]", '[drive]\nwa = "n1"\nwd = "n1"\n[coordinates]')
+    line = text.splitlines().index('wa = "n1"') + 1
+    with pytest.raises(coursework.InputError, match=rf"V403 .*Equation 2 contradicts the drive wa \(:{line}\)"):
+        coursework.solve(written(second, text=text)).table  # noqa: B018
+
+
+@pytest.mark.parametrize("equation", ["w1 = w0", "0 = 2*w0 - 2*w1"])
+def test_the_crank_of_a_chain_may_have_its_rate_in_a_constraint(equation):
+    text = coursework.load("example-1").path.read_text(encoding="utf-8").replace('w1 = "w0"\n', "")
+    assert coursework.solve(written(equation, text=text)).table.equals(coursework.solve("example-1").table)
+
+
+@pytest.mark.parametrize(("datum", "unit"), [("400 N", "N"), ("2 kg", "kg"), ("3 Nm", "Nm")])
+def test_a_unit_of_forces_is_told_where_it_is_read(datum, unit):
+    text = coursework.load("31").path.read_text(encoding="utf-8").replace("[drive]", f'F = "{datum}"\n[drive]', 1)
+    with pytest.raises(coursework.InputError, match=rf"V109 .*{unit} is read where the file has \[masses\]"):
+        coursework.parse_variant(text)
+
+
+def test_a_law_that_only_helps_is_no_drive(tmp_path):
+    text = FIVE_BAR.replace("[coordinates]", '[drive]\nhelp = "n1*(1 + 0.1*sin(n1*t))"\n[coordinates]')
+    (tmp_path / "own.toml").write_text(text + '[[constraint]]\nequation = "wa = help"\n[[constraint]]\nequation = "wd = n1"\n')
+    assert "drives: 2\n" in CliRunner().invoke(main, ["check", str(tmp_path / "own.toml")]).stdout

@@ -6,8 +6,9 @@ Used by `scene/quantities.py`, which computes it on request only.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property, partial
 
 import numpy as np
 
@@ -22,6 +23,8 @@ from coursework.effects.scheme import read_scheme
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.joints import FRAME
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.geometry.misfits import misfits
+from coursework.motion.geometry.rigid import may_be_hinges
 from coursework.motion.integration.motion import Motion
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.system.arrays import Array, Complex
@@ -29,7 +32,8 @@ from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
-from coursework.words.sentences import say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say, say_count
 
 # A point belongs to a link only if its velocity differs from the link's by less than this share of the largest speed: rounding in
 # a chain, which closes exactly, else what start values with two digits leave open.
@@ -132,8 +136,12 @@ def _unit_beside(name: str) -> str:
 
 def analyse(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, second: Array) -> ForceAnalysis:
     """Return the force analysis of a motion; `second` (n, k) are its accelerations."""
+
+    def near() -> tuple[tuple[str, str], ...]:
+        return may_be_hinges(equations, motion.coordinates[0].tolist())
+
     program: Program = equations.once(
-        ("forces", equations.variant.forces), lambda: compile_program(equations, read_scheme(mechanism))
+        ("forces", equations.variant.forces), lambda: compile_program(equations, read_scheme(mechanism, near=near))
     )
     rows = program.rows(equations, motion, second)
     _require_rigid(rows, equations)
@@ -150,18 +158,18 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
         (("masses", mass.body, "centre"), mass.body, centres[scheme.body_named(mass.body)]) for mass in scheme.forces.masses
     ]
     listed += [(("forces", load.name, "at"), load.on, load.at) for load in scheme.forces.loads if load.force is not None]
-    faults = []
+    faults, doubt = [], cache(partial(_doubt, rows, equations))
     for path, name, at in listed:
         body = scheme.by_name[scheme.body_named(name)]
         if at is None or not rows.count or _is_fixed(rows, body, scheme.own_point(name), at, share):
             continue
         line = scheme.forces.lines.get(path) or scheme.forces.lines.get(path[:2], 1)
         if path[0] == "forces":
-            told = say("fault.V732", name=body.name, held=", ".join(scheme.holds.get(body.name, ())))
+            told = say("fault.V732", name=body.name, held=", ".join(scheme.holds.get(body.name, ())), doubt=doubt())
         else:
-            told = say("fault.V731" if len(path) > 2 else "fault.V735", name=body.name, point=spelled(at))
+            told = say("fault.V731" if len(path) > 2 else "fault.V735", name=body.name, point=spelled(at), doubt=doubt())
         faults.append(Fault(told, variant.file, line, 0, ".".join(path)))
-    faults += [fault for one in scheme.unknowns if (fault := _moving_guide(rows, one, variant, share)) is not None]
+    faults += [fault for one in scheme.unknowns if (fault := _moving_guide(rows, one, variant, share, doubt)) is not None]
     if faults:
         raise InputError(faults)
 
@@ -174,7 +182,15 @@ def _is_fixed(rows: Rows, body: Body, own: Formula | None, at: Formula, share: f
     return _are_equal(rows, share, rows.vector(at, RATE), rows.vector(own, RATE) + turned, turned)
 
 
-def _moving_guide(rows: Rows, one: Unknown, variant: Variant, share: float) -> Fault | None:
+def _doubt(rows: Rows, equations: VelocityEquations) -> Sentence | str:
+    """Return that an equation is to be looked at first: one that does not fit the links, or else one that nothing judges."""
+    unjudged, unfit = misfits(equations, rows.motion.t, rows.motion.coordinates)
+    if unfit:
+        return say_count("fault.doubt.unfit", len(unfit), names=unfit)
+    return say("fault.doubt.unjudged", names=unjudged) if unjudged else ""
+
+
+def _moving_guide(rows: Rows, one: Unknown, variant: Variant, share: float, doubt: Callable[[], Sentence | str]) -> Fault | None:
     """Return the fault of a straight guide that turns or shifts otherwise than the link that carries it, else None."""
     angle, at = one.direction.angle, one.at
     if one.direction.kind != "across" or angle is None or at is None or not rows.count:
@@ -192,7 +208,7 @@ def _moving_guide(rows: Rows, one: Unknown, variant: Variant, share: float) -> F
     index = next((k for k, group in enumerate(variant.groups) if angle in [guide.angle for guide in group.guides]), None)
     line = variant.nearest_line("frame", "rails") if index is None else variant.nearest_line("group", index, "guide")
     pin = variant.groups[index].meets if index is not None else None
-    return Fault(say("fault.V736", name=one.off, point=pin or spelled(at)), variant.file, line)
+    return Fault(say("fault.V736", name=one.off, point=pin or spelled(at), doubt=doubt()), variant.file, line)
 
 
 def _are_equal(rows: Rows, share: float, found: Array | Complex, wanted: Array | Complex, *beside: Array | Complex) -> bool:

@@ -88,7 +88,7 @@ def outer_sum(own: ForceAnalysis) -> Array:
 
 def _sum(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     if not np.isfinite(own.reactions.rows).all():
-        return skipped(say("check.forces.none"))
+        return skipped(say("check.REACTIONS-SUM.skip"))
     left = np.abs(outer_sum(own)) / np.array([1.0, 1.0, own.rows.length])
     largest = own.reactions.largest
     if not largest:
@@ -176,7 +176,8 @@ def _condition(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     if not np.isfinite(condition).any():
         names = tuple(n for n, column in zip(own.reactions.names, own.reactions.rows.T, strict=True) if np.isnan(column).any())
         unknowns, equations = len(own.reactions.names), int(own.reactions.matrix.shape[1])
-        return skipped(say("check.FORCE-CONDITION.redundant", names=names, number=unknowns, count=equations))
+        told = say("check.FORCE-CONDITION.redundant", names=names, number=unknowns, count=equations)
+        return Finding("SKIP", told, unjudged=say("summary.reactions", number=len(names), all=unknowns))
     row = int(np.argmax(condition)) + 1
     digits = floored(max(0.0, _ALL_DIGITS - float(np.log10(condition.max()))), 1) if np.isfinite(condition.max()) else 0.0
     good = digits >= LEAST_DIGITS

@@ -19,7 +19,7 @@ from coursework.equations.reduction.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, on_axes, spelled
-from coursework.variant.record.held import closed_loops, unit_of
+from coursework.variant.record.held import closed_loops, followed, unit_of
 from coursework.variant.record.variant import Constraint, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -159,10 +159,8 @@ def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> l
 
 
 def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ...]:
-    kept = []
-    if variant.driven:
-        point = symbols.vectors[variant.driven]
-        kept = [Position(f"{variant.driven}.{a}", e, f"V{variant.driven}{a}") for a, e in zip("xy", point, strict=True)]
+    parts = followed(variant).items()
+    kept = [Position(f"{point}.{axis}", symbols.vectors[point]["xy".index(axis)], law) for law, (point, axis) in parts]
     for index, (formula, closes) in enumerate(zip(variant.holds, closed_loops(variant), strict=True), start=1):
         plain = formula.op == "part" and formula.args[0].op == "name"
         name = f"{formula.args[0].name}.{formula.name}" if plain else say("place.hold", index=index)

@@ -168,14 +168,16 @@ def _fault(
     unknowns, drive = equations.unknowns, equations.variant.drive
     counts = {"count": len(unknowns), "unknowns": ", ".join(unknowns), "rows": len(rows)}
     sentences: list[Sentence] = []
-    driven, written = tuple(law.name for law in drive), {one.name for one in equations.equations if one.written}
-    if conflicts and len(drive) > 1 and not any({name, *others} & written for name, others, _ in conflicts):
+    driven, written = tuple(law.name for law in drive), {one.name: one.written for one in equations.equations if one.written}
+    if conflicts and len(drive) > 1 and not any({name, *others} & written.keys() for name, others, _ in conflicts):
         freedom = max(0, len(drive) - len(conflicts))  # all equations are those of the geometry: none of them is wrong
         sentences.append(say_count("equation.too_many_drives", freedom, drive=driven))
     elif conflicts:
         for name, others, gap in conflicts:
-            key = "together" if len(others) > 1 else "one" if others else "nothing"
-            sentences.append(say(f"equation.contradicts.{key}", name=name, others=tuple(others), gap=abs(gap)))
+            laws = [rate for rate in equations.variant.known_rates if any(rate in side.names() for side in written.get(name, ()))]
+            key = "together" if len(others) > 1 else "one" if others else "drive" if laws else "nothing"
+            listed = others or [f"{law} (:{equations.variant.nearest_line('drive', law)})" for law in laws]
+            sentences.append(say(f"equation.contradicts.{key}", name=name, others=tuple(listed), gap=abs(gap)))
         if len(kept) < len(unknowns):  # without one of them, or with fewer drives, even more would be missing
             sentences.append(say("equation.correct_one"))
         else:

@@ -99,7 +99,7 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     theirs; the written rows that are left must not contradict each other.
     """
     _require_free(equations, times, positions)
-    written = [equation for equation in equations.equations if equation.written]
+    written = [equation for equation in equations.equations if equation.written and equation.coefficients]
     derived = given_by_geometry(equations)
     first = len(derived)
     matrix, right, _ = compile_system(equations, [*derived, *written]).matrices(times, positions)
@@ -120,9 +120,12 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     known, axes = known[regular], np.eye(known.shape[2])
     follows = [gives(known, sound[regular, place, :-1]) for place in range(first, sound.shape[1])]
     unknown = [name for name, axis in zip(equations.unknowns, axes, strict=True) if not gives(known, axis)]
-    agreed = tuple(one.name for one, does in zip(written, follows, strict=True) if does)
+    agreed = [one.name for one in equations.equations if one.written and not one.coefficients]  # held against the drives
+    agreed += [one.name for one, does in zip(written, follows, strict=True) if does]
     rest = [one for one, does in zip(written, follows, strict=True) if not does]
-    return Agreement(agreed, tuple((one.name, tuple(name for name in unknown if name in one.coefficients)) for one in rest))
+    return Agreement(
+        tuple(agreed), tuple((one.name, tuple(name for name in unknown if name in one.coefficients)) for one in rest)
+    )
 
 
 def given_by_geometry(equations: VelocityEquations) -> list[VelocityEquation]:
@@ -173,12 +176,13 @@ def _clash(equations: VelocityEquations, derived: Sequence[VelocityEquation], ev
     return [Fault(say("fault.V320", names=names, sections=_sections(equations)), equations.variant.file, line)]
 
 
-def _sections(equations: VelocityEquations) -> tuple[str, str]:
+def _sections(equations: VelocityEquations) -> tuple[str, ...]:
     """Return the names of the sections of the file that describe its geometry."""
     if equations.from_closure:
         if ("closure",) in equations.variant.lines:
             return "[points]", "[closure]"
-        return "[points]", "[frame]" if equations.variant.holds else "[drive]"
+        variant = equations.variant
+        return "[points]", *(["[frame]"] if variant.holds else []), *(["[drive]"] if variant.driven else [])
     return "[points]", "[[group]]" if equations.variant.groups else "closure = …" if equations.positions else "[unknowns]"
 
 

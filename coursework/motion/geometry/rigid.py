@@ -8,20 +8,24 @@ A guide across the motion of its slider changes no column of the table, but draw
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.equations import VelocityEquations, differentiate
 from coursework.equations.reduction.system import compile_values
+from coursework.mechanism.mechanism import build
+from coursework.motion.geometry.agreement import agrees
 from coursework.motion.geometry.closed_start import OPEN, closed_start
-from coursework.motion.geometry.closure import Closure, largest_length
+from coursework.motion.geometry.closure import Closure, compile_closure, largest_length
 from coursework.motion.geometry.open_loops import with_closed_loops
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, evaluate, named, signed
+from coursework.variant.reading.implied_closure import with_implied_closure
 from coursework.variant.record.entries import Link, reached
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
@@ -36,9 +40,8 @@ _ROUND_OFF = 1e-9  # share of the largest length
 
 def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
     """Raise `InputError` if links or the frame contradict the points; with other data or another start they may do so."""
-    contradictory = len(closure.names) > len(closure.free)  # more is held than there are free coordinates: reported elsewhere
     variant = equations.variant
-    if contradictory or not (
+    if _contradictory(closure) or not (
         variant.links or variant.frame.rails or any(_may_move(name, variant) for name in variant.frame.hinges)
     ):
         return
@@ -47,6 +50,38 @@ def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
         near = with_closed_loops(closure)[0] or with_closed_loops(closure, OPEN * closure.scale)[0]
         if near is not None and _faults(equations, near):
             raise InputError(faults)
+
+
+def _contradictory(closure: Closure) -> bool:
+    """Return whether more is held than can be, so that the positions found satisfy none of it: reported elsewhere."""
+    if len(closure.names) <= len(closure.free):
+        return False
+    times, positions = closure.configurations
+    return bool(np.max(np.abs(closure.residual(times, positions, closure.targets(times)[0])[0])) > _ROUND_OFF * closure.scale)
+
+
+def require_hinges_at_rest(equations: VelocityEquations, closure: Closure) -> None:
+    """Raise `InputError` naming a hinge that the written equations move, if they agree with what is held without it.
+
+    Only where [closure] says nothing: there [frame] says what is held, and one wrong hinge keeps others from being held.
+    """
+    variant = equations.variant
+    if {("closure", "holds"), ("closure", "driven")} & variant.lines.keys() or not variant.holds:
+        return
+    hinges = variant.frame.hinges
+    for hinge in (name for name in hinges if _may_move(name, variant)):
+        frame = replace(variant.frame, hinges=tuple(name for name in hinges if name != hinge))
+        with suppress(InputError):
+            bare = with_implied_closure(replace(variant, driven=None, also_driven=(), holds=(), frame=frame))
+            others = differentiate(build(bare))
+            near = compile_closure(others, closure.start.tolist())
+            if near is not None and agrees(others, near):
+                seen = _seen(replace(others, variant=replace(bare, frame=variant.frame)), near)
+                if faults := [*seen.of_hinges()]:
+                    break
+    else:
+        return
+    raise InputError(faults)
 
 
 def bent_by_start(equations: VelocityEquations, closure: Closure) -> set[int]:

@@ -14,11 +14,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.equations.reduction.bound import Speed, Turn
-from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.bound import Turn
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.agreement import given_by_geometry, gives
 from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.misfits import row_of
 from coursework.system.arrays import Array
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -33,7 +34,7 @@ def require_turning(equations: VelocityEquations, closure: Closure) -> None:
         return
     times, positions = closure.configurations
     derived = given_by_geometry(equations)
-    rows = [_row(speed) for turn in turns for speed in (turn.found, turn.named, turn.grows)]
+    rows = [row_of(speed) for turn in turns for speed in (turn.found, turn.named, turn.grows)]
     matrix, right, _ = compile_system(equations, [*derived, *rows]).matrices(times, positions)
     known, asked = matrix[:, : len(derived)], matrix[:, len(derived) :]
     velocities = np.linalg.pinv(known) @ right[:, : len(derived), None]
@@ -50,11 +51,6 @@ def require_turning(equations: VelocityEquations, closure: Closure) -> None:
         faults += [fault] if fault is not None else []
     if faults:
         raise InputError(faults)
-
-
-def _row(speed: Speed) -> VelocityEquation:
-    """Return an equation whose residual (coefficients times velocities less the right side) is the given speed."""
-    return VelocityEquation("", "", dict(speed.coefficients), -speed.rest)
 
 
 def _of_link(

@@ -15,7 +15,7 @@ from coursework.equations.reduction.equations import VelocityEquation, VelocityE
 from coursework.motion.geometry.agreement import agrees, require_agreement
 from coursework.motion.geometry.closure import Closure, compile_closure
 from coursework.motion.geometry.open_loops import require_loops_closed
-from coursework.motion.geometry.rigid import require_rigid
+from coursework.motion.geometry.rigid import require_hinges_at_rest, require_rigid
 from coursework.motion.geometry.turning import require_turning
 from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, on_axes, signed
@@ -35,6 +35,7 @@ def judged(equations: VelocityEquations, closure: Closure | None) -> Closure | N
     try:
         found = require_agreement(equations, closure)
     except InputError:
+        require_hinges_at_rest(equations, closure)
         require_loops_closed(equations, closure)
         require_rigid(equations, closure)
         raise

@@ -20,6 +20,7 @@ from coursework.report.wording.data_meanings import coordinate_meanings, meaning
 from coursework.report.wording.sought import sought
 from coursework.variant.formula.tree import Formula, constant, terms
 from coursework.variant.record.entries import reached
+from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
@@ -102,15 +103,15 @@ def _task(context: PageContext) -> list[Part]:
 
 
 def _driven_laws(context: PageContext) -> list[Part]:
-    """Return the laws of the driven point, then those of other drives."""
+    """Return the laws of each driven point, then those of other drives."""
     variant = context.variant
-    of_point = tuple(law for law in variant.drive if law.name in {f"V{variant.driven}x", f"V{variant.driven}y"})
-    others = tuple(law for law in variant.drive if law not in of_point)
+    points = {law: point for law, (point, _) in followed(variant).items()}
     parts: list[Part] = []
-    if of_point:
-        parts += [Paragraph(context.say("drive.point", point=clean(variant.driven or ""))), *laws_shown(context, of_point)]
-    if others:
-        parts += [Paragraph(context.say("drive.besides" if of_point else "drive.rates")), *laws_shown(context, others)]
+    for point in dict.fromkeys(points.values()):
+        of_point = tuple(law for law in variant.drive if points.get(law.name) == point)
+        parts += [Paragraph(context.say("drive.point", point=clean(point))), *laws_shown(context, of_point)]
+    if others := tuple(law for law in variant.drive if law.name not in points):
+        parts += [Paragraph(context.say("drive.besides" if points else "drive.rates")), *laws_shown(context, others)]
     return parts
 
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import FRAME, Mobility
-from coursework.mechanism.structure import FIRST, read_structure
+from coursework.mechanism.structure import FIRST, axes_of_points, read_structure
 from coursework.mechanism.structure_record import AssurGroup, Member, Structure
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Facts, Part
@@ -136,7 +136,7 @@ def _freedoms(context: PageContext, found: Structure) -> str:
     """Return the sentence that all freedoms are driven or moved by forces, or why fewer are counted than driven."""
     variant = context.run.variant
     laws = [law.name for law in variant.drive]
-    drives = [name for name in laws if name in variant.known_rates or name in (f"V{found.driven}x", f"V{found.driven}y")]
+    drives = [name for name in laws if name in variant.known_rates or name in axes_of_points(variant)]
     values = {"drives": context.symbol_list(drives), **_letters(context)}
     if found.drives > found.mobility.degrees:
         return context.words("structure.passive", degrees=found.mobility.degrees, **values)

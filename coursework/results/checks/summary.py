@@ -49,19 +49,21 @@ def _instead(coarse: list[Finding]) -> str:
 def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sentence:
     judged = [finding for finding in findings if finding.verdict != "SKIP"]
     count = {"passed": sum(finding.verdict == "PASS" for finding in judged), "all": len(judged)}
-    unjudged = [finding.unjudged for finding in findings if finding.unjudged]
+    equations_first = sorted(findings, key=lambda finding: finding.code != "AGREEMENT")
+    unjudged = [finding.unjudged for finding in equations_first if finding.unjudged]
     failed = tuple(named(finding) for finding in judged if finding.verdict == "FAIL" and finding.code != "STOP")
     if failed:
         return say("summary.wrong", codes=failed, **count)
     if coarse := tuple(named(finding) for finding in judged if finding.verdict == "COARSE" and finding.code != "STOP"):
         rounded = say("summary.rounded", codes=coarse, **count)
         return joined([rounded, *(say("summary.besides", unjudged=one) for one in unjudged)])
+    beside = joined(unjudged, "join.semicolon")
     if any(finding.unjudged and finding.code == "AGREEMENT" for finding in findings):
-        return say("summary.right_but", unjudged=joined(reversed(unjudged), "join.semicolon"))
+        return say("summary.right_but", unjudged=beside)
     if any(finding.code == "STOP" and finding.verdict != "PASS" for finding in judged):
         reached = {"passed": count["passed"], "all": count["all"] - 1}  # its stop has been reported before
         return say("summary.right_to_stop", **reached) if reached["all"] else say("summary.no_rows")
-    return say("summary.right_beside", unjudged=unjudged[0], **count) if unjudged else say("summary.right", **count)
+    return say("summary.right_beside", unjudged=beside, **count) if unjudged else say("summary.right", **count)
 
 
 def _scale(sentence: object) -> dict[str, object]:

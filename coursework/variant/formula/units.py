@@ -113,11 +113,10 @@ def read_mass(text: str | int | float, wanted: str = "") -> Quantity:
 
 def plain_mass_unit(unit: str) -> str:
     """Return a unit in the spelling of the tables, if it is one of theirs: "N·m" and "Nm" become N*m."""
-    from coursework.variant.formula.mass_units import LATIN_OF, WITHOUT_SIGN
-    from coursework.variant.formula.mass_units import UNITS as WITH_MASS
+    from coursework.variant.formula import mass_units
 
     plain = plain_unit(unit).replace("·", "*").replace("⋅", "*").replace("×", "*")
-    return WITHOUT_SIGN.get(plain) or _in_one_script(plain, WITH_MASS, LATIN_OF)
+    return mass_units.WITHOUT_SIGN.get(plain) or _in_one_script(plain, mass_units.UNITS, mass_units.LATIN_OF)
 
 
 def is_mass_quantity(text: str) -> bool:
@@ -246,6 +245,10 @@ def unknown(text: str, unit: str, wanted: str = "", *, of_mass: bool = False) ->
     meant = _nearest(unit, (wanted,) if wanted else tuple(KINDS))
     if wanted and not meant:
         return unlike(wanted, found)
+    from coursework.variant.formula import mass_units
+
+    if not (meant or of_mass) and plain_mass_unit(unit) in mass_units.UNITS:
+        meant = say("hint.mass", unit=unit, known=known_units())
     return say("fault.V109", found=found, hint=meant or say("hint.units", known=known_units(of_mass=of_mass)))
 
 

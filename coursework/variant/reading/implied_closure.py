@@ -1,6 +1,6 @@
-"""What [frame] and [drive] hold, where a file has no [closure]: hinges rest, points stay on rails, a driven point moves.
+"""What [frame] and [drive] hold beside [closure] or without it: hinges rest, points stay on rails, driven points move.
 
-Enters: a `Variant` as its file has it.  Leaves: the same, with what is held.  Used by `reader.py`.
+Enters: a `Variant` as its file has it.  Leaves: the same, with what is held.  Used by `reader.py`, `rigid.py`.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
+from coursework.variant.record.held import closed_parts, followed
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
@@ -22,7 +23,7 @@ _INDEPENDENT = 1e-4  # a row of derivatives that differs less from the others, r
 
 
 def with_implied_closure(variant: Variant) -> Variant:
-    """Return the variant with the [closure] that its [frame] and [drive] say, if the file has no other position equation.
+    """Return the variant with points that its [drive] moves and, if its file holds nothing itself, with what its [frame] holds.
 
     What says nothing of its own at the start is left out; if a value is not known there, nothing is added.
 
@@ -32,21 +33,29 @@ def with_implied_closure(variant: Variant) -> Variant:
     >>> bare.driven, [coursework.variant.formula.tree.spelled(hold) for hold in bare.holds]
     ('M', ['P.y'])
     """
-    if variant.driven or variant.holds or variant.groups or variant.motor or any(one.is_closure for one in variant.constraints):
+    if variant.driven or variant.groups or variant.motor:
         return variant
-    laws = {law.name for law in variant.drive}
-    driven = next((point for point, _ in variant.points if {f"V{point}x", f"V{point}y"} <= laws), None)
+    written = [*variant.holds, *closed_parts(variant)]
+    driven = [*followed(replace(variant, also_driven=tuple(point for point, _ in variant.points))).values()]
+    if written:  # [closure] names points that are driven along both axes, and no others
+        driven = [(point, axis) for point, axis in driven if [one for one, _ in driven].count(point) == 1]
+    held = [] if written else [*_held(variant)]
+    rows = [*written, *(_part(named(point), axis) for point, axis in driven), *(hold for _, hold in held)]
+    if not driven and not held:
+        return variant
     free = [one.name for one in variant.coordinates if one.rate not in variant.known_rates]
-    moved = [_part(named(driven), axis) for axis in "xy" if driven]
-    held = [*_held(variant)]
-    if not moved and not held:
-        return variant
-    derivatives = _derivatives(variant, [*moved, *(hold for _, hold in held)], free)
-    if len(_independent(derivatives[: len(moved)])) < len(moved):  # its coordinates are driven already
-        driven, moved, derivatives = None, [], derivatives[len(moved) :]
-    kept = [held[place - len(moved)] for place in _independent(derivatives) if place >= len(moved)]
+    derivatives = _derivatives(variant, rows, free)
+    points = dict(enumerate((point for point, _ in driven), start=len(written)))
+    own = _independent(derivatives)
+    idle = {point for place, point in points.items() if place not in own}  # its coordinates are driven already
+    own = _independent([[0 * one for one in row] if points.get(place) in idle else row for place, row in enumerate(derivatives)])
+    found = [*dict.fromkeys(points[place] for place in own if place in points)]
+    kept = [held[place - len(rows)] for place in own if place >= len(rows) - len(held)]
     lines: dict[KeyPath, int] = {("closure", "holds", place): variant.nearest_line(*path) for place, (path, _) in enumerate(kept)}
-    return replace(variant, driven=driven, holds=tuple(hold for _, hold in kept), lines={**variant.lines, **lines})
+    return replace(
+        variant, driven=next(iter(found), None), also_driven=tuple(found[1:]),
+        holds=variant.holds or tuple(hold for _, hold in kept), lines={**variant.lines, **lines},
+    )  # fmt: skip
 
 
 def _held(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:

@@ -107,7 +107,8 @@ def _build(source: Source, name: str, path: Path | None, judge: Judge | None = N
     slips = () if doubtful else dimensions.faults  # a name with two meanings has two dimensions
     if not doubtful:
         told, broken = {fault.line for fault in parts.faults}, Broken(parts.broken)
-        found = faults_of_the_whole(variant, source, parts.times, broken)
+        driven = replace(variant, drive=with_driven_rates(variant).drive)
+        found = faults_of_the_whole(driven, source, parts.times, broken)
         # A datum with a wrong unit spoils values at t = 0; but a fault in the line of the slip itself says more than the slip.
         found += [f for f in faults_at_start(variant, source, broken) if not slips or f.line in {slip.line for slip in slips}]
         parts.faults += [fault for fault in found if fault.line not in told]

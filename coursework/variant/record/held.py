@@ -1,6 +1,6 @@
-"""What [closure] holds: the unit of an expression, which expressions can only be zero, and which are two sides of a vector.
+"""What [closure] holds: points that follow a drive, units of expressions, which can only be zero, which are parts of a vector.
 
-Enters: a `Variant`.  Leaves: units, flags.  Used by `equations.py`, `changes.py`, `gaps.py` and `drift.py`.
+Enters: a `Variant`.  Leaves: units, flags.  Used by `equations.py`, `changes.py`, `gaps.py`, `drift.py` and by `scheme.py`.
 """
 
 from __future__ import annotations
@@ -15,6 +15,13 @@ from coursework.variant.record.variant import Variant
 
 MOST_PAIRED = 40  # scalars among which components of one vector are looked for; every pair is tried
 POWERS = {2: "m²", 3: "m³", 4: "m⁴"}  # units of position equations in products of lengths
+
+
+def followed(variant: Variant) -> dict[str, tuple[str, str]]:
+    """Return the laws of [drive] that points follow, each with its point and its axis: VMx of M along x."""
+    laws = {law.name for law in variant.drive}
+    parts = {f"V{point}{axis}": (point, axis) for point in filter(None, (variant.driven, *variant.also_driven)) for axis in "xy"}
+    return {law: part for law, part in parts.items() if law in laws}
 
 
 def closed_loops(variant: Variant) -> tuple[bool, ...]:
@@ -56,6 +63,14 @@ def held_vectors(variant: Variant) -> tuple[Formula, ...]:
     vectors = (with_arms(pair) for pair in both)
     paired = [vector for vector in vectors if all(moving.isdisjoint(part.names()) for part in vector.walk() if part.op == "pair")]
     return tuple(dict.fromkeys([*loops, *paired]))
+
+
+def closed_parts(variant: Variant) -> list[Formula]:
+    """Return what closures keep zero, as scalars: both components of a vector equation."""
+    points = {name for name, _ in variant.points}
+    closures = [one for one in variant.constraints if one.is_closure]
+    both = [(one.difference, "xy" if _is_vector(one.left, points) or _is_vector(one.right, points) else "") for one in closures]
+    return [Formula("part", (gap,), axis) if axis else gap for gap, axes in both for axis in axes or [""]]
 
 
 def between_points(gap: Formula) -> tuple[str, str, Formula] | None:

@@ -126,6 +126,7 @@ class Variant:
     before: Variant | None = field(default=None, repr=False, compare=False)  # whose start its `start_guess` are
     texts: Mapping[str, Texts] = field(default_factory=dict, repr=False, compare=False)
     bindings: tuple[Binding, ...] = ()
+    also_driven: tuple[str, ...] = ()  # points that follow laws beside `driven`
     forces: Forces | None = field(default=None, repr=False)
 
     @property
@@ -174,8 +175,7 @@ class Variant:
     @property
     def sought(self) -> tuple[str, ...]:
         """Return the unknown velocities: rates not driven, then [unknowns]."""
-        known = set(self.known_rates)
-        return (*(rate for rate in self.rates if rate not in known), *(name for name, _ in self.unknowns))
+        return (*(rate for rate in self.rates if rate not in self.known_rates), *(name for name, _ in self.unknowns))
 
     @cached_property
     def columns(self) -> tuple[str, ...]:
@@ -231,7 +231,7 @@ class Variant:
 
     @property
     def velocities(self) -> tuple[str, ...]:
-        """Return the columns of the table after the coordinates: rates, then [unknowns]."""
+        """Return the rates, then [unknowns]."""
         return self.columns[len(self.coordinates) :]
 
     @cached_property

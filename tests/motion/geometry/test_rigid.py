@@ -130,3 +130,29 @@ def test_a_crank_does_not_grow_to_the_slider_whose_way_is_measured_from_its_pivo
 )  # fmt: skip
 def test_an_arm_is_one_vector_from_its_base(end, base, is_arm):
     assert _is_arm(parse(end, vectors=True), "A", parse(base, vectors=True)) is is_arm
+
+
+def bare31(hinges: str, *changes: tuple[str, str]) -> str:
+    text = coursework.load("31").path.read_text(encoding="utf-8").replace('driven = "M"', "").replace('holds  = ["C.y"]', "")
+    for right, wrong in (('hinges = ["D"]', f"hinges = {hinges}"), *changes):
+        assert right in text
+        text = text.replace(right, wrong)
+    return text
+
+
+@pytest.mark.parametrize("hinges", ['["D", "B"]', '["B", "D"]'])
+def test_only_the_hinge_is_named_that_the_equations_move(hinges):
+    """Without [closure] the frame says what is held: B held, nothing else can be, and the guide of P would lie across."""
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.solve(coursework.parse_variant(bare31(hinges))).compute()
+    (fault,) = caught.value.faults
+    assert fault.code == "V319" and "and B moves" in str(fault)
+
+
+def test_a_hinge_that_moves_is_named_where_more_is_held_than_is_free():
+    more = ('holds  = ["C.y"]', 'holds = ["C.y", "C.y + 2*C.y"]'), ('hinges = ["D"]', 'hinges = ["D", "B"]')
+    text = coursework.load("31").path.read_text(encoding="utf-8")
+    for right, wrong in more:
+        text = text.replace(right, wrong)
+    with pytest.raises(coursework.InputError, match=r"V319 .*and B moves"):
+        coursework.solve(coursework.parse_variant(text)).compute()

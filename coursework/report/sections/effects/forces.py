@@ -13,8 +13,10 @@ import numpy as np
 from coursework.drawing.force_plans.force_plans import ForcePlans, make_force_plans
 from coursework.drawing.force_plans.vectors import DIRECTION, KNOWN, SUPERSCRIPT, ForceVector, GroupPlan
 from coursework.drawing.paper.symbols import LOWERED
+from coursework.effects.force_scheme import drives_of
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.kinetostatics.flywheel import find_flywheel
+from coursework.mechanism.joints import FRAME
 from coursework.report.graphs.figures import drawn
 from coursework.report.graphs.force_graphs import force_graphs
 from coursework.report.sections.graphs import key
@@ -36,7 +38,8 @@ def forces(context: PageContext) -> list[Part]:
     if not found.rows.count:
         return []
     row = min(context.run.variant.time.row_of_check, found.rows.count) - 1
-    convention = context.lettered(context.words.sentences(_convention(context, found)))
+    told = [*_convention(context, found), *_between(context, found)]
+    convention = context.lettered(context.words.sentences(told))
     parts: list[Part] = [Paragraph(convention), _known(context, found, row)]
     if np.isfinite(found.reactions.rows).all():
         plans = make_force_plans(found, row)
@@ -78,6 +81,13 @@ def _sizes(rows: Array) -> Array:
     working = max(float(powers.max()), float(np.abs(np.diff(kinetic) / np.diff(t)).max(initial=0.0)))
     powers[powers <= _ROUND_OFF * working] = 0.0
     return largest
+
+
+def _between(context: PageContext, found: ForceAnalysis) -> Iterator[str]:
+    """Yield on which two links each drive acts that stands on no frame."""
+    for name, one in zip(found.drive_names, drives_of(found.rows.scheme), strict=True):
+        if FRAME not in {one.on, one.off}:
+            yield context.words("forces.between", name=name, on=one.on, off=one.off)
 
 
 def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:

@@ -18,7 +18,7 @@ from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, Verdict, percent, skipped
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, evaluate, spelled
-from coursework.variant.record.held import POWERS
+from coursework.variant.record.held import POWERS, followed
 from coursework.variant.record.places import lengths_of
 from coursework.words.sentences import joined
 
@@ -60,9 +60,10 @@ def drift(evidence: Evidence) -> Finding:
     if value < ROUND_OFF:
         sentence = evidence.say("check.DRIFT.same")
     else:
-        point, kind = evidence.variant.driven, verdict.lower()
+        law, kind = evidence.equations.positions[equation].target, verdict.lower()
+        point = followed(evidence.variant).get(law, ("",))[0]
         if verdict == "COARSE":
-            kind = "angle" if angles[equation] else "coarse_driven" if name in {f"{point}.x", f"{point}.y"} else kind
+            kind = "angle" if angles[equation] else "coarse_driven" if point else kind
         sentence = evidence.say(f"check.DRIFT.{kind}", **found, point=point)
     shown = evidence.say("unit.relative" if angles[equation] else "unit.of_the_shortest")
     return Finding(verdict, sentence, value, LIMIT, shown, name, row + 1, rows=lines)

@@ -30,6 +30,7 @@ from coursework.results.checks.evidence import LIMIT, NEAR_PERIOD, NO_ERROR, Evi
 from coursework.results.checks.result import Finding, percent, skipped
 from coursework.system.angles import whole_turns
 from coursework.system.frozen import frozen
+from coursework.variant.record.held import followed
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -217,8 +218,8 @@ def _not_back(evidence: Evidence, name: str, share: float, first: float, last: f
     if share <= RETURNS:
         return None
     variant = evidence.variant
-    is_of_point = variant.driven is not None and name in {f"V{variant.driven}x", f"V{variant.driven}y"}
-    unit = "m/s" if is_of_point else evidence.unit(name) if name in variant.columns else ""  # a drive may measure anything
+    # A drive may measure anything.
+    unit = "m/s" if name in followed(variant) else evidence.unit(name) if name in variant.columns else ""
     known = {"name": name, "unit": unit, "share": percent(share), "first": first, "last": last}
     sentence = evidence.say("check.PERIOD.period", period=evidence.period, **known)
     return Finding("FAIL", sentence, share, RETURNS, evidence.say("unit.of_the_scale"), name, None, first, last)

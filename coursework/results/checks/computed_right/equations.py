@@ -7,12 +7,14 @@ Velocities solved from an equation satisfy it whatever its signs: only the geome
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.proposal import proposals
 from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.misfits import misfits
 from coursework.motion.geometry.rigid import may_be_hinges
 from coursework.results.checks.evidence import Evidence, worst
 from coursework.results.checks.result import Finding, skipped
@@ -76,13 +78,23 @@ def agreement(evidence: Evidence) -> Finding:
     if not len(evidence.motion.t) and not _confirmed(evidence):  # a dead point at the start hides what the geometry gives
         return skipped(say("check.no_row"))
     if evidence.closure is not None and (doubt := open_to_doubt(evidence.closure)):
-        return Finding("SKIP", doubt[0], unjudged=doubt[1])
+        return _doubted(evidence, Finding("SKIP", doubt[0], unjudged=doubt[1]))
     if not _confirmed(evidence):
         joints = proposed_joints(evidence.equations, evidence.motion.coordinates[0].tolist())
         told = joined([say("check.AGREEMENT.no_geometry"), *joints])
-        return Finding("SKIP", told, headline=say("summary.no_geometry"))
+        return _doubted(evidence, Finding("SKIP", told, headline=say("summary.no_geometry")))
     whole = float(len(written))
     return Finding("PASS", say("check.AGREEMENT.pass", all=len(written)), whole, whole, say_count("unit.equations", len(written)))
+
+
+def _doubted(evidence: Evidence, found: Finding) -> Finding:
+    """Return the finding about equations that no position equation judges, with those first that do not fit the links."""
+    motion = evidence.motion
+    _, unfit = misfits(evidence.equations, motion.t, motion.coordinates) if len(motion.t) else ((), ())
+    if not unfit:
+        return found
+    told = say_count("check.AGREEMENT.unfit", len(unfit), names=unfit)
+    return replace(found, sentence=joined([told, found.sentence]), headline=told)
 
 
 def proposed_joints(equations: VelocityEquations, start: Sequence[float]) -> list[Sentence]:

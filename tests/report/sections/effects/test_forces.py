@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import coursework
 from coursework.report.sections.effects import forces as section
 from coursework.report.sections.effects.forces import (
     _clear,
@@ -23,7 +24,9 @@ from coursework.report.sections.effects.forces import (
     _told,
     _without_noise,
 )
-from tests.report.made import model_of, solved
+from tests.mechanisms.library import mechanism
+from tests.report.made import model_of, page_of, solved
+from tests.report.reading import html_text
 from tests.report.sections.verdict.test_conclusion import plain
 
 ROW, SPEED, CRANK, COUPLER, ROCKER, FRAME = 4, 10.0, 0.4, 1.0, 0.7, 1.2
@@ -239,3 +242,11 @@ def test_moments_are_taken_about_the_pin_where_it_has_no_letter(real: ModuleType
     """The ram's pin is no joint with a name: "Moments about , link 4"."""
     page = real.text_of(real.parts(solved("whitworth-forces", quantities=["table", "forces"]), "forces"))
     assert "Moments about the pin of link 4: what is known gives" in page and "about ," not in page
+
+
+def test_a_drive_between_two_links_is_said_to_act_on_both() -> None:
+    """The elbow of an arm is driven by a moment between upper arm and forearm, the shoulder from the frame."""
+    run = coursework.solve(coursework.parse_variant(mechanism("arm-driven-at-its-joints")), quantities=["table", "forces"])
+    page = html_text(page_of(model_of(run)))
+    assert "Mw2, the drive, acts between two links: on link 2 as listed, on link 1 the other way round." in page
+    assert page.count("acts between two links") == 1
