@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.causes.claims import Claim, Family, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned_back
 from coursework.grading.marking.table.causes.other_data import (
     other_columns,
@@ -59,7 +59,7 @@ def claims(
     if printed.closely:
         yield from shifted_rows(printed)
         yield from point_slipped(printed)
-    families: list[Callable[[TableUnderTest], Iterator[Claim]]] = [
+    families: list[Family] = [
         _schemes, _shifted_rows, _steps, partial(_velocities, apart=() if back is None else ("sign_drive",)),
         partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns, other_drive,
     ]  # fmt: skip
