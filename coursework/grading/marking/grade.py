@@ -6,7 +6,7 @@ Only "graded" and "graded-with-notes" carry a number: a format error is not a wr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any
@@ -24,7 +24,8 @@ from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned
 from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
-from coursework.grading.marking.table.causes.whole import AsMade, as_made, untold_points
+from coursework.grading.marking.table.causes.other_data import SLIPPED
+from coursework.grading.marking.table.causes.whole import as_made, fewer_decimals, untold_points
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.cut_off import with_the_rest
 from coursework.grading.marking.table.earning import best_rule
@@ -41,9 +42,6 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     from coursework.grading.marking.force_columns import ForceColumns
 
-# A last place larger by up to this factor counts as fine enough: one decimal in degrees (0.0017 rad) as three in radians.
-# From the second factor on, what a whole table was made with is looked for: the decimals asked do not show each cell of it.
-_FEWER, _AS_ASKED = 2.0, 0.5
 # With this share of the points, no other reading of a table is marked.
 _BY_FAR = 0.9
 GRADED = ("graded", "graded-with-notes")
@@ -189,7 +187,9 @@ class Marker:
             key = "unread_place" if line.place else "unread_line"
             status, reason = "needs-review", say(f"reading.review.{key}", line=line.line, place=line.where, text=line.text[:80])
         clockwise = (note("clockwise"),) if back or (equations and equations.turned) else ()
-        notes = (*work.notes, *clockwise, *(equations.notes if equations else ()), *self._notes(table), *notes)
+        slipped = table and table.misconception and table.misconception.code.endswith(SLIPPED)
+        read = [one for one in work.notes if not slipped or one.code != "turns"]  # numbers ten times too large are no turns
+        notes = (*read, *clockwise, *(equations.notes if equations else ()), *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
         return Grade(status, shares, self.rubric, self.key, work, table, equations, answers, judged, notes, reason)
@@ -204,18 +204,20 @@ class Marker:
         return int((cells.counted & ~cells.wrong & ~cells.missing).sum())
 
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
-        """Return the marks of a table; digits that were cut off are put back."""
+        """Return the marks of a table; digits that were cut off are put back, unless that earns less."""
         cells = marked(self.key, student)
         if (whole := with_the_rest(self.key, cells)) is None:
             return self._marks(table, cells, equations)
-        found = self._marks(table, whole, equations)
         first = first_wrong(self.key, replace(cells, marks=whole.marks), table)  # told with the numbers as printed
-        return replace(found, first=first, cut_off=int((cells.wrong & ~whole.wrong).sum()))
+        count = int((cells.wrong & ~whole.wrong).sum())
+        found = replace(self._marks(table, whole, equations), first=first, cut_off=count)
+        others = [] if found.share >= _BY_FAR else [self._marks(table, cells, equations)]
+        return max([found, *others], key=lambda marks: marks.share)
 
     def _marks(self, table: Table, cells: Cells, equations: EquationMarks | None) -> TableMarks:
         told = cache(partial(self._claims, equations))
         points = points_of(self.key, cells, self.rubric.carried)
-        made = self._as_made(cells, told)
+        made = None if self.by_forces else as_made(self.key, cells, told)
         judged = marked(self.key, made.student) if made else cells
         found, hidden = Found(), None
         if not self.by_forces and looked_for(self.key, judged, points.cells):
@@ -233,13 +235,6 @@ class Marker:
 
     def _claims(self, equations: EquationMarks | None, student: StudentTable) -> list[Claim]:
         return [*claims(TableUnderTest(self.key, student), self.confusions, self.others, equations)]
-
-    def _as_made(self, cells: Cells, told: Callable[[StudentTable], list[Claim]]) -> AsMade | None:
-        """Return the table as the student's cause made it, if too few digits were printed to see the cause in each cell."""
-        by = _AS_ASKED if looked_for(self.key, cells, cells.marks.size) else _FEWER
-        if self.by_forces or not fewer_decimals(self.key, cells, by):
-            return None
-        return as_made(self.key, cells, told)
 
     def _forces(self, table: Table) -> ForceColumns | None:
         if not self.rubric.forces:
@@ -291,9 +286,3 @@ class Marker:
                 yield note("bit_identical")
         if self.key.stopped:
             yield note("dead_point", reason=self.key.stopped)
-
-
-def fewer_decimals(key: Key, cells: Cells, by: float = _FEWER) -> int:
-    """Return how many cells are shown, but with last places larger `by` this factor than those of the decimals asked for."""
-    with np.errstate(invalid="ignore"):
-        return int((~cells.missing & (cells.student.units > by * 10.0**-key.least_decimals)).sum())

@@ -27,8 +27,8 @@ def with_the_rest(key: Key, cells: Cells) -> Cells | None:
     """Return the table marked with what was cut off put back, except in cells that agree with the key as they are printed.
 
     Wrong cells must miss the key, or the velocity at their own angles, by little and on the side of what was cut off, few on the
-    other: more than slips can explain, or most of the right cells must lie on that side too; and few may stay wrong. Steps tell
-    nothing: both of their rows were cut off.
+    other, and few may stay wrong: more than slips can explain, or as many in a table right but for slips, of which most cells lie
+    on that side. Steps tell nothing: both of their rows were cut off.
     """
     student, slips = cells.student, max(FEWEST, FEWEST_SHARE * cells.marks.size)
     ways = [cells.way(KEY), cells.way(ANGLES)]
@@ -45,10 +45,11 @@ def with_the_rest(key: Key, cells: Cells) -> Cells | None:
         if not missed.any() or other.sum() > _FEW * missed.sum():
             continue
         lies, opposite = (on(by, ~cells.wrong, student.units).sum() for by in (side, -side))
-        if missed.sum() <= slips and lies <= _MOST * (lies + opposite):
+        few = missed.sum() <= slips
+        if few and lies <= _MOST * (lies + opposite):
             continue
         values = np.where(alike(key, student, key.table), student.values, student.values + side * student.units / 2)
         made = marked(key, replace(student, values=values))
-        if (made.wrong & missed).sum() <= _FEW * missed.sum():
+        if (made.wrong & missed).sum() <= _FEW * missed.sum() and not (few and made.wrong.sum() > slips):
             found.append(made)
     return min(found, key=lambda made: int(made.wrong.sum()), default=None)

@@ -27,6 +27,7 @@ from coursework.grading.marking.table.causes.other_drive import other_drive
 from coursework.grading.marking.table.causes.own_equations import equation_claims
 from coursework.grading.marking.table.causes.step_lengths import DEGREE, WHOLE, parts_of_step, told_step
 from coursework.grading.marking.table.starts import march
+from coursework.grading.marking.table.ways import HALF
 from coursework.motion.schemes import EULER, SCHEMES, Scheme
 from coursework.system.arrays import Array, shifted
 
@@ -38,7 +39,7 @@ OTHER_STEP, DEGREE_STEPS, STEPS_IN_DEGREES = "other_step", "degree_steps", "step
 # An implicit step is iterated at most so often, until it changes by less than _STANDS (rad or m).
 _REPEATED, _STANDS = 100, 1e-10
 Velocities = Callable[[Array, Array], Array]
-PI_ROUNDED, RADIAN_MODE = "pi_rounded", "radian_mode"
+PI_ROUNDED, RADIAN_MODE, NO_VELOCITIES = "pi_rounded", "radian_mode", "no_velocities"
 MISREAD = ("sign_drive", "cosine_drive", "degree_mode", "degree_drive", "degree_geometry", RADIAN_MODE, PI_ROUNDED)
 
 
@@ -53,6 +54,9 @@ def claims(
     `confusions` maps names of data to another value (from the rubric), `others` names of other variants to their tables
     (n, m + r); `equations` are those handed in.
     """
+    if np.nanmax(np.abs(printed.student.values[:, printed.m :]), initial=-1.0) == 0.0:
+        yield printed.claim(NO_VELOCITIES, None, (np.zeros_like(printed.w_units), HALF * printed.w_units))
+        return
     back = turned_back(printed.key, printed.student)
     if back is not None:
         yield replace(printed.claim("clockwise"), student=back)

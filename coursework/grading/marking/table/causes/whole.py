@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, Family, TableUnderTest
-from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, is_one_thing
+from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, is_one_thing, looked_for
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import share_of
@@ -27,6 +27,10 @@ from coursework.system.frozen import frozen
 # A cause must make at least _MOST of a table, _MORE more of it than agrees with the task, and _OF_REST of what does not: a slip
 # that is carried on leaves the key too, and other causes come near by chance.  To be named, a cause must make still more.
 _MOST, _MORE, _OF_REST = 0.7, 0.05, 0.6
+
+# A last place larger by up to this factor counts as fine enough: one decimal in degrees (0.0017 rad) as three in radians.
+# From the second factor on, what a whole table was made with is looked for: the decimals asked do not show each cell of it.
+_FEWER, _AS_ASKED = 2.0, 0.5
 
 
 @frozen
@@ -48,6 +52,9 @@ class AsMade:
 
 def as_made(key: Key, cells: Cells, told: Callable[[StudentTable], Iterable[Claim]]) -> AsMade | None:
     """Return the table as a cause makes it, None if none that is `told` makes most of it, clearly more than the key."""
+    by = _AS_ASKED if looked_for(key, cells, cells.marks.size) else _FEWER
+    if not fewer_decimals(key, cells, by):
+        return None
     spoken = cells.counted & ~cells.missing
     right = alike(key, cells.student, key.table)
     by_key = share_of(right & spoken, spoken)
@@ -100,3 +107,9 @@ def _may_be(cells: Cells, claim: Claim, spoken: Flags, right: Flags) -> bool:
     """Return whether most cells about which a claim speaks agree with it or the task: only then its whole table is computed."""
     says = spoken & np.isfinite(claim.expected)
     return share_of((near(cells.student.values, claim.expected, claim.tolerance) | right) & says, says) >= _MOST
+
+
+def fewer_decimals(key: Key, cells: Cells, by: float = _FEWER) -> int:
+    """Return how many cells are shown, but with last places larger `by` this factor than those of the decimals asked for."""
+    with np.errstate(invalid="ignore"):
+        return int((~cells.missing & (cells.student.units > by * 10.0**-key.least_decimals)).sum())
