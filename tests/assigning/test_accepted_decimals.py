@@ -13,8 +13,8 @@ import pytest
 import coursework
 from coursework.assigning.variants import Assignment, load_ranges
 from coursework.grading.batch.work import Setup, Task, VariantSource
-from coursework.grading.marking.grade import fewer_decimals
 from coursework.grading.marking.key.key import key_of
+from coursework.grading.marking.table.causes.whole import fewer_decimals
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.points import table_points
 from coursework.grading.reading.submission import Submission

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,18 +18,19 @@ from coursework.grading.marking.blank import empty_table
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric, rounded_points
-from coursework.grading.marking.student_table import student_of, with_given
+from coursework.grading.marking.student_table import is_the_key, student_of, with_given
 from coursework.grading.marking.table.by_rows import marked, points_of
-from coursework.grading.marking.table.causes.claims import TableUnderTest
+from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned
 from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
-from coursework.grading.marking.table.causes.whole import AsMade, as_made, untold_points
+from coursework.grading.marking.table.causes.other_data import SLIPPED
+from coursework.grading.marking.table.causes.whole import as_made, fewer_decimals, untold_points
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.cut_off import with_the_rest
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import first_wrong
-from coursework.grading.marking.table.ways import HALF, StudentTable
+from coursework.grading.marking.table.ways import StudentTable
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
@@ -40,11 +42,8 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     from coursework.grading.marking.force_columns import ForceColumns
 
-# Two programs that compute the same table in another order differ in the decimals beyond this place (SI).
-_COPIED = 1e-13
-# A last place larger by up to this factor counts as fine enough: one decimal in degrees (0.0017 rad) as three in radians.
-# From the second factor on, what a whole table was made with is looked for: the decimals asked do not show each cell of it.
-_FEWER, _AS_ASKED = 2.0, 0.5
+# With this share of the points, no other reading of a table is marked.
+_BY_FAR = 0.9
 GRADED = ("graded", "graded-with-notes")
 
 
@@ -152,13 +151,15 @@ class Marker:
         self._kept: dict[bytes, tuple[str, ...]] = {}
 
     def grade(self, work: StudentWork) -> Grade:
-        """Return the grade of one submission; a table whose times are not the task's also counts with its rows in order."""
-        found = self._grade(work)
-        if work.table is None or (other := work.table.in_order) is None:
+        """Return the grade of one submission; a table whose times are not the task's may count in order, if more is right so."""
+        in_order = work.table and work.table.in_order
+        if not work.table or not in_order or self._right(in_order) <= self._right(work.table):
+            return self._grade(work)
+        notes = (*in_order.notes, *(one for one in work.notes if one not in work.table.notes))
+        found = self._grade(replace(work, table=in_order, notes=notes))
+        if (found.parts["table"] or 0.0) >= _BY_FAR:
             return found
-        notes = (*other.notes, *(one for one in work.notes if one not in work.table.notes))
-        in_order = self._grade(replace(work, table=other, notes=notes))
-        return max(found, in_order, key=lambda grade: grade.parts["table"] or 0.0)
+        return max(found, self._grade(work), key=lambda grade: grade.parts["table"] or 0.0)
 
     def _grade(self, work: StudentWork) -> Grade:
         student = student_of(self.key, work.table) if work.table else None
@@ -186,7 +187,9 @@ class Marker:
             key = "unread_place" if line.place else "unread_line"
             status, reason = "needs-review", say(f"reading.review.{key}", line=line.line, place=line.where, text=line.text[:80])
         clockwise = (note("clockwise"),) if back or (equations and equations.turned) else ()
-        notes = (*work.notes, *clockwise, *(equations.notes if equations else ()), *self._notes(table), *notes)
+        slipped = table and table.misconception and table.misconception.code.endswith(SLIPPED)
+        read = [one for one in work.notes if not slipped or one.code != "turns"]  # numbers ten times too large are no turns
+        notes = (*read, *clockwise, *(equations.notes if equations else ()), *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
         return Grade(status, shares, self.rubric, self.key, work, table, equations, answers, judged, notes, reason)
@@ -195,41 +198,43 @@ class Marker:
         marks = None if work.equations is None or self.by_forces else self.judge.mark(work.equations, turning=turning)
         return marks if marks and marks.marks else None
 
+    def _right(self, table: Table) -> int:
+        """Return how many cells of a table are right."""
+        cells = marked(self.key, student_of(self.key, table))
+        return int((cells.counted & ~cells.wrong & ~cells.missing).sum())
+
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
-        """Return the marks of a table; digits that were cut off are put back if it earns more with them."""
+        """Return the marks of a table; digits that were cut off are put back, unless that earns less."""
         cells = marked(self.key, student)
-        found = self._marks(table, cells, equations)
         if (whole := with_the_rest(self.key, cells)) is None:
-            return found
+            return self._marks(table, cells, equations)
+        first = first_wrong(self.key, replace(cells, marks=whole.marks), table)  # told with the numbers as printed
         count = int((cells.wrong & ~whole.wrong).sum())
-        other = self._marks(table, whole, equations)
-        first = first_wrong(self.key, replace(cells, marks=other.cells.marks), table)  # told with the numbers as printed
-        return replace(other, first=first, cut_off=count) if other.share > found.share else found
+        found = replace(self._marks(table, whole, equations), first=first, cut_off=count)
+        others = [] if found.share >= _BY_FAR else [self._marks(table, cells, equations)]
+        return max([found, *others], key=lambda marks: marks.share)
 
     def _marks(self, table: Table, cells: Cells, equations: EquationMarks | None) -> TableMarks:
+        told = cache(partial(self._claims, equations))
         points = points_of(self.key, cells, self.rubric.carried)
-        made = self._as_made(cells, equations)
+        made = None if self.by_forces else as_made(self.key, cells, told)
         judged = marked(self.key, made.student) if made else cells
         found, hidden = Found(), None
         if not self.by_forces and looked_for(self.key, judged, points.cells):
             hidden = self._hidden(judged.student)
-            found = self._explained(judged, equations)
+            again = made.claims(self.key) if made and made.named else told(judged.student)
+            found = explanations(self.key, judged, again, hidden, equations)
             points = points_of(self.key, judged, self.rubric.carried, found.untold)
         points = untold_points(cells, points, judged, self.rubric.carried) if made else points
         earned = best_rule(self.key, self.rubric, judged, points, found, self.others)
         first = first_wrong(self.key, cells, table)
-        named = (made.named or self._explained(cells, equations).named) if made else found.named
+        named = made.named if made else found.named
+        if made and not named:
+            named = explanations(self.key, cells, told(cells.student), self._hidden(cells.student), equations).named
         return TableMarks(table, cells, points, first, named, earned, hidden, self._forces(table), found.own_line)
 
-    def _explained(self, cells: Cells, equations: EquationMarks | None) -> Found:
-        return explanations(self.key, cells, self.confusions, self.others, self._hidden(cells.student), equations)
-
-    def _as_made(self, cells: Cells, equations: EquationMarks | None) -> AsMade | None:
-        """Return the table as the student's cause made it, if too few digits were printed to see the cause in each cell."""
-        if self.by_forces or not fewer_decimals(self.key, cells, _AS_ASKED):
-            return None
-        printed = TableUnderTest(self.key, cells.student)
-        return as_made(self.key, cells, claims(printed, self.confusions, self.others, equations))
+    def _claims(self, equations: EquationMarks | None, student: StudentTable) -> list[Claim]:
+        return [*claims(TableUnderTest(self.key, student), self.confusions, self.others, equations)]
 
     def _forces(self, table: Table) -> ForceColumns | None:
         if not self.rubric.forces:
@@ -277,22 +282,7 @@ class Marker:
             if cells.computed_to is not None:
                 yield note("coarse_work", decimals=cells.computed_to)
             yield from table.forces.notes() if table.forces else ()
-            if _is_the_key(cells.student, self.key):
+            if is_the_key(self.key, cells.student):
                 yield note("bit_identical")
         if self.key.stopped:
             yield note("dead_point", reason=self.key.stopped)
-
-
-def fewer_decimals(key: Key, cells: Cells, by: float = _FEWER) -> int:
-    """Return how many cells are shown, but with last places larger `by` this factor than those of the decimals asked for."""
-    with np.errstate(invalid="ignore"):
-        return int((~cells.missing & (cells.student.units > by * 10.0**-key.least_decimals)).sum())
-
-
-def _is_the_key(student: StudentTable, key: Key) -> bool:
-    """Return whether a table equals the key in every digit and has more digits than two programs would share."""
-    if np.array_equal(student.values, key.table):
-        return True
-    if np.isnan(student.units).any() or np.max(student.units) > _COPIED:
-        return False
-    return bool(np.all(np.abs(student.values - key.table) <= HALF * student.units + np.spacing(np.abs(key.table))))

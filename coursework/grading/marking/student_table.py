@@ -12,9 +12,12 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.ways import OwnRows, StudentTable
+from coursework.grading.marking.table.ways import HALF, OwnRows, StudentTable
 from coursework.grading.reading.student_work import Table
 from coursework.system.arrays import Array
+
+# Two programs that compute the same table in another order differ in the decimals beyond this place (SI).
+_COPIED = 1e-13
 
 
 def student_of(key: Key, table: Table) -> StudentTable:
@@ -49,6 +52,15 @@ def with_given(key: Key, student: StudentTable) -> StudentTable:
         values[rows, place] = key.given[key.names[place]]
         units[rows, place] = np.nanmin(student.units)
     return replace(student, values=values, units=units)
+
+
+def is_the_key(key: Key, student: StudentTable) -> bool:
+    """Return whether a table equals the key in every digit and has more digits than two programs would share."""
+    if np.array_equal(student.values, key.table):
+        return True
+    if np.isnan(student.units).any() or np.max(student.units) > _COPIED:
+        return False
+    return bool(np.all(np.abs(student.values - key.table) <= HALF * student.units + np.spacing(np.abs(key.table))))
 
 
 def _filled(key: Key, columns: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]], rows: int) -> tuple[Array, Array]:

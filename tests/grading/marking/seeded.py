@@ -14,11 +14,12 @@ import numpy as np
 
 import coursework
 from coursework.grading.marking.key.key import key_of
-from coursework.grading.marking.table.causes.misconceptions import explanations, looked_for
+from coursework.grading.marking.table.causes.misconceptions import looked_for
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.points import table_points
 from tests.grading.marking import students
+from tests.grading.marking.told import found_in
 
 SEED = 1995
 
@@ -54,7 +55,7 @@ def figures(count: int, decimals: tuple[int, ...] = (3, 4, 5)) -> Figures:
             table = students.MISCONCEPTIONS[truth]()
         cells = mark_cells(key, StudentTable(np.round(table, digits), np.full(table.shape, 10.0**-digits)))
         points = table_points(key, cells)
-        named = explanations(key, cells).named if looked_for(key, cells, points.cells) else None
+        named = found_in(key, cells).named if looked_for(key, cells, points.cells) else None
         count_one(found, truth, cells, named, first_wrong(key, cells), key)
     return found
 

@@ -6,9 +6,9 @@ import pytest
 import coursework
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes.clockwise import turned_back
-from coursework.grading.marking.table.causes.misconceptions import explanations
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.variant.catalogue import names
+from tests.grading.marking.told import found_in
 from tests.sample import sampled
 
 BY_FORCES = ("example-2-motor", "falling-arm")  # marked by rows: tests/effects/test_graded_tables.py
@@ -46,7 +46,7 @@ def test_a_wrong_table_is_looked_into_whatever_the_variant_is_written_with(name)
     """A crank of variable length has no equation without a term that has no name."""
     key = key_of(coursework.load(name))
     table = key.table + 0.3 * np.sin(np.arange(key.table.size)).reshape(key.table.shape)
-    explanations(key, mark_cells(key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4))))
+    found_in(key, mark_cells(key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4))))
 
 
 @pytest.mark.parametrize("name", ["cardan", "epicyclic", "example-2"])

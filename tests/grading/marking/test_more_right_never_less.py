@@ -8,7 +8,7 @@ import pytest
 
 from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.causes.misconceptions import Found, explanations, looked_for
+from coursework.grading.marking.table.causes.misconceptions import Found, looked_for
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.points import ENOUGH_ROWS, FOLLOWING, table_points
@@ -19,6 +19,7 @@ from coursework.variant.formula.tree import Formula, spelled
 from tests.grading.marking import students
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.test_equal_faults import sign_faults, variants
+from tests.grading.marking.told import found_in
 from tests.sample import first
 
 PAIRS, MANY = 14, 1000
@@ -29,7 +30,7 @@ BLOWN_UP = 300
 def earned(desk, table, equations=None):
     cells = mark_cells(desk.key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4)))
     points = table_points(desk.key, cells)
-    found = explanations(desk.key, cells, equations=equations) if looked_for(desk.key, cells, points.cells) else Found()
+    found = found_in(desk.key, cells, equations=equations) if looked_for(desk.key, cells, points.cells) else Found()
     return best_rule(desk.key, Rubric(), cells, table_points(desk.key, cells, untold=found.untold), found, {}), cells
 
 

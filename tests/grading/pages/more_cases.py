@@ -226,6 +226,8 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "radians-added-to-degrees": {"table.csv": text(moved_by_radians(MACHINE), NAMES)},
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
         "point-slipped": files(np.hstack([10 * RIGHT[:, :3], RIGHT[:, 3:]])),
+        "each-point-slipped": files(10 * RIGHT),
+        "no-velocities": files(np.hstack([RIGHT[:, :3], 0 * RIGHT[:, 3:]])),
         "angles-a-row-late": files(np.hstack([RIGHT[[0, *range(24)], :3], RIGHT[:, 3:]])),
     }
     found |= {student: (handed, source, (), None) for student, handed in more.items()}

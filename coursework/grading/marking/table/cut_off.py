@@ -7,7 +7,6 @@ A number that was cut off lies up to a whole unit of its last place from the tru
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -16,34 +15,41 @@ from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.by_rows import marked
 from coursework.grading.marking.table.causes.misconceptions import FEWEST, FEWEST_SHARE
 from coursework.grading.marking.table.cells import Cells, alike
-from coursework.grading.marking.table.ways import Way, near
+from coursework.grading.marking.table.ways import ANGLES, KEY
 from coursework.system.arrays import Array, Flags
+
+# A wrong cell is a near miss up to so many tolerances; few of the near misses are this part of those on the side of what was cut
+# off; the part of all cells that lie on that side if digits were cut off: of rounded ones about half do.
+_NEAR, _FEW, _MOST = 2.0, 0.25, 0.75
 
 
 def with_the_rest(key: Key, cells: Cells) -> Cells | None:
     """Return the table marked with what was cut off put back, except in cells that agree with the key as they are printed.
 
-    More cells must be right with it, and no more than slips wrong: a table made by another rule is not explained so. Nor may more
-    than slips agree with the key with the opposite of it: a cell put right is none of these, and no other cell becomes one.
+    Wrong cells must miss the key, or the velocity at their own angles, by little and on the side of what was cut off, few on the
+    other, and few may stay wrong: more than slips can explain, or as many in a table right but for slips, of which most cells lie
+    on that side. Steps tell nothing: both of their rows were cut off.
     """
-    slips = max(FEWEST, FEWEST_SHARE * cells.marks.size)
-    student = cells.student
+    student, slips = cells.student, max(FEWEST, FEWEST_SHARE * cells.marks.size)
+    ways = [cells.way(KEY), cells.way(ANGLES)]
+    expected, tolerance = np.array([way.expected for way in ways]), np.array([way.tolerance for way in ways])
+
+    def on(side: Array, which: Flags, most: Array) -> Flags:
+        off = side * (expected - student.values)
+        return np.asarray((which & (off > 0) & (off <= most)).any(axis=0))
+
+    found = []
     toward_zero = np.where(student.values == 0, np.sign(key.table), np.sign(student.values))
-    found: list[tuple[int, Array]] = []
     for side in (toward_zero, np.ones_like(toward_zero)):
-        rest = side * student.units / 2
-        put_right, opposite = _right(cells, rest, cells.ways), _right(cells, -rest, cells.ways[:1])
-        if put_right.any() and opposite.sum() <= slips:
-            found.append((int(put_right.sum()) - int(opposite.sum()), rest))
-    if not found:
-        return None
-    _, rest = max(found, key=lambda one: one[0])
-    values = np.where(alike(key, student, key.table), student.values, student.values + rest)
-    made = marked(key, replace(student, values=values))
-    return made if made.wrong.sum() <= slips else None
-
-
-def _right(cells: Cells, rest: Array, ways: Sequence[Way]) -> Flags:
-    """Return which wrong cells are right in one of the ways once the `rest` (n, m + r) is put back."""
-    values = cells.student.values + rest
-    return np.asarray(np.any([near(values, way.expected, way.tolerance) for way in ways], axis=0) & cells.wrong)
+        missed, other = (on(by, cells.wrong, _NEAR * tolerance) for by in (side, -side))
+        if not missed.any() or other.sum() > _FEW * missed.sum():
+            continue
+        lies, opposite = (on(by, ~cells.wrong, student.units).sum() for by in (side, -side))
+        few = missed.sum() <= slips
+        if few and lies <= _MOST * (lies + opposite):
+            continue
+        values = np.where(alike(key, student, key.table), student.values, student.values + side * student.units / 2)
+        made = marked(key, replace(student, values=values))
+        if (made.wrong & missed).sum() <= _FEW * missed.sum() and not (few and made.wrong.sum() > slips):
+            found.append(made)
+    return min(found, key=lambda made: int(made.wrong.sum()), default=None)

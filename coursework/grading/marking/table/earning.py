@@ -13,7 +13,7 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
-from coursework.grading.marking.table.causes.hypotheses import PI_ROUNDED, RADIAN_MODE
+from coursework.grading.marking.table.causes.hypotheses import NO_VELOCITIES, PI_ROUNDED, RADIAN_MODE
 from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Fit, Found
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
@@ -21,7 +21,7 @@ from coursework.grading.marking.table.points import Earned, Rule, TablePoints, s
 from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
 
-_SLIPS = ("equation_", "sign_drive", "cosine_drive")
+_SLIPS = ("equation_", "sign_drive", "cosine_drive", NO_VELOCITIES)
 # Causes of a table that was worked out with fewer digits: velocities rounded before each step, π as 3.14; the worth of its cells.
 _COARSER, ROUNDED = (ROUNDED_OMEGA, PI_ROUNDED), 0.98
 

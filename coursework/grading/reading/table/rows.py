@@ -29,7 +29,7 @@ class Rows:
     `extra` counts rows of the file that match no row of the grid; `recovered` counts times that a spreadsheet had spoilt.
     If the student's time step differs from the grid's, `own` are the file's rows in the order of time and `own_step` is the step
     in s; otherwise they are () and 0.  `off_grid` is the first row of the file (from 0) whose time is not that of the row of the
-    grid at its place, with this time in s; None if there is none, or if every time is one of the grid's.
+    grid at its place, with this time in s; None if there is none.
     """
 
     of_grid: tuple[int | None, ...]
@@ -67,14 +67,13 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
 
 
 def in_order(rows: Rows, count: int) -> Rows:
-    """Return the rows of the grid filled in the order of the file, of `count` rows, whatever its times."""
-    of_grid = tuple(place if place < count else None for place in range(len(rows.of_grid)))
+    """Return the rows of the grid filled in the order of even times, else of the file, of `count` rows."""
+    order = rows.own or range(count)
+    of_grid = tuple(order[place] if place < len(order) else None for place in range(len(rows.of_grid)))
     return Rows(of_grid, False, max(count - len(of_grid), 0), 0, rows.time_unit)
 
 
 def _off_grid(times: Sequence[float], targets: Sequence[int | None]) -> tuple[int, float] | None:
-    if None not in targets and 0 in targets:
-        return None
     return next(((place, time) for place, time in enumerate(times) if targets[place] != place and math.isfinite(time)), None)
 
 

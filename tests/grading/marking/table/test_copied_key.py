@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.grading.marking.grade import _is_the_key
+from coursework.grading.marking.student_table import is_the_key
 
 TABLE = np.array([[1.0, 1 / 3], [0.5, -2 / 7]])
 
@@ -18,11 +18,11 @@ TABLE = np.array([[1.0, 1 / 3], [0.5, -2 / 7]])
 def test_a_table_printed_with_thirteen_decimals_and_right_in_each_is_the_key(decimals: int, off: float, is_key: bool) -> None:
     values = np.round(TABLE + np.array([[0.0, off], [0.0, 0.0]]), decimals)
     student = SimpleNamespace(values=values, units=np.full(TABLE.shape, 10.0**-decimals))
-    assert _is_the_key(student, SimpleNamespace(table=TABLE)) is is_key
+    assert is_the_key(SimpleNamespace(table=TABLE), student) is is_key
 
 
 def test_the_very_numbers_are_the_key_whatever_their_digits_and_a_cell_without_digits_is_no_print() -> None:
     key = SimpleNamespace(table=TABLE)
-    assert _is_the_key(SimpleNamespace(values=TABLE.copy(), units=np.full(TABLE.shape, np.nan)), key)
+    assert is_the_key(key, SimpleNamespace(values=TABLE.copy(), units=np.full(TABLE.shape, np.nan)))
     near = np.nextafter(TABLE, 2.0)
-    assert not _is_the_key(SimpleNamespace(values=near, units=np.full(TABLE.shape, np.nan)), key)
+    assert not is_the_key(key, SimpleNamespace(values=near, units=np.full(TABLE.shape, np.nan)))

@@ -113,15 +113,15 @@ def test_the_floor_of_own_equations_is_not_paid_to_a_table_that_stands_still():
 
 
 def test_a_table_of_the_key_s_own_digits_is_noted_as_a_copy_and_one_of_a_program_is_not():
-    from coursework.grading.marking.grade import _is_the_key
+    from coursework.grading.marking.student_table import is_the_key
 
     key = marker("31").key
     copied = StudentTable(np.round(key.table, 14), np.full(key.table.shape, 1e-14))
-    assert _is_the_key(copied, key)
+    assert is_the_key(key, copied)
     own = key.table.copy()
     own[3, 2] += 5e-13
-    assert not _is_the_key(StudentTable(own, np.full(own.shape, 1e-14)), key)
-    assert not _is_the_key(StudentTable(np.round(key.table, 4), np.full(key.table.shape, 1e-4)), key)
+    assert not is_the_key(key, StudentTable(own, np.full(own.shape, 1e-14)))
+    assert not is_the_key(key, StudentTable(np.round(key.table, 4), np.full(key.table.shape, 1e-4)))
 
 
 @pytest.mark.parametrize("name", ["31", "v102"])

@@ -57,6 +57,22 @@ def test_another_fault_costs_and_is_told_as_with_the_right_times(how):
         assert points == usual and codes(marks) == codes(plain)
 
 
+def test_the_first_rows_earn_their_cells_with_times_that_are_all_of_the_task():
+    """Half of the rows with doubled times: every time is one of the grid, of another row."""
+    for desk in variants()[::2]:
+        table, h = desk.machine.table()[: (desk.machine.rows + 1) // 2], desk.machine.h
+        usual, _ = desk.marked(table, times=np.arange(len(table)) * h)
+        points, marks = desk.marked(table, times=2 * np.arange(len(table)) * h)
+        assert points == usual > 25 and not marks.cells.wrong.any()
+
+
+def test_shuffled_rows_with_other_times_are_put_in_order():
+    for desk in variants()[::2]:
+        order = np.random.default_rng(2).permutation(desk.machine.rows)
+        points, marks = desk.marked(desk.machine.table()[order], times=2 * order * desk.machine.h)
+        assert points == 60.0 and not marks.cells.wrong.any()
+
+
 def test_rows_left_out_at_the_beginning_stand_where_their_times_say():
     for desk in variants()[::2]:
         table, h = desk.machine.table(), desk.machine.h

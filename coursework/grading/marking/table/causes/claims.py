@@ -43,8 +43,11 @@ class Claim:
     table: Callable[[], Array] | None = None
     part: float = 1.0
     velocities_at: Callable[[Array, Array], Array] | None = None
-    family: Callable[[TableUnderTest], Iterator[Claim]] | None = None
+    family: Family | None = None
     is_read_off: bool = False
+
+
+Family = Callable[["TableUnderTest"], Iterator[Claim]]
 
 
 @dataclass(frozen=True)

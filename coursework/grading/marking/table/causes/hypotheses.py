@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.causes.claims import Claim, Family, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned_back
 from coursework.grading.marking.table.causes.other_data import (
     other_columns,
@@ -27,6 +27,7 @@ from coursework.grading.marking.table.causes.other_drive import other_drive
 from coursework.grading.marking.table.causes.own_equations import equation_claims
 from coursework.grading.marking.table.causes.step_lengths import DEGREE, WHOLE, parts_of_step, told_step
 from coursework.grading.marking.table.starts import march
+from coursework.grading.marking.table.ways import HALF
 from coursework.motion.schemes import EULER, SCHEMES, Scheme
 from coursework.system.arrays import Array, shifted
 
@@ -38,7 +39,7 @@ OTHER_STEP, DEGREE_STEPS, STEPS_IN_DEGREES = "other_step", "degree_steps", "step
 # An implicit step is iterated at most so often, until it changes by less than _STANDS (rad or m).
 _REPEATED, _STANDS = 100, 1e-10
 Velocities = Callable[[Array, Array], Array]
-PI_ROUNDED, RADIAN_MODE = "pi_rounded", "radian_mode"
+PI_ROUNDED, RADIAN_MODE, NO_VELOCITIES = "pi_rounded", "radian_mode", "no_velocities"
 MISREAD = ("sign_drive", "cosine_drive", "degree_mode", "degree_drive", "degree_geometry", RADIAN_MODE, PI_ROUNDED)
 
 
@@ -53,13 +54,16 @@ def claims(
     `confusions` maps names of data to another value (from the rubric), `others` names of other variants to their tables
     (n, m + r); `equations` are those handed in.
     """
+    if np.nanmax(np.abs(printed.student.values[:, printed.m :]), initial=-1.0) == 0.0:
+        yield printed.claim(NO_VELOCITIES, None, (np.zeros_like(printed.w_units), HALF * printed.w_units))
+        return
     back = turned_back(printed.key, printed.student)
     if back is not None:
         yield replace(printed.claim("clockwise"), student=back)
     if printed.closely:
         yield from shifted_rows(printed)
         yield from point_slipped(printed)
-    families: list[Callable[[TableUnderTest], Iterator[Claim]]] = [
+    families: list[Family] = [
         _schemes, _shifted_rows, _steps, partial(_velocities, apart=() if back is None else ("sign_drive",)),
         partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns, other_drive,
     ]  # fmt: skip

@@ -6,7 +6,7 @@ Used by `earning.py`, `grade.py`, `whole.py`, `verdicts.py`, `table_marks.py`, a
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -108,19 +108,17 @@ def looked_for(key: Key, cells: Cells, count: int) -> bool:
 def explanations(
     key: Key,
     cells: Cells,
-    confusions: Mapping[str, float] | None = None,
-    others: Mapping[str, Array] | None = None,
+    told: Iterable[Claim],
     hidden: Container[str] = (),
     equations: EquationMarks | None = None,
 ) -> Found:
-    """Return the causes that explain more of a table than Euler's rules do.
+    """Return the causes that explain more of a table than Euler's rules do, of those that its claims (`told`) name.
 
     A table that begins elsewhere may follow Euler's rules in every row; a cause that claims the whole table is then compared
     with the key.  Nothing explains a table that stands still: zeros fulfil every rule for a step.
     """
     if stands_still(key, cells):
         return Found()
-    printed = TableUnderTest(key, cells.student)
     explained, spoken = euler_cells(key, cells)
     euler_share = share_of(explained, spoken)
     gates = Explained(key, cells)
@@ -138,7 +136,7 @@ def explanations(
     teller: tuple[Claim, Flags] | None = None
     # Causes that leave something unexplained are examined again below.
     most = int(spoken.sum())
-    for claim in claims(printed, confusions or {}, others or {}, equations):
+    for claim in told:
         if claim.code in hidden and not claim.code.startswith(ROUNDED_OMEGA):
             continue
         put_right, holds, says = _claimed(key, cells, claim, explained, spoken)

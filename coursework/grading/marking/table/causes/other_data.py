@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 
@@ -31,6 +31,7 @@ _LIKE_KEY = 0.5
 # From this part of the angles, or of the velocities, on, they stand where they belong.
 _IN_PLACE = 0.9
 _TURN = 2 * np.pi
+SLIPPED = "point_slipped"
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
 _ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-3
@@ -140,13 +141,14 @@ def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
 
 
 def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:
-    """Yield the claim that the coordinates were printed ten times too large or too small, which the start values tell."""
+    """Yield the claims that the coordinates, or all columns, were printed ten times too large or too small: the starts tell."""
     student, m = printed.student, printed.m
-    for factor in (10.0, 0.1):
-        values, units = student.values.copy(), student.units.copy()
-        values[:, :m], units[:, :m] = (student.values[:, :m] + _TURN * _taken_off(student)[:, :m]) / factor, units[:, :m] / factor
+    for factor, width in product((10.0, 0.1), (m, len(printed.key.names))):
+        values, units = student.values + _TURN * _taken_off(student), student.units.copy()
+        values[:, m:] = student.values[:, m:]
+        values[:, :width], units[:, :width] = values[:, :width] / factor, units[:, :width] / factor
         if alike(printed.key, replace(student, values=values, units=units), printed.key.table)[0, :m].all():
-            yield _as_euler("point_slipped", StudentTable(values, units))
+            yield _as_euler(SLIPPED if width == m else f"each_{SLIPPED}", StudentTable(values, units))
 
 
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:

@@ -7,14 +7,14 @@ The points are then computed with all digits, so that the same fault costs the s
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.causes.claims import Claim
-from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, is_one_thing
+from coursework.grading.marking.table.causes.claims import Claim, Family, TableUnderTest
+from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, is_one_thing, looked_for
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import share_of
@@ -28,23 +28,40 @@ from coursework.system.frozen import frozen
 # that is carried on leaves the key too, and other causes come near by chance.  To be named, a cause must make still more.
 _MOST, _MORE, _OF_REST = 0.7, 0.05, 0.6
 
+# A last place larger by up to this factor counts as fine enough: one decimal in degrees (0.0017 rad) as three in radians.
+# From the second factor on, what a whole table was made with is looked for: the decimals asked do not show each cell of it.
+_FEWER, _AS_ASKED = 2.0, 0.5
+
 
 @frozen
 class AsMade:
-    """The `student`'s table with all digits in cells that agree with the cause or the task; the cause if it is `named`."""
+    """The `student`'s table with all digits in cells that agree with the cause or the task; the cause if it is `named`.
+
+    `families` make the claims of the cause and its ties, of whatever table.
+    """
 
     student: StudentTable
     named: Misconception | None
+    families: tuple[Family, ...]
+
+    def claims(self, key: Key) -> list[Claim]:
+        """Return what the families say about the table."""
+        printed = TableUnderTest(key, self.student)
+        return [replace(claim, family=family) for family in self.families for claim in family(printed)]
 
 
-def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
-    """Return the table as a cause makes it, None if no cause makes most of it and clearly more than agrees with the key."""
+def as_made(key: Key, cells: Cells, told: Callable[[StudentTable], Iterable[Claim]]) -> AsMade | None:
+    """Return the table as a cause makes it, None if none that is `told` makes most of it, clearly more than the key."""
+    by = _AS_ASKED if looked_for(key, cells, cells.marks.size) else _FEWER
+    if not fewer_decimals(key, cells, by):
+        return None
     spoken = cells.counted & ~cells.missing
     right = alike(key, cells.student, key.table)
     by_key = share_of(right & spoken, spoken)
     least = max(_MOST, by_key + max(_MORE, _OF_REST * (1.0 - by_key)))
     made: dict[str, tuple[float, Array, tuple[str, ...]]] = {}
-    for claim in claims if by_key < 1.0 - _MORE else ():
+    families: dict[str, Family] = {}
+    for claim in told(cells.student) if by_key < 1.0 - _MORE else ():
         if claim.table is None or claim.code == OWN or not _may_be(cells, claim, spoken, right):
             continue
         table = claim.table()
@@ -55,6 +72,8 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
         is_most = share > by_key and share_of(spoken & ~left, spoken) >= least and left.sum() <= cells.wrong.sum()
         if is_most and (claim.code not in made or share > made[claim.code][0]):
             made[claim.code] = share, table, claim.names
+            assert claim.family is not None
+            families[claim.code] = claim.family
     if not made:
         return None
     best = max(share for share, *_ in made.values())
@@ -65,7 +84,9 @@ def as_made(key: Key, cells: Cells, claims: Iterable[Claim]) -> AsMade | None:
     values = np.where(same, table, np.where(right, key.table, cells.student.values))  # cells with the task's value were put right
     units = np.where(same | right, FINEST, cells.student.units)
     named = Misconception(first, share, by_key, tuple(ties), names) if share >= NAMED else None
-    return AsMade(replace(cells.student, values=values, units=units), named)
+    return AsMade(
+        replace(cells.student, values=values, units=units), named, tuple(dict.fromkeys(families[code] for code in (first, *ties)))
+    )
 
 
 def untold_points(cells: Cells, points: TablePoints, made: Cells, carried: float) -> TablePoints:
@@ -86,3 +107,9 @@ def _may_be(cells: Cells, claim: Claim, spoken: Flags, right: Flags) -> bool:
     """Return whether most cells about which a claim speaks agree with it or the task: only then its whole table is computed."""
     says = spoken & np.isfinite(claim.expected)
     return share_of((near(cells.student.values, claim.expected, claim.tolerance) | right) & says, says) >= _MOST
+
+
+def fewer_decimals(key: Key, cells: Cells, by: float = _FEWER) -> int:
+    """Return how many cells are shown, but with last places larger `by` this factor than those of the decimals asked for."""
+    with np.errstate(invalid="ignore"):
+        return int((~cells.missing & (cells.student.units > by * 10.0**-key.least_decimals)).sum())

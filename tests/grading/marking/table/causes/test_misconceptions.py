@@ -10,12 +10,13 @@ import coursework
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.hypotheses import claims
-from coursework.grading.marking.table.causes.misconceptions import explanations, indistinct, looked_for
+from coursework.grading.marking.table.causes.misconceptions import indistinct, looked_for
 from coursework.grading.marking.table.cells import mark_cells
 from coursework.grading.marking.table.explained import euler_cells
 from tests.grading.marking import students
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.test_cells import printed
+from tests.grading.marking.told import found_in
 from tests.sample import diagonal, first
 
 
@@ -28,7 +29,7 @@ def key():
 def test_each_is_named_or_tied(key, code, decimals):
     cells = mark_cells(key, printed(students.MISCONCEPTIONS[code](), decimals))
     assert looked_for(key, cells, 172)
-    found = explanations(key, cells).named
+    found = found_in(key, cells).named
     assert found is not None
     assert code in (found.code, *found.ties)
     assert found.share >= 0.93
@@ -47,7 +48,7 @@ def test_whole_turns_that_were_taken_off_are_none_for_a_calculator_in_degrees(ke
 def test_a_declared_confusion_is_named(key):
     table = students.table(printed=lambda t, q: students.velocities(t, q, alpha=0.02))
     cells = mark_cells(key, printed(np.where(np.abs(table) < 1e3, table, np.nan), 4))
-    found = explanations(key, cells, {"alpha": 0.02}).named
+    found = found_in(key, cells, {"alpha": 0.02}).named
     assert found is not None
     assert found.code == "confusion_alpha"
 
@@ -61,7 +62,7 @@ def test_nothing_is_named_without_ground(key, seed):
         table[rows, columns] *= rng.uniform(0.5, 0.9, 12)
         cells = mark_cells(key, printed(table, 4))
         assert looked_for(key, cells, 172)
-        assert explanations(key, cells).named is None
+        assert found_in(key, cells).named is None
 
 
 def test_a_few_slips_are_no_misconception(key):
@@ -72,7 +73,7 @@ def test_a_few_slips_are_no_misconception(key):
 def test_another_variant_of_the_class(key):
     other = students.table(printed=lambda t, q: students.velocities(t, q, V1=4.1), start=(1.6, 3.37, 2.8))
     cells = mark_cells(key, printed(other, 4))
-    found = explanations(key, cells, {}, {"12": other}).named
+    found = found_in(key, cells, {}, {"12": other}).named
     assert found is not None
     assert "variant_12" in (found.code, *found.ties)
 
@@ -82,7 +83,7 @@ def test_the_other_assembly_of_written_equations(key):
     chord = students.DATA["r1"] * np.exp(1j * students.START[0]) + students.DATA["r2"] * np.exp(1j * students.START[1])
     phi1, phi2 = (2 * np.angle(chord) - angle for angle in students.START[:2])
     cells = mark_cells(key, printed(students.table(start=(phi1, phi2, students.START[2])), 4))
-    found = explanations(key, cells).named
+    found = found_in(key, cells).named
     assert found is not None
     assert "branch" in (found.code, *found.ties)
 
@@ -97,7 +98,7 @@ def test_the_other_assembly_of_a_chain(tmp_path):
     rows[:, 2] += 2 * np.pi  # as the reader takes whole turns off
     cells = mark_cells(found, printed(rows, 5))
     assert cells.wrong[0].any()
-    named = explanations(found, cells).named
+    named = found_in(found, cells).named
     assert named is not None
     assert "branch" in (named.code, *named.ties)
 
@@ -123,7 +124,7 @@ def test_what_the_digits_cannot_tell_is_what_passes_as_right_when_a_student_make
 
 def test_a_hypothesis_that_the_digits_cannot_tell_is_not_named(key):
     cells = mark_cells(key, printed(students.MISCONCEPTIONS["sign_w1"](), 4))
-    found = explanations(key, cells).named
+    found = found_in(key, cells).named
     assert found is not None
     assert found.code == "sign_w1"
-    assert explanations(key, cells, hidden=(found.code, *found.ties, "equation_16")).named is None  # a slip in two
+    assert found_in(key, cells, hidden=(found.code, *found.ties, "equation_16")).named is None  # a slip in two

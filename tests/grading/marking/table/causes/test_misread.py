@@ -9,13 +9,13 @@ import pytest
 
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.key.misread import misread
-from coursework.grading.marking.table.causes.misconceptions import explanations
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.motion.settings import Settings
 from coursework.scene.scene import Scene
 from coursework.variant.formula.tree import spelled
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.data_folders import folder
+from tests.grading.marking.told import found_in
 from tests.mechanisms.library import mechanism
 
 SPLIT = 'equation = "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0"'
@@ -56,7 +56,7 @@ def test_velocities_that_the_geometry_gives_are_written_out_with_it() -> None:
     table = key.table.copy()
     table[:, len(key.coordinates) :] *= 1.1
     cells = mark_cells(key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4)))
-    explanations(key, cells)
+    found_in(key, cells)
     at_rest = key.misread("degree_mode")
     assert at_rest is not None
     turned = key.table[:1, : len(key.coordinates)] * np.where(

@@ -137,6 +137,29 @@ def test_a_decimal_point_that_slipped_in_all_coordinates_is_told_as_that(factor)
         assert 24 <= found < 40
 
 
+@pytest.mark.parametrize("factor", [10.0, 0.1])
+def test_a_decimal_point_that_slipped_in_all_columns_is_told_as_that_and_not_as_turns(factor):
+    for desk in variants()[:3]:
+        rows = np.column_stack([np.arange(desk.machine.rows) * desk.machine.h, factor * desk.machine.table()])
+        text = "\n".join([";".join(["t", *desk.key.names]), *(";".join(f"{value:.6f}" for value in row) for row in rows)])
+        files = (submitted_file("table.csv", text.encode()),)
+        grade = desk.marker.grade(read_submission(Submission("a", None, files), desk.expected))
+        assert codes(grade.table) == ("each_point_slipped",), (desk.variant.name, codes(grade.table))
+        assert grade.part("table")[0] == pytest.approx(24, abs=1) and "turns" not in [note.code for note in grade.notes]
+
+
+def test_velocities_that_are_all_zero_are_told_as_that():
+    for desk in variants():
+        table = desk.machine.table()
+        table[:, desk.machine.m :] = 0.0
+        found, marks = desk.marked(table)
+        assert codes(marks) == ("no_velocities",) and found == pytest.approx(30, abs=1.5), (
+            desk.variant.name,
+            codes(marks),
+            found,
+        )
+
+
 def test_columns_exchanged_are_not_taken_for_degrees():
     """Of two angles one may begin 60 times as large as the other."""
     desk = variants()[2]
