@@ -97,7 +97,10 @@ def _add_piece(document: Document, piece: str, is_table: bool, most_rows: int, m
     if is_table:
         rows = _spanned([line.split("\t")[:most_columns] for line in lines if line.strip()][:most_rows], most_columns)
         cells = [[Cell(text.strip()[:CELL_CHARACTERS]) for text in row] for row in rows]
-        document.add_table(cells, place_of("table", number=min(len(document.tables) + 1, MOST_TABLES)))
+        place = place_of("table", number=min(len(document.tables) + 1, MOST_TABLES))
+        document.add_table(cells, place)
+        for text in (text for line in lines for text in line.split("\t") if "=" in text):
+            document.add_line(text.replace(_MARK, ""), place, _MARK in text)
         return
     for line in lines:
         plain = html.unescape(line).strip()
@@ -113,6 +116,7 @@ def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -
         piece = text[end : found.start() if found else len(text)].replace("\\end{document}", "")
         if is_table:
             document.add_table(_rows(piece, most_rows, most_columns), place_of("line", line=number))
+            _add_formulas(document, piece, number)
         else:
             for line, content in enumerate(piece.split("\n", MOST_LINES)[:MOST_LINES], start=number):
                 document.add_line(content, place_of("line", line=line))
@@ -120,6 +124,16 @@ def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -
         if found:
             is_table, end = found[1] == "begin", found.end()
     return document
+
+
+def _add_formulas(document: Document, body: str, first: int) -> None:
+    """Add the cells with a sign of equality as lines."""
+    number = first
+    for row in _ROW_END.split(body, maxsplit=MOST_LINES)[:MOST_LINES]:
+        for cell in _CELL_END.split(_RULES.sub(" ", row)):
+            if "=" in cell:
+                document.add_line(cell, place_of("line", line=number + cell[: len(cell) - len(cell.lstrip())].count("\n")))
+            number += cell.count("\n")
 
 
 def _rows(body: str, most_rows: int, most_columns: int) -> list[list[Cell]]:

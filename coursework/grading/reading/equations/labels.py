@@ -39,7 +39,7 @@ _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
 )
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
-_SAID_IN_WORDS = re.compile(r"\s[-–—]\s+([^\W\d_]{3,})(?:[\s,.]+[^\W\d_]{2,})+[.;]?\s*$")
+_SAID_IN_WORDS = re.compile(r"\s(?:--?|[–—])\s+((?:[^\W\d_]+[\s,.]+)+[^\W\d_]+)[.;]?\s*$")
 _SAID = re.compile(
     r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
 )
@@ -135,6 +135,12 @@ def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
     return aside.strip().isdigit() or any(_is_prose(word, is_name, 1) for word in re.findall(r"[^\W\d_]\w*", aside))
 
 
+def _is_said_in_words(behind: str, is_name: Callable[[str], bool]) -> bool:
+    """Return whether words behind a dash are a reason, "C keeps its height", and no term that is taken away."""
+    words = re.findall(r"[^\W\d_]+", behind)
+    return not any(map(is_name, words[:1])) and any(len(word) >= _LONG and not is_name(word) for word in words)
+
+
 def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], after: int) -> bool:
     """Return whether a possible name is part of prose: the point in "am Punkt C gilt", a preposition, "velocity" in a header."""
     following = _WORDS.match(text, found.end())
@@ -159,8 +165,8 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     aside = _ASIDE_AT_END.search(text)
     if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and not is_name(said[0]):
         return _ended(text[: aside.start()], is_name)
-    if (said_words := _SAID_IN_WORDS.search(text, text.rfind("=") + 1)) and not is_name(said_words[1]):
-        return text[: said_words.start()]
+    if (behind := _SAID_IN_WORDS.search(text, text.rfind("=") + 1)) and _is_said_in_words(behind[1], is_name):
+        return text[: behind.start()]
     for said_after in _SAID.finditer(text, text.rfind("=") + 1):
         if not is_name(said_after[1] or said_after[2]):
             return text[: said_after.start()]

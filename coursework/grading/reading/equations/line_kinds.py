@@ -35,6 +35,8 @@ _SHORT = 80  # most characters of a name with its number
 _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # in V_Cy = … = 0, which also defines V_Cy
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
 _COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # the number of a line in a list: 1.1, L2
+_CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
+_CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
 _FEWEST = 4  # an expression has more words than this, so that it is not prose
 
@@ -128,6 +130,9 @@ def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.P
         return DASH
     begun = [found for line in lines if (found := _COUNT.match(line)) and not (found[1] and is_name(found[1] + found[2]))]
     numbers = [([found[1], *found[2].split(".")[:-1]], int(found[2].rpartition(".")[2])) for found in begun]
+    cells = [int(found[1]) for line in lines if (found := _CELL.match(line))]
+    if len(lines) == len(cells) > 1 and cells == sorted({*cells}) and any(_CELL_OF_LETTERS.match(line) for line in lines):
+        return _CELL
     steps = [(one[0] == other[0], other[1] - one[1]) for one, other in pairwise(numbers)]
     return _COUNT if steps and all(step == (True, 1) for step in steps) else None
 
@@ -142,13 +147,18 @@ def is_step(text: str, names: Names) -> bool:
     return any(moved == {one.name} and used == {one.name, one.rate} for one in names.expected.variant.coordinates)
 
 
-def is_statement(text: str) -> bool:
+def is_statement(text: str, sought: Sequence[str] = ()) -> bool:
     """Return whether a line is a statement of a program around the equations and not an equation itself.
+
+    A call that gives velocities that are `sought` from sines and cosines has an equation in it.
 
     >>> is_statement("y = y + h*rhs(t, y)"), is_statement("phi1, phi2 = y"), is_statement("w1, w2 = 0"), is_statement("w1 = 2*w2")
     (True, True, True, False)
     """
-    return _STATEMENT.match(text) is not None
+    if _STATEMENT.match(text) is None:
+        return False
+    left, _, right = text.partition("=")
+    return not ("," in left and {*re.findall(r"\w+", left)} & {*sought} and TURNED.search(right))
 
 
 def is_row(text: str) -> bool:

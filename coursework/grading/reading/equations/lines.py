@@ -31,7 +31,7 @@ from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.systems.matrices import in_rows
-from coursework.grading.reading.equations.systems.parts import LIST, parts_of
+from coursework.grading.reading.equations.systems.parts import LIST, of_row, parts_of
 from coursework.grading.reading.equations.systems.vectors import with_entries_named
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
@@ -67,7 +67,6 @@ _KEPT = re.compile(
 )
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
-_FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table drawn with bars
 # A function of Python or C, and the expression it returns.
 _DEFINED = re.compile(
     r"\s*(?:def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:|(?:static\s+)?(?:double|float)\s+(\w{1,40})\s*\([^()]*\)\s*\{?)\s*(return\b[^}]*)?\}?\s*"
@@ -158,10 +157,10 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if (under := _KEPT.match(bare)) and (under[3] or names.spellings.angle(under[1] + under[2]) is None):
             bare = bare[under.end() :]
-        if is_statement(bare):
+        if is_statement(bare, names.expected.variant.sought):
             continue
         bare = bare.strip("'") if bare.startswith("'") else bare
-        bare = framed[1] if (framed := _FRAMED.fullmatch(bare)) else bare
+        bare = of_row(bare)
         if returned := _RETURNED.match(bare):
             rest = bare[returned.end() :]  # a list of residuals is not the value of a name
             is_value = TURNED.search(rest) or function.partition(" ")[0] in names.expected.variant.sought

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from coursework.grading.reading.equations.latex import matrices_in_one_piece
 from coursework.grading.reading.equations.signs import depths
-from coursework.grading.reading.equations.systems.parts import product, vector
+from coursework.grading.reading.equations.systems.parts import at_commas, product, vector
 
 _DEFINED = re.compile(r"(?<![\w.])([^\W\d]\w{0,20})[ \t]*+:?=[ \t]*+(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)")
 _NAME = r"([^\W\d]\w{0,20})"
@@ -37,7 +37,12 @@ _ELEMENT = re.compile(
     r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*[\[(]\s*(\d{1,2})\s*(?:(?:,|\]\s*\[)\s*(\d{1,2})\s*)?[\])]"
     r"[ \t]*:?=(?!=)([^=;\n]+);?"
 )
+# A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\\[e; f]
+_CALLED = re.compile(r"(?:solve|linsolve|lsolve|LinearSolve)\s*[(\[](?=\s*[\w.]{0,20}\s*\(?\s*\[)")
+_DIVIDED = re.compile(r"(?m)(?<==)[ \t]*(\[[^=\n]{1,2000}\])[ \t]*\\[ \t]*(\[[^=\n]{1,1000}\])(?=[ \t]*;?[ \t]*(?:[%#/].*)?$)")
+_BRACKETED = re.compile(r"\s*(?:[\w.]{1,20}\s*\()?\s*(\[.*\])\s*\)?\s*", re.DOTALL)
 _SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
+_OF_CALL = ("matrix_of_call", "sides_of_call")
 _MOST, _LONGEST, _MOST_CHARACTERS = 20, 4000, 200_000
 
 
@@ -49,7 +54,7 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     """
     if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,")):
         return text
-    text = _elements_gathered(text)
+    text = _named_apart(_elements_gathered(text))
     whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
     found = next((found for pattern in _PRODUCTS if (found := pattern.search(whole))), None)
     if found is None:
@@ -70,6 +75,23 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     for begin, end, said in sorted(pieces, reverse=True):
         whole = whole[:begin] + said + "\n" * whole.count("\n", begin, end) + whole[end:]
     return whole
+
+
+def _named_apart(text: str) -> str:
+    """Return a text in which matrix and right side of a system that is solved in one line have names, defined at the end."""
+    for begun in _CALLED.finditer(text):
+        inside = depths(text[begun.end() - 1 : begun.end() - 1 + _LONGEST])
+        end = begun.end() - 1 + inside.index(0) if 0 in inside else begun.end()
+        parts = [_BRACKETED.fullmatch(part) for part in at_commas(text[begun.end() : end])]
+        if len(parts) == 2 and parts[0] and parts[1] and re.search(r"[;\[]", parts[0][1][1:]):
+            lines = "\n" * text.count("\n", begun.end(), end)
+            behind = text[end:].replace("\n", f"{lines}\n", 1)
+            call = f"{text[: begun.end()]}{_OF_CALL[0]}, {_OF_CALL[1]}{behind}"
+            return f"{call}\n{_OF_CALL[0]} = {parts[0][1]}\n{_OF_CALL[1]} = {parts[1][1]}"
+    if divided := _DIVIDED.search(text):
+        call = f"{text[: divided.start()]} {_OF_CALL[0]}\\{_OF_CALL[1]}{text[divided.end() :]}"
+        return f"{call}\n{_OF_CALL[0]} = {divided[1]}\n{_OF_CALL[1]} = {divided[2]}"
+    return text
 
 
 def _elements_gathered(text: str) -> str:

@@ -35,6 +35,7 @@ LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*|[^\W\d]\w{0,20}:\s*)?([A-Za-z.]{1,20
 _ENCLOSED = re.compile(r"\s*()\(")
 # A call that solves equations for unknowns, as on a TI calculator or in Mathematica.
 _SOLVED = re.compile(r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+),\s*[\[{][\w\s,]+[\]}]\s*[)\]];?")
+_ROW = re.compile(r"\|(.+)\||\"?\d{1,3}\"?\s*;(.+)")  # a row of a table
 _LONGEST = 4000
 _MOST_ROWS, _MOST_WITHIN = 12, 3  # most rows of a matrix; most brackets around it
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
@@ -157,3 +158,15 @@ def _listed(line: str) -> list[str]:
 def at_commas(row: str) -> list[str]:
     """Split a row at the commas that are not inside brackets."""
     return _split(_COMMA, row)
+
+
+def of_row(line: str) -> str:
+    """Return the equations among the cells of a row with bars, or of a numbered one with semicolons; the line if there are none.
+
+    >>> of_row("| 11 | VMy = 2*r3*w3 | C is fixed |"), of_row("11;VMy = 2*r3*w3;C is fixed"), of_row("|a| - |b| = |c|")
+    ('VMy = 2*r3*w3', 'VMy = 2*r3*w3', '|a| - |b| = |c|')
+    """
+    if not (row := _ROW.fullmatch(line)):
+        return line
+    cells = [cell.strip(' `"') for cell in (row[1].split("|") if row[1] else row[2].split(";"))]
+    return "; ".join(cell for cell in cells if relates_two_sides(cell.strip("="))) or line

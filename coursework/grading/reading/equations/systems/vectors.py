@@ -122,6 +122,8 @@ def _by_use(
     assigned = {int(entry[4]): made[1] for entry in used if (made := re.match(r"\s*:?=([^=\n][^\n]*)", text[entry.end() :]))}
     if assigned:
         speeds = [rates[name] for name in order]
+        if len(assigned) > len(speeds):  # all velocities in one vector, not only those that are integrated
+            speeds += [name for name in variant.velocities if name not in speeds]
         is_solved = len(assigned) == len(order) and any("/" in formula for formula in assigned.values())
         own = any(
             rate in re.findall(r"\w+", formula) for rate, (_, formula) in zip(speeds, sorted(assigned.items()), strict=False)
