@@ -7,7 +7,7 @@ Used by `analysis.py` and `draft.py`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
 from coursework.mechanism.groups.joint import Joint
@@ -17,7 +17,7 @@ from coursework.mechanism.structure import Bodies, driven_freedoms, fitting_link
 from coursework.variant.formula.tree import Formula, named, number, signed
 from coursework.variant.record.entries import reached
 from coursework.variant.record.forces import DISC, POINT, ROD, Forces, Mass
-from coursework.variant.record.held import followed
+from coursework.variant.record.held import followed, velocities_of_points
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -231,9 +231,10 @@ class _Reader:
             else:
                 couple = Direction("couple")
                 yield Unknown(f"M{name if several else ''}", name, called[self.stands_on(body)], None, couple, rate)
+        parts = followed(variant)
         if self.bodies.linkage.mobility.degrees == driven_freedoms(variant):  # whatever [closure] says of them
-            variant = replace(variant, also_driven=tuple(point for point, _ in variant.points))
-        for velocity, (point, axis) in followed(variant).items():
+            parts |= velocities_of_points(variant)
+        for velocity, (point, axis) in parts.items():
             if holders := [body for body, points in self.bodies.points().items() if point in points and body != FRAME]:
                 yield Unknown(f"F{point}{axis}", called[holders[0]], FRAME, named(point), Direction(axis), velocity)
 

@@ -19,6 +19,7 @@ from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_na
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure_record import AssurGroup, KinematicPair, Member, Structure
 from coursework.variant.formula.tree import Formula
+from coursework.variant.record.held import velocities_of_points
 from coursework.variant.record.variant import Variant
 
 DRIVE = "~"  # stands for the drive of a driven point
@@ -59,13 +60,7 @@ def fitting_linkage(mechanism: Mechanism) -> Linkage | None:
 
 def driven_freedoms(variant: Variant) -> int:
     """Return how many freedoms are driven: rates, and components of point velocities."""
-    laws = {law.name for law in variant.drive}
-    return len(variant.known_rates) + len(laws.intersection(axes_of_points(variant)))
-
-
-def axes_of_points(variant: Variant) -> dict[str, str]:
-    """Return the names of velocity components along the axes, such as VMx, mapped to their points."""
-    return {f"V{name}{axis}": name for name, _ in variant.points for axis in "xy"}
+    return len(variant.known_rates) + len(velocities_of_points(variant))
 
 
 def in_order(names: Iterable[str]) -> list[str]:
@@ -93,8 +88,7 @@ class Bodies:
         is_chain = bool(self.linkage.coordinates)
         self.called = link_names(self.linkage, variant) if is_chain else {body: body for body in self.linkage.bodies}
         self.called[FRAME] = FRAME
-        laws, axes = {law.name for law in variant.drive}, axes_of_points(variant)
-        self.driven = next((point for velocity, point in axes.items() if velocity in laws), "")
+        self.driven = next((point for point, _ in velocities_of_points(variant).values()), "")
 
     def point(self, joint: Joint) -> str:
         """Return the name of the point of a joint, "" if it has none."""
@@ -186,7 +180,7 @@ class Bodies:
             if not bodies:
                 return None
             found.append(bodies[0])
-        parts = [axes_of_points(variant)[law.name] for law in variant.drive if law.name in axes_of_points(variant)]
+        parts = [point for point, _ in velocities_of_points(variant).values()]
         return found if parts == 2 * [self.driven] or not parts else None
 
     def _found(self) -> Iterator[tuple[tuple[str, ...], set[str]]]:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import FRAME, Mobility
-from coursework.mechanism.structure import FIRST, axes_of_points, read_structure
+from coursework.mechanism.structure import FIRST, read_structure
 from coursework.mechanism.structure_record import AssurGroup, Member, Structure
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Facts, Part
@@ -19,6 +19,7 @@ from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import ITALIC, unbroken
 from coursework.report.wording.closeness import evidence
 from coursework.scene.quantities import CHECKS
+from coursework.variant.record.held import velocities_of_points
 from coursework.words.templates import clean
 
 FULL_TURN = 2 * math.pi * (1 - 1e-9)
@@ -136,7 +137,7 @@ def _freedoms(context: PageContext, found: Structure) -> str:
     """Return the sentence that all freedoms are driven or moved by forces, or why fewer are counted than driven."""
     variant = context.run.variant
     laws = [law.name for law in variant.drive]
-    drives = [name for name in laws if name in variant.known_rates or name in axes_of_points(variant)]
+    drives = [name for name in laws if name in {*variant.known_rates, *velocities_of_points(variant)}]
     values = {"drives": context.symbol_list(drives), **_letters(context)}
     if found.drives > found.mobility.degrees:
         return context.words("structure.passive", degrees=found.mobility.degrees, **values)

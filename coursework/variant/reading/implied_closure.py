@@ -12,7 +12,7 @@ from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
-from coursework.variant.record.held import closed_parts, followed
+from coursework.variant.record.held import closed_parts, velocities_of_points
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
@@ -36,7 +36,7 @@ def with_implied_closure(variant: Variant) -> Variant:
     if variant.driven or variant.groups or variant.motor:
         return variant
     written = [*variant.holds, *closed_parts(variant)]
-    driven = [*followed(replace(variant, also_driven=tuple(point for point, _ in variant.points))).values()]
+    driven = [*velocities_of_points(variant).values()]
     if written:  # [closure] names points that are driven along both axes, and no others
         driven = [(point, axis) for point, axis in driven if [one for one, _ in driven].count(point) == 1]
     held = [] if written else [*_held(variant)]

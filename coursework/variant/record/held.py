@@ -1,11 +1,13 @@
 """What [closure] holds: points that follow a drive, units of expressions, which can only be zero, which are parts of a vector.
 
-Enters: a `Variant`.  Leaves: units, flags.  Used by `equations.py`, `changes.py`, `gaps.py`, `drift.py` and by `scheme.py`.
+Enters: a `Variant`.  Leaves: units, flags.
+Used by `equations.py`, `changes.py`, `gaps.py`, `drift.py`, `structure.py` and by `scheme.py`.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from contextlib import suppress
 from itertools import permutations
 
@@ -18,9 +20,18 @@ POWERS = {2: "m²", 3: "m³", 4: "m⁴"}  # units of position equations in produ
 
 
 def followed(variant: Variant) -> dict[str, tuple[str, str]]:
-    """Return the laws of [drive] that points follow, each with its point and its axis: VMx of M along x."""
+    """Return the laws of [drive] that driven points follow, each with its point and its axis: VMx of M along x."""
+    return _along_axes(variant, filter(None, (variant.driven, *variant.also_driven)))
+
+
+def velocities_of_points(variant: Variant) -> dict[str, tuple[str, str]]:
+    """Return the laws of [drive] that are velocities of named points, as in `followed`, whatever [closure] says of them."""
+    return _along_axes(variant, (point for point, _ in variant.points))
+
+
+def _along_axes(variant: Variant, points: Iterable[str]) -> dict[str, tuple[str, str]]:
     laws = {law.name for law in variant.drive}
-    parts = {f"V{point}{axis}": (point, axis) for point in filter(None, (variant.driven, *variant.also_driven)) for axis in "xy"}
+    parts = {f"V{point}{axis}": (point, axis) for point in points for axis in "xy"}
     return {law: part for law, part in parts.items() if law in laws}
 
 

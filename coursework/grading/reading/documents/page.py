@@ -126,9 +126,8 @@ def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -
     return document
 
 
-def _add_formulas(document: Document, body: str, first: int) -> None:
-    """Add the cells with a sign of equality as lines."""
-    number = first
+def _add_formulas(document: Document, body: str, number: int) -> None:
+    """Add the cells with a sign of equality as lines; the body begins in line `number`."""
     for row in _ROW_END.split(body, maxsplit=MOST_LINES)[:MOST_LINES]:
         for cell in _CELL_END.split(_RULES.sub(" ", row)):
             if "=" in cell:

@@ -138,7 +138,7 @@ def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
 def _is_said_in_words(behind: str, is_name: Callable[[str], bool]) -> bool:
     """Return whether words behind a dash are a reason, "C keeps its height", and no term that is taken away."""
     words = re.findall(r"[^\W\d_]+", behind)
-    return not any(map(is_name, words[:1])) and any(len(word) >= _LONG and not is_name(word) for word in words)
+    return not is_name(words[0]) and any(len(word) >= _LONG and not is_name(word) for word in words)
 
 
 def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], after: int) -> bool:

@@ -120,7 +120,7 @@ def _is_mostly_names(text: str, names: Names) -> bool:
 
 
 def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.Pattern[str] | None:
-    """Return the pattern of the list marks at the start of several lines: a dash, or numbers that count up by one; None if none.
+    """Return the pattern of the marks of lines: a dash, growing numbers and a comma, numbers that count up by one; None if none.
 
     >>> texts = ["- a = b", "- c = d"], ["1.1 a = b", "1.2 c = d"], ["2 a = b", "0.5 c = d"]
     >>> [bool(sign_of_list(lines, {"r1"}.__contains__)) for lines in texts]
@@ -128,11 +128,11 @@ def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.P
     """
     if len(lines) > 1 and all(DASH.match(without_labels(line)) for line in lines):
         return DASH
+    cells = [int(found[1]) for line in lines if (found := _CELL.match(line))]
+    if len(lines) == len(cells) > 1 and cells == sorted({*cells}) and any(map(_CELL_OF_LETTERS.match, lines)):
+        return _CELL
     begun = [found for line in lines if (found := _COUNT.match(line)) and not (found[1] and is_name(found[1] + found[2]))]
     numbers = [([found[1], *found[2].split(".")[:-1]], int(found[2].rpartition(".")[2])) for found in begun]
-    cells = [int(found[1]) for line in lines if (found := _CELL.match(line))]
-    if len(lines) == len(cells) > 1 and cells == sorted({*cells}) and any(_CELL_OF_LETTERS.match(line) for line in lines):
-        return _CELL
     steps = [(one[0] == other[0], other[1] - one[1]) for one, other in pairwise(numbers)]
     return _COUNT if steps and all(step == (True, 1) for step in steps) else None
 

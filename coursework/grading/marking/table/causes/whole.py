@@ -59,8 +59,7 @@ def as_made(key: Key, cells: Cells, told: Callable[[StudentTable], Iterable[Clai
     right = alike(key, cells.student, key.table)
     by_key = share_of(right & spoken, spoken)
     least = max(_MOST, by_key + max(_MORE, _OF_REST * (1.0 - by_key)))
-    made: dict[str, tuple[float, Array, tuple[str, ...]]] = {}
-    families: dict[str, Family] = {}
+    made: dict[str, tuple[float, Array, Claim]] = {}
     for claim in told(cells.student) if by_key < 1.0 - _MORE else ():
         if claim.table is None or claim.code == OWN or not _may_be(cells, claim, spoken, right):
             continue
@@ -71,22 +70,19 @@ def as_made(key: Key, cells: Cells, told: Callable[[StudentTable], Iterable[Clai
         left = spoken & ~same & ~right
         is_most = share > by_key and share_of(spoken & ~left, spoken) >= least and left.sum() <= cells.wrong.sum()
         if is_most and (claim.code not in made or share > made[claim.code][0]):
-            made[claim.code] = share, table, claim.names
-            assert claim.family is not None
-            families[claim.code] = claim.family
+            made[claim.code] = share, table, claim
     if not made:
         return None
     best = max(share for share, *_ in made.values())
     first, *others = [code for code, (share, *_) in made.items() if share >= best - TIE]
-    ties = [code for code in others if is_one_thing(code, made[code][2])]
-    share, table, names = made[first]
+    ties = [code for code in others if is_one_thing(code, made[code][2].names)]
+    share, table, claim = made[first]
     same = alike(key, cells.student, table)
     values = np.where(same, table, np.where(right, key.table, cells.student.values))  # cells with the task's value were put right
     units = np.where(same | right, FINEST, cells.student.units)
-    named = Misconception(first, share, by_key, tuple(ties), names) if share >= NAMED else None
-    return AsMade(
-        replace(cells.student, values=values, units=units), named, tuple(dict.fromkeys(families[code] for code in (first, *ties)))
-    )
+    named = Misconception(first, share, by_key, tuple(ties), claim.names) if share >= NAMED else None
+    families = dict.fromkeys(family for code in (first, *ties) if (family := made[code][2].family))
+    return AsMade(replace(cells.student, values=values, units=units), named, tuple(families))
 
 
 def untold_points(cells: Cells, points: TablePoints, made: Cells, carried: float) -> TablePoints:

@@ -16,8 +16,9 @@ from coursework.grading.reading.equations.systems.parts import at_commas, produc
 _DEFINED = re.compile(r"(?<![\w.])([^\W\d]\w{0,20})[ \t]*+:?=[ \t]*+(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)")
 _NAME = r"([^\W\d]\w{0,20})"
 _NAMES = r"[(\[]?((?:[^\W\d]\w{0,20}[ \t]*,[ \t]*)+[^\W\d]\w{0,20})[)\]]?"
+_SOLVER = r"(?:solve|linsolve|lsolve|LinearSolve)\s*[(\[]"
 _SOLVED = (
-    rf"(?:(?:[A-Za-z]{{1,9}}\.){{0,2}}(?:solve|linsolve|lsolve|LinearSolve)\s*[(\[]\s*{_NAME}\s*,\s*{_NAME}\s*[)\]]"
+    rf"(?:(?:[A-Za-z]{{1,9}}\.){{0,2}}{_SOLVER}\s*{_NAME}\s*,\s*{_NAME}\s*[)\]]"
     rf"|{_NAME}[ \t]*\\[ \t]*{_NAME}|(?:[A-Za-z]{{1,9}}\.){{0,2}}inv\(\s*{_NAME}\s*\)[ \t]*[*@][ \t]*{_NAME})[ \t]*;?[ \t]*"
 )
 _PRODUCTS = (
@@ -37,8 +38,8 @@ _ELEMENT = re.compile(
     r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*[\[(]\s*(\d{1,2})\s*(?:(?:,|\]\s*\[)\s*(\d{1,2})\s*)?[\])]"
     r"[ \t]*:?=(?!=)([^=;\n]+);?"
 )
-# A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\\[e; f]
-_CALLED = re.compile(r"(?:solve|linsolve|lsolve|LinearSolve)\s*[(\[](?=\s*[\w.]{0,20}\s*\(?\s*\[)")
+# A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\[e; f]
+_CALLED = re.compile(rf"{_SOLVER}(?=\s*[\w.]{{0,20}}\s*\(?\s*\[)")
 _DIVIDED = re.compile(r"(?m)(?<==)[ \t]*(\[[^=\n]{1,2000}\])[ \t]*\\[ \t]*(\[[^=\n]{1,1000}\])(?=[ \t]*;?[ \t]*(?:[%#/].*)?$)")
 _BRACKETED = re.compile(r"\s*(?:[\w.]{1,20}\s*\()?\s*(\[.*\])\s*\)?\s*", re.DOTALL)
 _SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
@@ -84,14 +85,16 @@ def _named_apart(text: str) -> str:
         end = begun.end() - 1 + inside.index(0) if 0 in inside else begun.end()
         parts = [_BRACKETED.fullmatch(part) for part in at_commas(text[begun.end() : end])]
         if len(parts) == 2 and parts[0] and parts[1] and re.search(r"[;\[]", parts[0][1][1:]):
+            matrix, sides = parts[0][1], parts[1][1]
             lines = "\n" * text.count("\n", begun.end(), end)
-            behind = text[end:].replace("\n", f"{lines}\n", 1)
-            call = f"{text[: begun.end()]}{_OF_CALL[0]}, {_OF_CALL[1]}{behind}"
-            return f"{call}\n{_OF_CALL[0]} = {parts[0][1]}\n{_OF_CALL[1]} = {parts[1][1]}"
-    if divided := _DIVIDED.search(text):
-        call = f"{text[: divided.start()]} {_OF_CALL[0]}\\{_OF_CALL[1]}{text[divided.end() :]}"
-        return f"{call}\n{_OF_CALL[0]} = {divided[1]}\n{_OF_CALL[1]} = {divided[2]}"
-    return text
+            call = text[: begun.end()] + ", ".join(_OF_CALL) + text[end:].replace("\n", f"{lines}\n", 1)
+            break
+    else:
+        if (divided := _DIVIDED.search(text)) is None:
+            return text
+        matrix, sides = divided.groups()
+        call = text[: divided.start()] + " " + "\\".join(_OF_CALL) + text[divided.end() :]
+    return f"{call}\n{_OF_CALL[0]} = {matrix}\n{_OF_CALL[1]} = {sides}"
 
 
 def _elements_gathered(text: str) -> str:
