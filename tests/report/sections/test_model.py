@@ -9,9 +9,7 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework import parse_variant
 from coursework.report.pages import build_model
-from tests.hard.families import random_case
 from tests.report.made import model_of, solved
 from tests.report.own import SHAPER
 
@@ -291,12 +289,3 @@ def test_the_box_and_the_reason_agree_on_what_returns(
         }.items()
     }
     assert box in told["box"] and why in told["why"]
-
-
-def test_a_file_without_equations_shows_the_way_of_the_guide_too(real: ModuleType) -> None:
-    """A driven chain of bars in a guide, given by its points alone; without a path between velocities only positions are left."""
-    told = real.text_of(real.parts(coursework.solve(parse_variant(random_case(2).text), quantities=["table"]), "equations"))
-    assert "by the links between them, along M–B–A–D" in told
-    assert told.index("Projected onto the axes") < told.index("Also, from differentiating the position equations")
-    alone = real.text_of(real.parts(coursework.solve(parse_variant(real.HELD), quantities=["table"]), "equations"))
-    assert alone.startswith("From differentiating the position equations:")
