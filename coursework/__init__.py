@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from coursework.mechanism import groups
     from coursework.motion.schemes import SCHEMES
     from coursework.report.output.write import write_report
-    from coursework.report.pages import notebook_html
+    from coursework.report.pages.notebook import notebook_html
     from coursework.run import Run
     from coursework.scene.model.data import Data
     from coursework.scene.model.model import Model, compile_model
@@ -46,7 +46,7 @@ _HOMES = {
     "coursework.variant.catalogue": ("load", "names"),
     "coursework.scene.model.data": ("Data",),
     "coursework.report.output.write": ("write_report",),
-    "coursework.report.pages": ("notebook_html",),
+    "coursework.report.pages.notebook": ("notebook_html",),
     "coursework.variant.record.variant": ("Variant",),
     "coursework.variant.reading.reader": ("parse_variant",),
     "coursework.words.errors": ("CourseworkError", "CourseworkWarning", "InputError", "OutputError"),

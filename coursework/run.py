@@ -222,7 +222,7 @@ class Run(SceneRun):
         return f"<Run of {name}: {self.scheme}, h = {self.step:g} s, {ends}>"
 
     def _repr_html_(self) -> str:
-        from coursework.report.pages import notebook_html
+        from coursework.report.pages.notebook import notebook_html
 
         return notebook_html(self)
 

@@ -30,7 +30,6 @@ from coursework.system.budget import Budget, watched
 from coursework.system.csv_text import csv_text
 from coursework.system.file_set import clear_leftovers, working_folder
 from coursework.system.frozen import frozen
-from coursework.system.plain_lines import record_of
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find
 from coursework.variant.reading.set_values import with_set
@@ -142,6 +141,8 @@ class RunTask:
 @contextmanager
 def opened(plain_task: Any) -> Iterator[Callable[[Any], Outcome]]:
     """Yield the function that runs variants one after the other in a process of the pool."""
+    from coursework.system.plain_lines import record_of
+
     with record_of(RunTask, plain_task).ready() as work:
         yield lambda plain_item: work(record_of(Item, plain_item))
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from functools import cache, lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -26,30 +26,34 @@ _NUMBER = r"(?:[−-]?\d[\d.,]*(?:·10[−-]?\d+)?|\{\w+\})"  # or a gap of a se
 _NAMED = r"[NН]|rad|deg|rpm|min|mm|cm|ms|µs|m|s|рад|град|мин|хв|мм|см|мкс|мс|м|с"
 _UNIT = rf"(?:(?:{_NAMED})(?:/(?:{_NAMED})[²2]?)?|1/(?:s|с)|%)"
 _ROW = r"(?:[Rr]ows?|[Ll]ink|[Ss]leeve|[Ww]heel|[Сс]трок\w?|[Рр]яд\w{0,3}|[Зз]вен\w{0,2}|[Лл]анк\w{0,3}|[Кк]олес\w{0,2})"
-_RELATION, _JOINED = "[=≈<>≤≥]", "[+−·×]"
-_FUNCTION = "(?:sin|cos|tan|tg)"
+_RELATIONS, _JOINING, _FUNCTIONS = "=≈<>≤≥", "+−·×", ("sin", "cos", "tan", "tg")
+_RELATION, _JOINED, _FUNCTION = f"[{_RELATIONS}]", f"[{_JOINING}]", f"(?:{'|'.join(_FUNCTIONS)})"
 _TERM = rf"(?:{_SIGN}{{0,8}}\([^()]{{1,20}}\)(?!{_SIGN})|{_SIGN}{{1,18}})"
 _PRODUCT = rf"(?:{_FUNCTION}[{_GAP}])?{_TERM}(?:[{_GAP}](?={_FUNCTION})(?:{_FUNCTION}[{_GAP}])?{_TERM})*"
 _SUM = rf"{_PRODUCT}(?:[{_GAP}]{_JOINED}[{_GAP}]{_PRODUCT})*"
 _WHOLE = rf"(?![{_GAP}]{_RELATION}[{_GAP}])"  # not a part of a chain a = b = c, which would then break at some of its signs
-_TOGETHER = tuple(
-    re.compile(pattern)
-    for pattern in (
+# Before each pattern, of what a text must hold a piece for it to be looked through: half of the searches are saved.
+_TOGETHER = (
+    (
+        _RELATIONS,
         rf"(?<!{_RELATION}[{_GAP}]){_BEGIN}{_SUM}(?:[{_GAP}]{_RELATION}[{_GAP}]{_SUM}(?!{_SIGN}))+(?:[{_GAP}]{_UNIT}(?!\w))?{_WHOLE}",
-        rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}]{_RELATION}(?!{_SIGN})",  # in a longer equation, its sign and the term before it
-        rf"{_BEGIN}{_PRODUCT}(?:[{_GAP}]{_JOINED}[{_GAP}]{_PRODUCT})+(?!{_SIGN})(?:[{_GAP}]{_UNIT}(?!\w))?",
-        rf"{_BEGIN}{_JOINED}[{_GAP}]{_PRODUCT}(?!{_SIGN})",  # in a longer sum, its sign and the term after it
-        r"(?<![\w-])\w{2,12}(?:-\w{1,12}){1,2}(?![\w-])(?:[ \u00a0]\d(?:\(\d\))?(?!\w|\.\d))?",  # Runge-Kutta 4
-        rf"{_APART}-{_APART}",  # the same in Chinese, where a line may break at any other place of the name
-        rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*",
-        rf"{_BEGIN}{_OF_QUOTIENT}+(?:/{_OF_QUOTIENT}+)+(?!{_SIGN})",  # (m/s)/mm too
-        rf"(?<!\w)(?:\w{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}",
-        rf"{_FUNCTION}[{_GAP}]{_SIGN}{{1,12}}(?!{_SIGN})",
-        rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})",
-    )
+    ),
+    (
+        _RELATIONS,
+        rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}]{_RELATION}(?!{_SIGN})",
+    ),  # in a longer equation, its sign and the term before it
+    (_JOINING, rf"{_BEGIN}{_PRODUCT}(?:[{_GAP}]{_JOINED}[{_GAP}]{_PRODUCT})+(?!{_SIGN})(?:[{_GAP}]{_UNIT}(?!\w))?"),
+    (_JOINING, rf"{_BEGIN}{_JOINED}[{_GAP}]{_PRODUCT}(?!{_SIGN})"),  # in a longer sum, its sign and the term after it
+    ("-", r"(?<![\w-])\w{2,12}(?:-\w{1,12}){1,2}(?![\w-])(?:[ \u00a0]\d(?:\(\d\))?(?!\w|\.\d))?"),  # Runge-Kutta 4
+    ("-", rf"{_APART}-{_APART}"),  # the same in Chinese, where a line may break at any other place of the name
+    (_GAP, rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*"),
+    ("/", rf"{_BEGIN}{_OF_QUOTIENT}+(?:/{_OF_QUOTIENT}+)+(?!{_SIGN})"),  # (m/s)/mm too
+    (_GAP, rf"(?<!\w)(?:\w{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}"),
+    (_FUNCTIONS, rf"{_FUNCTION}[{_GAP}]{_SIGN}{{1,12}}(?!{_SIGN})"),
+    (_GAP, rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})"),
 )
 _JOINTS = re.compile(rf"[{_GAP}/-]")  # every piece to keep contains one; table cells rarely do
-_WORTH_A_LOOK = re.compile(r"[=≈<>≤≥+−·×/%{]|\d|\w-\w|cos|sin|tan|tg")
+_WORTH_A_LOOK = re.compile(rf"[{_RELATIONS}{_JOINING}/%{{]|\d|\w-\w|{_FUNCTION}")
 
 
 class Group(NamedTuple):
@@ -109,7 +113,8 @@ def _together(text: str) -> tuple[tuple[int, int], ...]:
         return ()
     text = without_chinese(text, _APART)
     kept: list[tuple[int, int]] = []
-    for begin, end in sorted(match.span() for pattern in _TOGETHER for match in pattern.finditer(text)):
+    asked = (_made(pattern) for pieces, pattern in _TOGETHER if any(piece in text for piece in pieces))
+    for begin, end in sorted(match.span() for pattern in asked for match in pattern.finditer(text)):
         first, last = kept[-1] if kept else (0, 0)
         if kept and begin < last:
             if max(end, last) - first <= LONGEST:
@@ -117,6 +122,11 @@ def _together(text: str) -> tuple[tuple[int, int], ...]:
         elif end - begin <= LONGEST:
             kept.append((begin, end))
     return tuple(kept)
+
+
+@cache
+def _made(pattern: str) -> re.Pattern[str]:
+    return re.compile(pattern)
 
 
 def _cut(begin: int, end: int, places: tuple[tuple[int, int], ...]) -> Iterator[tuple[int, int, bool]]:

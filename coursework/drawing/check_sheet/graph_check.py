@@ -11,10 +11,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from coursework.drawing.check_sheet.check_plan import CheckPlan, plan_of
 from coursework.drawing.check_sheet.graph_words import centre_letter, drift, how_found, omega_name, why_unread
 from coursework.drawing.check_sheet.instant_centres import Findings, construct
 from coursework.drawing.check_sheet.layout import lay_out
@@ -25,8 +25,6 @@ from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.symbols import decimal
 from coursework.drawing.plans.given import driven_lengths
-from coursework.drawing.plans.moving import kinematics_of
-from coursework.drawing.plans.vectors import UNITS, VELOCITY
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.time_derivatives import jets
@@ -36,6 +34,9 @@ from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
+
+if TYPE_CHECKING:
+    from coursework.drawing.check_sheet.check_plan import CheckPlan
 
 
 @frozen
@@ -87,6 +88,7 @@ class GraphCheck:
 
     def _plan_sheet(self, plan: CheckPlan, written: Callable[[str], str], *, blank: bool) -> Drawing:
         from coursework.drawing.plans.polygon_sheet import draw_plan
+        from coursework.drawing.plans.vectors import UNITS, VELOCITY
 
         hinges = self.sketch.outline.hinges
         drawn = draw_plan(plan.polygons, VELOCITY, hinges, self.row, written, index=0, blank=blank)
@@ -142,6 +144,9 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     readings = read_off(sketch, findings, layout, values, None)
     moves = any(findings.velocities.values())
     if moves and (findings.planned or any(one.computed and not one.rests for one in readings)):
+        from coursework.drawing.check_sheet.check_plan import plan_of
+        from coursework.drawing.plans.moving import kinematics_of
+
         # If a plan is needed anyway, or a row would rest on no reading, the plan serves all links whose centre is off the sheet.
         seen = {name for name, centre in findings.drawn.items() if centre.at is None or not centre.lines or name in layout.near}
         far = tuple(body.name for body in sketch.pose.bodies if body.name in findings.drawn and body.name not in seen)

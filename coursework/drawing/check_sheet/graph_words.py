@@ -8,13 +8,15 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Collection, Iterable, Mapping, Set
+from typing import TYPE_CHECKING
 
-from coursework.drawing.check_sheet.check_plan import CheckPlan
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.sketch import Body, Sketch
 from coursework.drawing.paper.symbols import LOWERED, lowered_name
-from coursework.drawing.plans.steps import crossing
 from coursework.words.sentences import joined, say
+
+if TYPE_CHECKING:
+    from coursework.drawing.check_sheet.check_plan import CheckPlan
 
 # Relative to the mechanism: a smaller change of a link's length since the start is round-off, not drift.
 RIGID = 1e-9
@@ -65,6 +67,8 @@ def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> lis
         sentences.append(say("drawing.by_lines", links=tuple(asked)))
     for one in plan.polygons.found if plan is not None else ():
         if one.rule == "special":
+            from coursework.drawing.plans.steps import crossing
+
             sentences.append(say("drawing.special", special=lowered_name(one.point), link=one.link, legs=crossing(one)))
     if plan is not None and findings.beyond:
         sentences.append(say("drawing.beyond", links=findings.beyond))

@@ -12,7 +12,6 @@ import itertools
 from collections.abc import Mapping
 from dataclasses import field
 
-from coursework.drawing.check_sheet.by_plan import solve_plan
 from coursework.drawing.check_sheet.sketch import Body, Pose
 from coursework.system.angles import cross, dot
 from coursework.system.frozen import changing, frozen
@@ -64,6 +63,8 @@ def construct(pose: Pose) -> Findings:
     paper.draw()
     planned: tuple[str, ...] = ()
     if any(not paper.finished(body) for body in pose.bodies):
+        from coursework.drawing.check_sheet.by_plan import solve_plan
+
         solved = solve_plan(pose, paper.velocities)
         planned = tuple(body.name for body in pose.bodies if not paper.finished(body) and body.name in solved.omegas)
         paper.take(solved.velocities, {name: solved.omegas[name] for name in planned})

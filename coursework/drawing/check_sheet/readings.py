@@ -9,19 +9,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
+from typing import TYPE_CHECKING
 
-from coursework.drawing.check_sheet.check_plan import CheckPlan
 from coursework.drawing.check_sheet.graph_words import centre_letter, lowered, omega_name
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.layout import Layout
 from coursework.drawing.check_sheet.sketch import Body, Sketch
 from coursework.drawing.paper.symbols import decimal
 from coursework.drawing.plans.plan_scale import READ, read_length
-from coursework.drawing.plans.steps import image
-from coursework.drawing.plans.vectors import Found
 from coursework.system.frozen import changing, frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
+
+if TYPE_CHECKING:
+    from coursework.drawing.check_sheet.check_plan import CheckPlan
+    from coursework.drawing.plans.vectors import Found
 
 
 @frozen
@@ -239,6 +241,8 @@ class _Ruler:
             size = abs(drawn[end] - drawn.get(start, 0j))
             length, scale = self.plan.scale.length(size, self.plan.has(start, end))
             read = read_length(length)
+            from coursework.drawing.plans.steps import image
+
             images = f"{image(start)}{image(end)}"
             name = images if start else f"p_v\u00a0{images}"
             relation = say("drawing.read.scaled", length=name, scale=decimal(scale))

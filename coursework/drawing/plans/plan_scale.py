@@ -6,9 +6,13 @@ Used by `polygon_sheet.py`, `steps.py`, `check_plan.py` and `readings.py`.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from coursework.drawing.paper.board import vector_scale
-from coursework.drawing.plans.vectors import ACCELERATION, Polygons
 from coursework.system.frozen import frozen
+
+if TYPE_CHECKING:
+    from coursework.drawing.plans.vectors import Polygons
 
 LONGEST = 80.0  # mm: limit for the longest vector
 SMALL = 4.0  # mm: a shorter vector is drawn again in the inset
@@ -51,6 +55,8 @@ def scale_of(found: Polygons, plan: str, index: int) -> PlanScale:
 
 def arrows_of(found: Polygons, plan: str, row: int) -> list[Arrow]:
     """Return kind, start, end, tail and vector of each arrow; the parts of an acceleration follow each other tip to tail."""
+    from coursework.drawing.plans.vectors import ACCELERATION
+
     segments = [s for s in found.segments if s.plan == plan]
     here = [(s.kind, s.start, s.end, complex(s.vector[row])) for s in segments]
     tips = {end: vector for kind, _, end, vector in here if kind == "absolute"}

@@ -22,9 +22,7 @@ from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.adaptive import next_length
 from coursework.motion.integration.crossing import crossing
 from coursework.motion.integration.passage import Passage
-from coursework.motion.singular.change_point import nearest_change_point
 from coursework.motion.singular.event import Event, GivenUp, NotFollowed
-from coursework.motion.singular.passing import passage_at
 from coursework.motion.singular.peaks import Peaks, Piece
 from coursework.motion.singular.scaled_flow import Clock, Flow
 from coursework.system.arrays import Array
@@ -131,6 +129,8 @@ class Walk:
 
     def _pass(self, event: Event, goal: float) -> bool:
         """Go on after a change point if only one motion does; return whether this was possible."""
+        from coursework.motion.singular.passing import passage_at
+
         # A law may change its formula at a break; after the end of the run it usually goes on.
         passage = passage_at(self.flow, event, self.way, self.end, (self.since, goal if goal < self.end else np.inf))
         if passage is None:
@@ -261,6 +261,8 @@ class Walk:
 
     def _change_point(self, state: Array, block: int) -> Event | None:
         """Return the change point that the motion meets near a state, None if there is none."""
+        from coursework.motion.singular.change_point import nearest_change_point
+
         *q, t = state.tolist()
         sizes = [abs(size) for size in self._determinants(state)]
         block = next(k for k, size in enumerate(sizes) if size <= 10 * sizes[block])

@@ -28,7 +28,6 @@ _NOTHING = re.compile(r"<g [^>]*/>|</svg>")
 _BAR = re.compile(
     r'<path fill="none" stroke="#000000" stroke-width="(\S+)"[^>]*? transform="translate\((\S+) (\S+)\)" d="([^"]*)"/>'
 )
-_DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
 _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
 _NAMED = re.compile(r'class="(g[0-9A-F]+)"')
 # A marker is drawn in units of the width of its line, which is 1.
@@ -100,12 +99,16 @@ def _joined(parts: list[Picture]) -> Picture:
 
 def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     """Return the picture without its glyphs, and their outlines by id.  Raises `ValueError` if the SVG has another form."""
-    glyphs = {intern(found[1]): intern(found[2]) for found in _SYMBOL.finditer(svg)}  # one string per glyph, not one per formula
-    opening = _OPENING.search(svg)
+    before, _, rest = svg.partition("<defs")
+    definitions, _, after = rest.partition("</defs>")
+    body = before + after
+    # One string per glyph, not one per formula.
+    glyphs = {intern(found[1]): intern(found[2]) for found in _SYMBOL.finditer(definitions)}
+    opening = _OPENING.match(body)
     if not opening:
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
     wide, high = map(float, opening.groups())
-    body = _DEFINITIONS.sub("", svg[opening.end() :])
+    body = body[opening.end() :]
     placed = [
         (copy[1], round(UNITS * (float(run[1]) + float(copy[2]))), round(UNITS * (float(run[2]) - float(copy[3]))))
         for run in _RUN.finditer(body)  # heights inside a run count upwards
@@ -117,7 +120,7 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     for glyph, x, y in placed:
         places.setdefault(glyph, []).append((x, y - line))
     bars = _BAR.sub(lambda bar: _bar(bar, line), _NOTHING.sub("", _RUN.sub("", body)))
-    if "<use" in bars or "transform" in bars or not places.keys() <= glyphs.keys():
+    if "<use" in bars or "<defs" in bars or "transform" in bars or not places.keys() <= glyphs.keys():
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
     size = f'style="--wide:{wide:.2f}pt"'
     # Two digits more than the eye needs: the height decides on which pixels the text beside the formula stands.

@@ -19,7 +19,7 @@ from coursework.drawing.paper.sheet import width
 from coursework.report.graphs.figures import WIDTH
 from coursework.report.graphs.graph_paper import INK, LETTERS, picture, words
 from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, scale_for, upward, way_of
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
 # Colours that stay apart for colour-blind readers (Okabe and Ito); dashes (mm) and marks keep them apart in print.
@@ -161,8 +161,11 @@ def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
     order = sorted(range(len(named)), key=lambda k: (stands[k][0].cost, -width(named[k][0])))
     best = settle({}, order)
     least = cost(best)
+    free = sum(one[0].cost for one in stands)  # what all would cost if none met another
     everywhere = [(name, place) for name in order for place in range(len(stands[name]))]
     for k, place in 2 * everywhere:
+        if free - stands[k][0].cost + stands[k][place].cost >= least:
+            continue  # however the others stand
         met = masks[begins[k] + place]
         kept = {other: own for other, own in best.items() if other != k and not met >> begins[other] + own & 1}
         other = settle(kept | {k: place}, [name for name in order if name != k and name not in kept])
@@ -190,18 +193,23 @@ class Stand:
 def _stands(text: str, place: tuple[float, float], piece: str, dots: Array) -> list[Stand]:
     """Return the cheapest places of a name first: on one line, on two, or on lines that fit the room beside the axes."""
     key = KEY if piece else 0.0
-    every: list[tuple[float, Box, float, tuple[str, ...]]] = []
-    for rows in dict.fromkeys(((text,), _rows(text, 0.68 * LETTERS * width(text)), _rows(text, RIGHT - BESIDE[0]))):
+    listed = list(dict.fromkeys(((text,), _rows(text, 0.68 * LETTERS * width(text)), _rows(text, RIGHT - BESIDE[0]))))
+    tried = []
+    for number, rows in enumerate(listed):
         wide, high, more = LETTERS * max(map(width, rows)), LINE * len(rows), LINE * (len(rows) - 1)
-        for dx, dy, cost in (*_places(wide + key, WIDTH - RIGHT - place[0]), *(_anywhere(place, wide + key) if piece else ())):
-            before = 0.0 if (dx, dy) == BESIDE else key
-            left, top = place[0] + dx, place[1] + dy - high / 2
-            box = (left, top, left + before + wide, top + high)
-            every.append((cost + more + 4000 * _is_outside(box), box, before, rows))
-    covered = _covered(np.array([box for _, box, *_ in every]) + CLEAR, dots)
-    costs = [cost + ON_A_LINE * count for (cost, *_), count in zip(every, covered, strict=True)]
-    best = sorted(range(len(every)), key=costs.__getitem__)[:STANDS]
-    return [Stand(every[k][3], every[k][1], every[k][2], costs[k], covered[k] > 0) for k in best]
+        near = _places(wide + key, WIDTH - RIGHT - place[0])
+        dx, dy, cost = np.concatenate([near, _anywhere(place, wide + key)] if piece else [near]).T
+        before = np.where((dx == BESIDE[0]) & (dy == BESIDE[1]), 0.0, key)
+        left, top = place[0] + dx, place[1] + dy - high / 2
+        right, bottom = left + before + wide, top + high
+        outside = (right > WIDTH) | (left < LEFT + 1) | (top < TOP - 1) | (bottom > HEIGHT - BOTTOM)
+        tried.append([left, top, right, bottom, before, cost + more + 4000 * outside, np.full(len(cost), number)])
+    every = np.concatenate(tried, axis=1).T
+    covered = _covered(every[:, :4] + CLEAR, dots)
+    costs = every[:, 5] + ON_A_LINE * covered
+    best = np.argsort(costs, kind="stable")[:STANDS]
+    told = zip(every[best].tolist(), costs[best].tolist(), covered[best].tolist(), strict=True)
+    return [Stand(listed[int(one[6])], (one[0], one[1], one[2], one[3]), one[4], cost, count > 0) for one, cost, count in told]
 
 
 def _written(stand: Stand, piece: str, below: int) -> str:
@@ -229,16 +237,17 @@ def _rows(text: str, room: float) -> tuple[str, ...]:
     return tuple(rows)
 
 
-def _covered(boxes: Array, dots: Array) -> list[int]:
+def _covered(boxes: Array, dots: Array) -> Array:
     """Return how many of the `dots` (m, 2) lie in each of the `boxes` (n, 4)."""
-    left, top, right, bottom = boxes.T[:, :, None]
-    x, y = dots.T
-    counts: list[int] = np.count_nonzero((left < x) & (x < right) & (top < y) & (y < bottom), axis=1).tolist()
-    return counts
+    left, top, right, bottom = boxes.T
+    inside = _between(left, right, dots[:, 0]) & _between(top, bottom, dots[:, 1])
+    return np.asarray(np.count_nonzero(inside, axis=1))
 
 
-def _is_outside(box: Box) -> bool:
-    return box[2] > WIDTH or box[0] < LEFT + 1 or box[1] < TOP - 1 or box[3] > HEIGHT - BOTTOM
+def _between(low: Array, high: Array, at: Array) -> Flags:
+    """Return whether each of `at` (m,) lies between `low` and `high` (n,), as (n, m)."""
+    kinds, kind = np.unique(low + 1j * high, return_inverse=True)  # boxes stand in few columns and few rows
+    return np.asarray(((kinds.real[:, None] < at) & (at < kinds.imag[:, None]))[kind])
 
 
 def _piece(mark: str, ink: str, dashes: str) -> str:
@@ -252,8 +261,8 @@ def _pen(places: Points, ink: str, dashes: str) -> str:
     return f'<path fill="none" stroke="{ink}"{dashed} d="{way_of(places)}"/>'
 
 
-def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:
-    """Return the places of a name near its line as (dx, dy, cost), best first; dx and dy lead from the line's end to its left.
+def _places(wide: float, axes: float) -> Array:
+    """Return places (n, 3) of a name near its line as (dx, dy, cost), best first; dx and dy lead from the line's end to its left.
 
     `wide` is the width of the name, `axes` the distance from the line's end to the right end of the axes (mm).
     """
@@ -263,15 +272,14 @@ def _places(wide: float, axes: float) -> list[tuple[float, float, float]]:
         for dy in {0.0} if step == 0 else {step * LINE * 0.75, -step * LINE * 0.75}:
             found += [(BESIDE[0], dy, far), (-wide - BESIDE[0], dy, far + 2.0), (axes + BESIDE[0], dy, far + axes / LINE)]
             found += [(-wide * part, dy, far + 0.5 + 9 * (step < 1)) for part in (0.25, 0.5, 0.75)]
-    return sorted(found, key=lambda one: (one[2], one))
+    return np.array(sorted(found, key=lambda one: (one[2], one)))
 
 
-def _anywhere(place: tuple[float, float], wide: float) -> Iterator[tuple[float, float, float]]:
-    """Yield places (dx, dy, cost) all over the picture, where a name is understood because a sample of its line precedes it."""
-    for left in np.arange(LEFT + 1.5, WIDTH - max(RIGHT, wide), STRIDE).tolist():
-        for middle in np.arange(TOP, HEIGHT - BOTTOM, LINE).tolist():
-            dx, dy = left - place[0], middle - place[1]
-            yield dx, dy, FARTHER + 2 * math.hypot(dx, dy) / LINE
+def _anywhere(place: tuple[float, float], wide: float) -> Array:
+    """Return places (n, 3) all over the picture, where a name is understood because a sample of its line precedes it."""
+    left, middle = np.arange(LEFT + 1.5, WIDTH - max(RIGHT, wide), STRIDE), np.arange(TOP, HEIGHT - BOTTOM, LINE)
+    dx, dy = np.repeat(left, len(middle)) - place[0], np.tile(middle, len(left)) - place[1]
+    return np.column_stack([dx, dy, FARTHER + 2 * np.sqrt(dx * dx + dy * dy) / LINE])
 
 
 def _dotted(line: Points) -> Iterator[tuple[float, float]]:

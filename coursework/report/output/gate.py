@@ -7,10 +7,10 @@ Used by `results.py`, through which everything is written.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from coursework.report.output.reason import Formulas, Reason
 from coursework.results.checks.result import Finding
 from coursework.scene.quantities import CHECKS, PLOTS
 from coursework.scene.scene_run import SceneRun
@@ -20,6 +20,9 @@ from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
+
+if TYPE_CHECKING:
+    from coursework.report.output.reason import Reason
 
 
 @frozen
@@ -118,11 +121,15 @@ def _faults(run: SceneRun, block: Block, spoilt: Flags) -> Iterator[Fault]:
 
 def _lost_force(run: SceneRun) -> Reason | None:
     """Return what has no value in a force, a mass or what else moves the mechanism."""
+    from coursework.report.output.reason import Formulas
+
     return Formulas(run.variant, run.motion, False).of_forces()
 
 
 def _reason(run: SceneRun, point: str) -> Reason | None:
     """Return why `point` (the motion if "") has no value; if it has one, why it changes at no finite rate; else None."""
+    from coursework.report.output.reason import Formulas
+
     for rates in (False, True):
         formulas = Formulas(run.variant, run.motion, rates)
         if reason := formulas.of_point(point) if point else formulas.of_motion():

@@ -13,7 +13,6 @@ from coursework.report.formulas.svg import Drawn, draw
 from coursework.report.live.script import alone, hash_of, packed
 from coursework.report.pages.model import ReportModel
 from coursework.words.errors import OutputError
-from coursework.words.stylesheets import fitted
 from coursework.words.templates import filled
 
 
@@ -26,7 +25,11 @@ def render_html(model: ReportModel, *, pack: bool = True) -> str:
     drawn = _drawn(page)
     scripts = {"latex": latex, **_scripts(model, pack)} if model.scripts else {}
     made = filled("report.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live, **scripts)
-    return made if model.scripts else fitted(made)  # a page with scripts may come to need any style rule
+    if model.scripts:  # such a page may come to need any style rule
+        return made
+    from coursework.words.stylesheets import fitted
+
+    return fitted(made)
 
 
 def _scripts(model: ReportModel, pack: bool) -> dict[str, Any]:

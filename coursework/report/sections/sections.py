@@ -16,7 +16,6 @@ from coursework.report.sections.construction import graph_check
 from coursework.report.sections.dead_point import dead_point
 from coursework.report.sections.derivation.motion_equations import equations
 from coursework.report.sections.derivation.solution import solution
-from coursework.report.sections.derivation.worked import worked
 from coursework.report.sections.graphs import graphs
 from coursework.report.sections.method import method
 from coursework.report.sections.results import results
@@ -48,9 +47,10 @@ Writer = Callable[[PageContext], list[Part]]
 Writers = Sequence[tuple[Writer, Quantity[Any] | None]]
 
 
-# A page without forces or a program does not need these; the writers of a program are in `takeaway/`, a layer above this one.
+# Most pages do without these; the writers of a program are in `takeaway/`, a layer above this one.
 dynamics = late("report.sections.effects.dynamics", "dynamics")
 forces, energy = (late("report.sections.effects.forces", name) for name in ("forces", "energy"))
+worked = late("report.sections.derivation.worked", "worked")
 listing, flowchart = (late("takeaway.listing.appendix", name) for name in ("listing", "flowchart"))
 
 # Each writer with the quantity that must be asked for; None: always written.

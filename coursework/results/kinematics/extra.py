@@ -11,8 +11,6 @@ import numpy as np
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
 from coursework.motion.integration.turning import stands
-from coursework.results.kinematics.analogs import acceleration_analog, velocity_analog
-from coursework.results.kinematics.invariants import from_true
 from coursework.results.kinematics.strokes import Way, longest_way, swings
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -44,6 +42,8 @@ def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
 
     Raises `InputError` if there is not exactly one driven coordinate, or if the crank stands still.
     """
+    from coursework.results.kinematics.analogs import acceleration_analog, velocity_analog
+
     crank = _crank(variant)
     omega, epsilon = _crank_motion(variant, crank, motion, second)
     names, units, columns, sizes = [crank.name], ["rad"], [motion.column(crank.name)], [0.0]
@@ -78,6 +78,8 @@ def invariant_table(variant: Variant, way: Way, second: Array) -> ExtraTable:
 
     At the dead positions of a stroke b_k is set to 0.  Raises `InputError` if crank or slider stand still.
     """
+    from coursework.results.kinematics.invariants import from_true
+
     crank, slider, motion = _crank(variant), way.slider, way.motion
     s, phi = motion.column(slider.name), motion.column(crank.name)
     length, turn = float(s[-1] - s[0]), float(phi[-1] - phi[0])

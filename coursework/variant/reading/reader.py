@@ -37,7 +37,6 @@ from coursework.variant.reading.sections import (
     read_unknown,
 )
 from coursework.variant.reading.shape import read_shape
-from coursework.variant.reading.tables import read_table
 from coursework.variant.record.changes import with_changes
 from coursework.variant.record.texts import Texts
 from coursework.variant.record.variant import (
@@ -203,6 +202,8 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
                 parts.say(place, say("fault.V074", later=later, earlier=earlier))
         return Law(name, pieces=pieces)
     if isinstance(value, schema.Table):
+        from coursework.variant.reading.tables import read_table
+
         table = read_table(value.table, parts.source, (*path, "table"), parts.faults)
         of = parts.names.canonical(value.of)
         known = [known for known, kind in parts.names.kinds.items() if kind == "coordinate"]

@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 
 from coursework import solve
-from coursework.report.pages import build_model, notebook_html
+from coursework.report.pages import build_model
+from coursework.report.pages.notebook import notebook_html
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import Words, load_words
 from coursework.results.checks.result import Finding

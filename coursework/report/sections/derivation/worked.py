@@ -1,7 +1,7 @@
 """The formula behind a further table, and one of its rows computed with numbers that give the printed result.
 
 Enters: a `PageContext` and the name of the quantity.  Leaves: parts, none if the formula is too long to read.
-Used by `sections.py`.
+Used by the list of sections, by name.
 """
 
 from __future__ import annotations
