@@ -31,6 +31,7 @@ SLIPS = [
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "-w2"', {"V078": "Write w2 alone: [points] show that the link turns"}),
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "− w2"', {"V078": "Write w2 alone: [points] show that the link turns"}),
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "w2 "', {"V078": 'Did you mean "w2"?'}),
+    ("[given] ", '[given]\nr9 = "2*r1/sqrt(2)"\n#', {"V164": "Write this line in [functions] instead."}),
     ('"0.02 s"', '"1/50 rad"', {"V160": 'Write "0.02 s".'}),
     ('"0.02 s"', '"1/60 s"', {"V160": 'Write "1/60".'}),
     ('"0.02 s"', '"1/3600 min"', {"V160": 'Write "60*(1/3600)".'}),

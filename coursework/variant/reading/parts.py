@@ -87,7 +87,7 @@ class Parts:
                 self.grads.append((path, f"{read.text} {read.unit}"))
             return read
         except units.UnitFault as fault:
-            if advice := _written_out(str(value), wanted) or _without_unit(str(value)):
+            if advice := _written_out(str(value), wanted) or _without_unit(str(value)) or self._as_function(path, str(value)):
                 self.say(path, advice)
             elif fault.advised and not wanted:
                 self._unread.append((path, fault.advised))
@@ -95,6 +95,13 @@ class Parts:
             else:
                 self.say(path, fault.message)
             return _NOTHING
+
+    def _as_function(self, path: KeyPath, text: str) -> Sentence | None:
+        """Return the message about a datum that is a formula of others, such as "2*h - b"; None for any other value."""
+        tree, _, _ = _split(text)
+        if path[0] != "given" or tree is None or not {*tree.names()} <= self.names.kinds.keys() | {"pi"}:
+            return None
+        return say("fault.V164", found=text[:60])
 
     @property
     def sound(self) -> bool:
