@@ -149,7 +149,8 @@ class Parts:
         if not units.measures(read, wanted):
             self.say(path, units.unlike(wanted, value))
         quarters = read.quarters
-        size = Formula("number", name=repr(abs(read.value)), si=read.si) if quarters is None else part_of_pi(abs(quarters) / 2)
+        written = repr(abs(read.value)).removesuffix(".0")  # as a formula writes it
+        size = Formula("number", name=written, si=read.si) if quarters is None else part_of_pi(abs(quarters) / 2)
         return size if read.value >= 0 else Formula("neg", (size,))
 
     def equation(self, path: KeyPath, text: str, *, closure: bool) -> tuple[Formula, Formula]:
