@@ -70,6 +70,21 @@ def test_one_drive_too_many_for_a_chain_is_told_as_that() -> None:
         assert coursework.solve(coursework.parse_variant(both)).motion
 
 
+def test_a_wrong_angle_in_a_closure_is_not_a_drive_too_many() -> None:
+    """Both sides of the loop of a five-bar robot with two motors have the forearm at phi3; nothing is left that moves phi4."""
+    starts = "".join(f'phi{k} = {{ start = "{60 * k} deg", rate = "w{k}" }}\n' for k in (1, 2, 3, 4))
+    text = (
+        f'[given]\nl = "0.3 m"\n[drive]\nw1 = "0.7 rad/s"\nw2 = "cos(t)"\n[coordinates]\n{starts}[time]\nstep = "0.1 s"\n'
+        'end = "1 s"\n[[constraint]]\nclosure = "l @ phi1 + l @ phi3 = (l, 0) + l @ phi2 + l @ phi3"'
+    )
+    said = r":15  .*Equation 1y contradicts .* Missing: something for w3 and w4"
+    with pytest.raises(coursework.InputError, match=said) as told:
+        assert coursework.solve(coursework.parse_variant(text)).motion
+    assert "prescribed" not in str(told.value)
+    with pytest.raises(coursework.InputError, match=r"^V312 .* No closed position lies near it"):  # now it is open as well
+        assert coursework.solve(coursework.parse_variant(text.replace('"120 deg"', '"90 deg"'))).motion
+
+
 def test_one_velocity_that_two_equations_contradict_is_told_in_the_singular() -> None:
     text = mechanism("four-bar-loop", ('w1 = "n"', 'w1 = "n"\nw2 = "n"'))
     with pytest.raises(coursework.InputError, match=r"V403 .*1 unknown velocity \(w3\) and 1 independent equation of 2\."):
