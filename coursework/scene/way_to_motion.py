@@ -161,7 +161,8 @@ class WayToMotion:
         rates, passages = self.passing(self.rates), self.search.passages
         angles = angles_in_determinants([self.reduction.blocks[index] for index in rates.blocks], self.equations)
         guarded = [index for index, name in enumerate(rates.coordinates) if name in angles]
-        made = March(rates, scheme_of(scheme), step, self.correction, guarded, passages)
+        goes_on = self.search.event is None and self.search.given_up is None
+        made = March(rates, scheme_of(scheme), step, self.correction, guarded, passages, goes_on)
         rows = made.until(self.begin, self.variant.time.end, self.stop)
         scaled = rows.determinants / np.array([self.flow.largest[index] for index in rates.blocks])
         return replace(rows, scaled=np.asarray(scaled), notes=self.passed)

@@ -41,6 +41,41 @@ def test_h01_variant_31_with_the_wrong_phase_stops_where_it_must(scheme, step):
         assert len(run.motion.t) - 1 == wanted["last_valid_row_dt_0.02"]
 
 
+SOLVED = [
+    "w3 = VMy/(r3*(2*cos(phi3) + sin(phi3)))",
+    "r3*w3*(2 + tan(phi3)) = VMy/cos(phi3)",
+    "r3*(2*w3 + w3*tan(phi3))*cos(phi3) = VMy",
+]
+
+
+@pytest.mark.parametrize("solved", SOLVED)
+def test_h01_solved_for_its_unknown_stops_at_the_same_dead_point(solved):
+    """A denominator, or that of a tangent, is a determinant of the equation in another form."""
+    asked = "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0"
+    assert asked in V31_IMPOSSIBLE
+    stop = solve(V31_IMPOSSIBLE.replace(asked, solved)).stop
+    assert (stop.kind, stop.block) == ("dead point", ("w3",))
+    assert abs(stop.time - float(expected("H01")["t_event"])) < LOCATED
+    unit = "9.844 (in the unit of its equation)" if solved.startswith("w3") else "4.499 m/s"
+    assert f"The drive asks for {unit} there" in stop.sentence
+
+
+@pytest.mark.parametrize(
+    "equations", [("R*w = vs/cos(phi)", "vx + vs*tan(phi) = 0"), ("vx/sin(phi) = -R*w", "vs*tan(phi) = -vx")]
+)
+def test_a_motion_goes_on_where_a_denominator_of_its_equations_is_zero(equations):
+    """A Scotch yoke passes 90 and 180 degrees as any other position."""
+    start = f'x = {{ start = "{math.cos(0.2)!r} m", rate = "vx" }}\ns = {{ start = "{math.sin(0.2)!r} m", rate = "vs" }}'
+    text = scene(
+        f'phi = {{ start = "0.2 rad", rate = "w" }}\n{start}', given='R = "1 m"', drive='w = "1 rad/s"', step=0.1, end=6.0,
+        equations=list(equations),
+    )  # fmt: skip
+    run = solve(text, "rk4")
+    assert run.stop is None
+    assert np.allclose(run.motion.column("x"), np.cos(0.2 + run.motion.t), atol=1e-5)
+    assert np.allclose(run.motion.column("vs"), np.cos(0.2 + run.motion.t), atol=1e-5)
+
+
 def test_h01_the_angle_runs_into_it_like_a_square_root():
     run = solve(V31_IMPOSSIBLE, step=0.116889254610302411 / 1000.001, end=0.1169)
     late = run.stop.time - run.exact.t[-3:]

@@ -201,3 +201,12 @@ def test_a_law_that_needs_itself_is_told_with_its_way_and_no_other_law(laws, tol
 
     formulas = Formulas({name: SimpleNamespace(formulas=[parse(text)]) for name, text in laws.items()})
     assert {name: " → ".join(way) for name in laws if (way := at_start._circle(name, formulas))} == told
+
+
+@pytest.mark.parametrize(
+    "placed", [GUIDE.replace('"0"', '"x/b"'), GUIDE.replace('"0"', '"tilt"'), GUIDE.replace('"K"', '"K + (0, x)"')]
+)
+def test_a_group_is_not_placed_by_what_it_gives_itself(placed):
+    text = SHAPER.replace(GUIDE, placed).replace("[drive]", '[functions]\ntilt = "x/b"\n[drive]')
+    (line,) = told(text)
+    assert "(RRP) is placed by x, which only this group gives" in line

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.variant.formula.tree import spelled
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.toml.positions import locate
 
@@ -102,13 +103,16 @@ def test_numbers_may_stand_bare_in_si():
     assert bare.drive == written.drive
 
 
-@pytest.mark.parametrize(("written", "value"), [("10 rpm", np.pi / 3), ("10", 10.0), ("600 deg/s", 600 * np.pi / 180)])
+@pytest.mark.parametrize(
+    ("written", "value"), [("10 rpm", np.pi / 3), ("10", 10.0), ("10 rad/s", 10.0), ("600 deg/s", 600 * np.pi / 180)]
+)
 def test_a_drive_may_be_a_value_with_its_unit(written, value):
     text = (Path(__file__).parent / "bad" / "time-period.toml").read_text(encoding="utf-8")
     run = coursework.solve(
         parse_variant(text.replace('period = "0 s"\n', "").replace('w1 = "10"', f'w1 = "{written}"')), end=0.05
     )
     assert run.motion.column("w1")[0] == pytest.approx(value, rel=1e-15)
+    assert not spelled(run.variant.drive[0].formula).endswith(".0")
 
 
 def test_a_folder_a_missing_file_and_a_device_are_refused(tmp_path):

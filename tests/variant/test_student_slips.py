@@ -31,6 +31,7 @@ SLIPS = [
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "-w2"', {"V078": "Write w2 alone: [points] show that the link turns"}),
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "− w2"', {"V078": "Write w2 alone: [points] show that the link turns"}),
     ('["A", "M"], rate = "w2"', '["A", "M"], rate = "w2 "', {"V078": 'Did you mean "w2"?'}),
+    ("[given] ", '[given]\nr9 = "2*r1/sqrt(2)"\n#', {"V164": "Write this line in [functions] instead."}),
     ('"0.02 s"', '"1/50 rad"', {"V160": 'Write "0.02 s".'}),
     ('"0.02 s"', '"1/60 s"', {"V160": 'Write "1/60".'}),
     ('"0.02 s"', '"1/3600 min"', {"V160": 'Write "60*(1/3600)".'}),
@@ -67,6 +68,21 @@ def test_one_drive_too_many_for_a_chain_is_told_as_that() -> None:
     both = SHAPER.replace('w1 = "n"', 'w1 = "n"\nw3 = "n"')
     with pytest.raises(coursework.InputError, match="w1 and w3 are prescribed, but the mechanism has only 1 degree of freedom"):
         assert coursework.solve(coursework.parse_variant(both)).motion
+
+
+def test_a_wrong_angle_in_a_closure_is_not_a_drive_too_many() -> None:
+    """Both sides of the loop of a five-bar robot with two motors have the forearm at phi3; nothing is left that moves phi4."""
+    starts = "".join(f'phi{k} = {{ start = "{60 * k} deg", rate = "w{k}" }}\n' for k in (1, 2, 3, 4))
+    text = (
+        f'[given]\nl = "0.3 m"\n[drive]\nw1 = "0.7 rad/s"\nw2 = "cos(t)"\n[coordinates]\n{starts}[time]\nstep = "0.1 s"\n'
+        'end = "1 s"\n[[constraint]]\nclosure = "l @ phi1 + l @ phi3 = (l, 0) + l @ phi2 + l @ phi3"'
+    )
+    said = r":15  .*Equation 1y contradicts .* Missing: something for w3 and w4"
+    with pytest.raises(coursework.InputError, match=said) as told:
+        assert coursework.solve(coursework.parse_variant(text)).motion
+    assert "prescribed" not in str(told.value)
+    with pytest.raises(coursework.InputError, match=r"^V312 .* No closed position lies near it"):  # now it is open as well
+        assert coursework.solve(coursework.parse_variant(text.replace('"120 deg"', '"90 deg"'))).motion
 
 
 def test_one_velocity_that_two_equations_contradict_is_told_in_the_singular() -> None:

@@ -6,7 +6,7 @@ Enters: expressions.  Leaves: expressions.  Used by whoever reduces equations.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 
@@ -134,6 +134,35 @@ def together(part: Expression) -> tuple[Expression, Expression]:
     """Return numerator and denominator of an expression with all terms over one denominator."""
     above, below = _sides(part)
     return above, multiply(*[power(base, by) for base, by in below.items()])
+
+
+def without_denominators(parts: Sequence[Expression], about: frozenset[Expression]) -> list[Expression]:
+    """Return expressions multiplied by the least denominator of them all, as far as it depends on `about`; tan is sin/cos.
+
+    Roots and squares stay below: the zero of a square does not tell on which side of it a motion is.
+    """
+    fractions = [together(_by_sines(part, about)) for part in parts]
+    sides = [_sides(above / below) for above, below in fractions]  # what stands above and below is gone
+    common: dict[Expression, Fraction] = {}
+    for _, below in sides:
+        common |= {base: max(by, common.get(base, by)) for base, by in below.items() if not about.isdisjoint(base.free_symbols)}
+    common = {base: by for base, by in common.items() if by == 1}
+    if not common:
+        return list(parts)
+    return [
+        multiply(above, *[power(base, common.get(base, Fraction(0)) - below.get(base, 0)) for base in {**common, **below}])
+        for above, below in sides
+    ]
+
+
+def _by_sines(part: Expression, about: frozenset[Expression]) -> Expression:
+    """Return an expression in which no tangent depends on `about`."""
+    if about.isdisjoint(part.free_symbols) or not part.args:
+        return part
+    args = tuple(_by_sines(arg, about) for arg in part.args)
+    if part.op == "tan":
+        return sine(args[0]) / cosine(args[0])
+    return part if args == part.args else rebuilt(part, args)
 
 
 def _sides(part: Expression) -> tuple[Expression, dict[Expression, Fraction]]:

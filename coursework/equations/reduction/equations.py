@@ -11,6 +11,7 @@ from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeVar, cast
 
+from coursework.equations.algebra.calculus import without_denominators
 from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression, add
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.bound import STILL, Geometry, Speed, rate_of, speed_of
@@ -186,8 +187,12 @@ def _derived(position: Position, because: str, variant: Variant, symbols: Symbol
 def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> VelocityEquation:
     unknown = set(variant.sought)
     gap = _linear(constraint.left, unknown, symbols).plus(_linear(constraint.right, unknown, symbols), MINUS)
-    coefficients = {name: gap.coefficients[name] for name in variant.sought if name in gap.coefficients}
-    return VelocityEquation(constraint.name, constraint.because, coefficients, -gap.rest, constraint.sides, constraint.line)
+    names = [name for name in variant.sought if name in gap.coefficients]
+    # Where a denominator is zero the equation says nothing, and the motion that it describes may well go on.
+    moving = frozenset(symbol(one.name) for one in variant.coordinates)
+    *slopes, rest = without_denominators([*[gap.coefficients[name] for name in names], -gap.rest], moving)
+    coefficients = dict(zip(names, slopes, strict=True))
+    return VelocityEquation(constraint.name, constraint.because, coefficients, rest, constraint.sides, constraint.line)
 
 
 _WHERE = {"*": "product", "/": "denominator", "^": "power", "call": "function"}

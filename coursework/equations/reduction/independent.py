@@ -169,7 +169,8 @@ def _fault(
     counts = {"count": len(unknowns), "unknowns": ", ".join(unknowns), "rows": len(rows)}
     sentences: list[Sentence] = []
     driven, written = tuple(law.name for law in drive), {one.name: one.written for one in equations.equations if one.written}
-    if conflicts and len(drive) > 1 and not any({name, *others} & written.keys() for name, others, _ in conflicts):
+    is_whole = len(kept) == len(unknowns)  # else even more would be missing with fewer drives: a closure is wrong
+    if is_whole and conflicts and len(drive) > 1 and not any({name, *others} & written.keys() for name, others, _ in conflicts):
         freedom = max(0, len(drive) - len(conflicts))  # all equations are those of the geometry: none of them is wrong
         sentences.append(say_count("equation.too_many_drives", freedom, drive=driven))
     elif conflicts:
@@ -178,12 +179,12 @@ def _fault(
             key = "together" if len(others) > 1 else "one" if others else "drive" if laws else "nothing"
             listed = others or [f"{law} (:{equations.variant.nearest_line('drive', law)})" for law in laws]
             sentences.append(say(f"equation.contradicts.{key}", name=name, others=tuple(listed), gap=abs(gap)))
-        if len(kept) < len(unknowns):  # without one of them, or with fewer drives, even more would be missing
+        if not is_whole:  # without one of them even more would be missing
             sentences.append(say("equation.correct_one"))
         else:
             sentences.append(say("equation.drive_less", drive=driven) if len(drive) > 1 else say("equation.correct"))
     sentences += [say("equation.dependent", sentence=_same(pair)) for pair in sames]
-    if len(kept) < len(unknowns):
+    if not is_whole:
         sentences.append(say("equation.missing", names=tuple(_undetermined(matrix, kept, unknowns))))
         sentences += _structure(equations, rows, owner)
         if not conflicts:
@@ -193,7 +194,8 @@ def _fault(
             sentences.append(say("equation.idle", names=idle, rate=rate))
     file = equations.variant.file
     lines = {equation.name: equation.line for equation in equations.equations}
-    line = lines[conflicts[0][0]] if len(conflicts) == 1 else equations.variant.nearest_line("coordinates")
+    own = {lines[name] for name, _, _ in conflicts}
+    line = own.pop() if len(own) == 1 else equations.variant.nearest_line("coordinates")
     code = "fault.V403" if conflicts else _MISSING
     return Fault(say_count(code, len(kept), **counts, why=joined(sentences)), file, line)
 

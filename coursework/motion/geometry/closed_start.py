@@ -59,7 +59,9 @@ def closed_start(closure: Closure) -> tuple[Array, Array | None]:
     found = closure.newton(0.0, closure.start, closure.origin)
     if found is None or np.max(np.abs(found - closure.start)) > 1:
         found = closure.newton(0.0, _downhill(closure), closure.origin)
-    return residual, None if found is None else _without_turns(closure, found)
+    # With more equations than coordinates the corrections also settle where the mechanism is only as nearly closed as it can be.
+    is_closed = found is not None and np.max(np.abs(closure.residual(0.0, found, closure.origin)[0])) <= CLOSED * closure.scale
+    return residual, _without_turns(closure, found) if found is not None and is_closed else None
 
 
 def _downhill(closure: Closure) -> Array:

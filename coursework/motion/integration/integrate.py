@@ -15,6 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.integration.loops import generate_rows
 from coursework.motion.integration.motion import Motion, Stop, rows_before
@@ -92,6 +93,10 @@ class Row:
         cause = say("event.too_wide", row=self.index + 1, time=self.t, step=step, name=rates.coordinates[place], **turn)
         return self._stop(TOO_LARGE, self._named(rates), cause, say("event.smaller_step"))
 
+    def led_out(self, law: str) -> Stop:
+        """Return the stop of a row whose step leads out of the table of a law."""
+        return self._stop(TOO_LARGE, {}, self._cause(say("event.outside", name=law)), say("event.more_nodes"))
+
     @property
     def has_outgrown(self) -> bool:
         """Return whether a coordinate is too large for any mechanism."""
@@ -112,7 +117,7 @@ class March:
     """How rows are made: `rates`, a `scheme`, its `step` (s), and a correction of each position if asked for.
 
     `guarded` are the indices of coordinates that occur in determinants, `passages` the places where a determinant may change
-    sign.
+    sign.  If the true motion `goes_on` to the end, it is the scheme that leaves a table.
     """
 
     rates: Rates
@@ -121,6 +126,7 @@ class March:
     correction: Correction | None = None
     guarded: Sequence[int] = ()
     passages: Sequence[Passage] = ()
+    goes_on: bool = False
 
     def until(self, start: Sequence[float], end: float, stop: Stop | None = None) -> Motion:
         """Return the rows from `start` (rad, m) at t = 0 to `end` (s), or to the `stop` of the true motion.
@@ -146,7 +152,7 @@ class March:
     def _generated(self, start: Sequence[float], last: int) -> list[Numbers]:
         """Return the rows up to `last`, or up to the first row after which something must be reported."""
         rows: list[Numbers] = []
-        with suppress(ZeroDivisionError, ValueError, OverflowError):
+        with suppress(ZeroDivisionError, ValueError, OverflowError, OutsideTable):
             made = generate_rows(self.scheme, self.rates, self.guarded, WIDEST_STEP)
             made(0, last, self.step, self.rates.may_look_until, rows.append, *start)
         return rows
@@ -164,6 +170,8 @@ class March:
                 values = rates.evaluate(t, *q.tolist())
             except (ZeroDivisionError, ValueError, OverflowError):
                 return here.broken("event.singular", step)
+            except OutsideTable as left:
+                return self._left(here, left)
             if not all(map(math.isfinite, values)) and here.has_outgrown:
                 return here.broken("event.overflow", step)
             if rows and (found := self._crossed(rows[-1][size:], values, here)):
@@ -175,6 +183,8 @@ class March:
                 moved = self.scheme.step(rates.slopes((index + 1) * step), t, q, step, np.array(values[:size]))
             except (ZeroDivisionError, ValueError, OverflowError):
                 return here.broken("event.singular_inside", step)
+            except OutsideTable as left:
+                return self._left(here, left)
             for place in self.guarded:
                 if abs(turned := float(moved[place] - q[place])) > WIDEST_STEP:
                     return here.too_wide(rates, place, turned, step)
@@ -182,6 +192,12 @@ class March:
             if not np.isfinite(q).all():
                 return Row(index, t, q).broken("event.overflow", step)
         return None
+
+    def _left(self, here: Row, table: OutsideTable) -> Stop:
+        """Return the stop of a row whose step leads out of a table; raise its fault if the true motion may leave it as well."""
+        if not self.goes_on:
+            raise table
+        return here.led_out(table.name)
 
     def _crossed(self, before: Numbers, after: Numbers, here: Row) -> Stop | None:
         """Return the stop if a determinant has changed its sign between two rows outside a passage; None if none has."""

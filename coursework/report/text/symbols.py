@@ -16,9 +16,9 @@ from coursework.system.frozen import frozen
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eps": "ε", "zeta": "ζ", "eta": "η",
-    "theta": "θ", "lambda": "λ", "lam": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ",
-    "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "w": "ω", "Delta": "Δ", "Phi": "Φ", "Psi": "Ψ",
-    "Omega": "Ω", "Theta": "Θ", "Gamma": "Γ", "Sigma": "Σ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π",
+    "theta": "θ", "kappa": "κ", "lambda": "λ", "lam": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ",
+    "sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "w": "ω", "Delta": "Δ", "Phi": "Φ", "Psi": "Ψ",
+    "Omega": "Ω", "Theta": "Θ", "Gamma": "Γ", "Sigma": "Σ", "Lambda": "Λ", "Lam": "Λ", "Xi": "Ξ", "Pi": "Π",
 }  # fmt: skip
 _NAME = re.compile(r"\w+(\.\w+)?")
 _GREEK_HEAD = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))})(?=$|[\dA-Z_])_?(\w*)")

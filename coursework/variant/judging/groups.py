@@ -6,10 +6,11 @@ Used by `whole_file.py`, and by `mechanism/mechanism.py` for kinds that only the
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 
+from coursework.variant.formula.tree import named
 from coursework.variant.judging.broken import Broken
 from coursework.variant.record.entries import Group, reached
 from coursework.variant.record.roles import entries, letters_of, mode_meaning
@@ -82,14 +83,17 @@ def _roles(key: str, group: Group, shape: Shape, count: int) -> Sentence | str:
 
 
 def _order(variant: Variant) -> Iterator[Fault]:
-    """Yield a fault for each group that uses something only a later group gives."""
+    """Yield a fault for each group that uses something only a later group, or the group itself, gives."""
     coordinates = {c.name for c in variant.coordinates}
+    driven = {c.name for c in variant.coordinates if c.rate in variant.known_rates}
     known = coordinates - {name for group in variant.groups for name in group.coordinates}
     met: set[str] = set()
     for number, group in enumerate(variant.groups, start=1):
         if late := _later(group, met, known | {*group.coordinates}, variant):
             told = say("fault.V341", number=number, kind=group.kind, late=late)
             yield Fault(told, variant.file, group.line)
+        elif own := [name for name in group.coordinates if name in _needed(group, variant) and name not in driven]:
+            yield Fault(say("fault.V349", number=number, kind=group.kind, own=own[0]), variant.file, group.line)
         known.update(group.coordinates)
         if group.meets:
             met.add(group.meets)
@@ -99,9 +103,16 @@ def _later(group: Group, met: set[str], known: set[str], variant: Variant) -> st
     """Return the point or coordinate that a group needs before the chain has it, "" if there is none."""
     coordinates, points = {c.name for c in variant.coordinates}, dict(variant.points)
     later = {other.meets for other in variant.groups}
-    needed = reached([name for formula in group.formulas for name in formula.names()], points)
-    late = (name for name in needed if name not in points and name not in met and name != group.meets)  # see `_circles`
+    late = (
+        name for name in _needed(group, variant) if name not in points and name not in met and name != group.meets
+    )  # see `_circles`
     return next((name for name in late if (name in coordinates and name not in known) or name in later), "")
+
+
+def _needed(group: Group, variant: Variant) -> Collection[str]:
+    """Return the names in the formulas that place a group, and in those of the points and laws that these need."""
+    laws = {law.name: law.formula or named(law.of) for law in variant.functions if law.formula or law.of}
+    return reached([name for formula in group.formulas for name in formula.names()], {**laws, **dict(variant.points)})
 
 
 def _circles(variant: Variant) -> Iterator[Fault]:

@@ -87,7 +87,7 @@ class Parts:
                 self.grads.append((path, f"{read.text} {read.unit}"))
             return read
         except units.UnitFault as fault:
-            if advice := _written_out(str(value), wanted) or _without_unit(str(value)):
+            if advice := _written_out(str(value), wanted) or _without_unit(str(value)) or self._as_function(path, str(value)):
                 self.say(path, advice)
             elif fault.advised and not wanted:
                 self._unread.append((path, fault.advised))
@@ -95,6 +95,13 @@ class Parts:
             else:
                 self.say(path, fault.message)
             return _NOTHING
+
+    def _as_function(self, path: KeyPath, text: str) -> Sentence | None:
+        """Return the message about a datum that is a formula of others, such as "2*h - b"; None for any other value."""
+        tree, _, _ = _split(text)
+        if path[0] != "given" or tree is None or not {*tree.names()} <= self.names.kinds.keys() | {"pi"}:
+            return None
+        return say("fault.V164", found=text[:60])
 
     @property
     def sound(self) -> bool:
@@ -142,7 +149,8 @@ class Parts:
         if not units.measures(read, wanted):
             self.say(path, units.unlike(wanted, value))
         quarters = read.quarters
-        size = Formula("number", name=repr(abs(read.value)), si=read.si) if quarters is None else part_of_pi(abs(quarters) / 2)
+        written = repr(abs(read.value)).removesuffix(".0")  # as a formula writes it
+        size = Formula("number", name=written, si=read.si) if quarters is None else part_of_pi(abs(quarters) / 2)
         return size if read.value >= 0 else Formula("neg", (size,))
 
     def equation(self, path: KeyPath, text: str, *, closure: bool) -> tuple[Formula, Formula]:

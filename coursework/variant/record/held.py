@@ -125,7 +125,10 @@ def _is_loop(formula: Formula) -> bool:
 
 
 def unit_of(formula: Formula, variant: Variant) -> str:
-    """Return the unit of a scalar position equation: rad, m, m² … if its value doubles so often when all lengths are doubled."""
+    """Return the unit of a scalar position equation: rad, m, m² … if its value doubles so often when all lengths are doubled.
+
+    Of a velocity equation it is the unit times seconds.
+    """
     has_parts = any(node.op == "part" for node in formula.walk())
     within = (inner for node in formula.walk() if node.op in {"*", "/", "^", "call"} for arg in node.args for inner in arg.walk())
     if has_parts and all(inner.op != "part" for inner in within):
@@ -135,8 +138,10 @@ def unit_of(formula: Formula, variant: Variant) -> str:
     def value(factor: float) -> float:
         values: dict[str, complex] = {"t": 0.37, "pi": math.pi}
         values |= {g.name: g.value * (factor if g.si == "m" else 1.0) for g in variant.given}
+        values |= {name: factor if unit == "m/s" else 1.0 for name, unit in variant.unknowns}
         for place, coordinate in enumerate(variant.coordinates):
-            values[coordinate.name] = (0.3 + 0.1 * place) * (factor if coordinate.unit == "m" else 1.0)
+            scale = factor if coordinate.unit == "m" else 1.0
+            values |= {coordinate.name: (0.3 + 0.1 * place) * scale, coordinate.rate: (0.9 - 0.07 * place) * scale}
         for name, where in variant.points:
             with suppress(KeyError):  # a point of a group is placed by its closure
                 values[name] = evaluate_any(where, values)

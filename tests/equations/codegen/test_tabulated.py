@@ -109,3 +109,40 @@ def test_a_table_reaches_a_millionth_of_a_step_beyond_its_ends(end):
             else:
                 with pytest.raises(OutsideTable):
                     law.function(0)(argument)
+
+
+SWING = """
+[functions]
+law = { table = "law.csv", of = "phi", method = "spline" }
+[drive]
+w = "6*cos(6*t)"
+[coordinates]
+phi = { start = "0 rad", rate = "w" }
+x = { start = "1 m", rate = "u" }
+[time]
+step = "pi/150"
+end = "pi/3"
+[[constraint]]
+closure = "x = law"
+"""
+
+
+def test_a_motion_may_fill_its_table_and_a_scheme_that_leaves_it_ends_there(tmp_path):
+    """The motion turns back at both ends, or begins and ends there, where deviations are asked for as well."""
+    nodes = np.linspace(-1, 1, 41)
+    lines = [f"{one!r},{value!r}\n" for one, value in zip(nodes.tolist(), np.cos(nodes).tolist(), strict=True)]
+    (tmp_path / "law.csv").write_text("".join(lines))
+    through = SWING.replace("6*cos(6*t)", "2").replace("0 rad", "-1 rad").replace("1 m", "0.54030230586814 m")
+    through = through.replace("pi/150", "0.02 s").replace("pi/3", "1 s")
+    for name, text in (("swing", SWING), ("through", through)):
+        (tmp_path / f"{name}.toml").write_text(text)
+    exact, euler, crossing = (
+        coursework.solve(tmp_path / f"{name}.toml", scheme=scheme, quantities=["table", "checks"])
+        for name, scheme in (("swing", "exact"), ("swing", "euler"), ("through", "euler"))
+    )
+    assert exact.checks
+    assert exact.exact.column("x") == pytest.approx(np.cos(np.sin(6 * exact.exact.t)), abs=1e-6)
+    assert (len(euler.motion.t), euler.stop.kind) == (11, "step too large")
+    assert "leads beyond the table of law. Add nodes to it" in f"{euler.stop.cause} {euler.stop.meaning}"
+    assert crossing.checks
+    assert crossing.stop is None

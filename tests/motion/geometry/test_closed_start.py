@@ -18,7 +18,7 @@ from tests.mechanisms.library import mechanism
 def test_a_root_that_is_far_away_is_sought_downhill(monkeypatch, far, found):
     guesses = {0.0: far, 0.25: 0.5}
     closure = SimpleNamespace(
-        start=np.zeros(1), origin=None, residual=lambda *_: (np.zeros(1), None),
+        start=np.zeros(1), origin=None, scale=1.0, residual=lambda *_: (np.zeros(1), None),
         newton=lambda t, q, origin: None if guesses[q[0]] is None else np.array([guesses[q[0]]]),
     )  # fmt: skip
     monkeypatch.setattr(module, "_downhill", lambda _: np.array([0.25]))

@@ -9,6 +9,7 @@ import pytest
 import coursework
 from coursework.report.text.symbols import Rates, symbol
 from coursework.report.text.text_runs import derivative, printed, runs, with_letters, with_pairs, with_points
+from coursework.variant.formula.alphabet import spell
 from coursework.words.templates import LONGEST, clean
 
 
@@ -130,3 +131,8 @@ def test_letters_of_the_table_of_invariants_are_symbols(real: ModuleType) -> Non
     [table] = [part for part in real.parts(coursework.solve("variable-crank"), "invariants") if "rows" in part]
     letters = {run["v"] for runs in (table["caption"], table["note"]) for run in runs if "v" in run}
     assert letters == {"s", "S", "Φ", "k", "φ", "a", "b", "c"}
+
+
+def test_a_letter_that_a_file_may_use_is_the_same_letter_on_the_page() -> None:
+    letters = "αβγδεζηθκλμνξπρστφχψωΓΔΘΛΞΠΣΦΨΩ"
+    assert "".join(symbol(spell(letter)).letter for letter in letters) == letters

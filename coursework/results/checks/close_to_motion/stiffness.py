@@ -9,7 +9,9 @@ import math
 
 import numpy as np
 
+from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.motion import Motion
+from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.checks.evidence import Evidence
 from coursework.system.arrays import Array, distinct, median
@@ -78,12 +80,23 @@ def _dying(evidence: Evidence, t: Array, q: Array) -> Array:
     for place in range(size):
         apart = np.zeros_like(q)
         apart[:, place] = _APART * np.maximum(np.abs(q[:, place]), np.max(np.ptp(q, axis=0), initial=1e-9))
-        ahead, behind = (evidence.rates.table(t, q + sign * apart)[0][:, :size] for sign in (1, -1))
+        ahead, behind = (_rates(evidence.rates, t, q + sign * apart)[:, :size] for sign in (1, -1))
         jacobian[:, :, place] = (ahead - behind) / (2 * apart[:, place, None])
     jacobian[~np.isfinite(jacobian).all(axis=(1, 2))] = 0.0
     values = np.linalg.eigvals(jacobian)
     dying = np.where(np.abs(values.real) >= np.abs(values.imag), -values.real, 0.0)
     return np.asarray(np.max(dying, axis=1, initial=0.0))
+
+
+def _rates(rates: Rates, t: Array, q: Array) -> Array:
+    """Return the velocities of rows, nan in those beside the end of a table; a motion may begin and end on its last nodes."""
+    try:
+        return rates.table(t, q)[0]
+    except OutsideTable:
+        if len(t) == 1:
+            return np.full((1, q.shape[1]), np.nan)
+        half = len(t) // 2
+        return np.vstack([_rates(rates, t[part], q[part])[:, : q.shape[1]] for part in (slice(half), slice(half, None))])
 
 
 def _is_slow(exact: Motion) -> bool:
