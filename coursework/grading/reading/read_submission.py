@@ -85,7 +85,7 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         found.entries.append(FileEntry(file.name, kinds[0], kinds, file.size, file.sha256))
     table, trouble = _one_table(found, expected.grid)
     handed = found.equations or found.beside
-    lines = [_in_unit_of(table, line) for line in handed[: most_lines(expected)]]
+    lines = handed[: most_lines(expected)]
     if unread := found.unread + len(handed) - len(lines):
         found.notes.append(note("ignored_file", "lines", number=unread))
     return StudentWork(
@@ -98,14 +98,6 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         found.review,
         found.unopened,
     )
-
-
-def _in_unit_of(table: Table | None, line: EquationLine) -> EquationLine:
-    """Return a line without its readings in degrees, unless the table has a column in degrees."""
-    turned = [other for other in line.others if other.in_degrees]
-    if not turned or table is None or all(column.unit != "deg" for column in table.columns):
-        return replace(line, others=tuple(other for other in line.others if not other.in_degrees))
-    return line if line.tree is not None else replace(line, tree=turned[0].tree, repaired=turned[0].text, fault=None)
 
 
 def _opened(file: SubmittedFile) -> list[SubmittedFile]:

@@ -55,6 +55,17 @@ TEXTS = {
     "a number that is no label": "-(VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)) = -(0)",
     "unpacked": "def f(x):\n    w1, w2, w3, w4 = x\n    return [VMy - 2*r3*w3*np.cos(phi3) - r3*w3*np.sin(phi3)]",
     "l3": "VMy - 2*l3*w3*cos(theta3) - l3*w3*sin(theta3) = 0",
+    "phi3_t": "11) VMy - 2*r3*phi3_t*cos(phi3) - r3*phi_{3,t}*sin(phi3) = 0",
+    "all of them at t": "VMy_t - 2*r3*w3_t*cos(phi3_t) - r3*w3_t*sin(phi3_t) = 0",
+    "dot of AsciiMath": "`V_(My) - 2 r_3 dot phi_3 cos phi_3 - r_3 dot phi_3 sin phi_3 = 0`",
+    "a wheel's angle": "-r3*f4'/2 + r3*phi3_t*cos(f3) + r2*fi2'*sin(f2) + r1*thd1*sin(th1) = 0",
+    "dv": r"V_{My} - 2r_3\dv{\varphi_{3}}{t}\cos\varphi_3 - r_3\dv{t}\varphi_3\sin\varphi_3 = 0",
+    "doubles": "VM = V1*dsin(p*t + alpha)\nw3 = VM/(2d0*r3*dcos(phi3) + 1.0_dp*r3*dsin(phi3))",
+    "points of Mathcad": "V.My(t) - 2·r.3·ω.3·cos(φ.3) - r.3·ω.3·sin(φ.3) = 0",
+    "a drawn dash": "V_My ─ 2*r3*w3*cos(phi3) ─ r3*w3*sin(phi3) = 0",
+    "degrees": "r3*w3*cosd(phi3 - 90) - r2*w2*cos(phi2°) - r1*w1*sin((90 - phi1)*pi/180) = 0",
+    "a factor of their own": "k = pi/180\nr3*w3*sin(phi3*k) - r2*w2*cos(k*phi2) - r1*w1*cos(phi1/57.29578) = 0",
+    "degrees by words": "r3*w3*Sin[phi3 Degree] - r2*w2*cos(deg2rad(phi2)) - r1*w1*cos(Math.toRadians(phi1)) = 0",
 }
 
 
