@@ -62,6 +62,7 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     """
     found, fault = _readings(text, names)
     variant = names.expected.variant
+    found += [replace(one, is_loose=True) for one in (_readings(text, names.before)[0] if names.before else ())]
     for meant in (of_one_component(text, variant), of_products(text, names.spellings)):
         read = _readings(meant, names)[0] if meant != text else []
         found += [replace(one, text=one.text or meant, is_loose=True) for one in read]
@@ -228,12 +229,14 @@ class Names:
     """What a name in a line may mean: a name of the variant in any spelling, or another known name.
 
     `own` are the definitions in the same text; `listed` matches the list mark that its lines begin with, no minus or factor.
+    `before` are the names as they are without the student's letters for angles, if such a letter is a datum of the task.
     """
 
     spellings: Spellings
     expected: Expected
     own: Meanings = field(default_factory=dict)
     listed: re.Pattern[str] | None = None
+    before: Names | None = None
 
     def declared(self, name: Formula) -> Formula:
         """Return a name as declared in the variant."""

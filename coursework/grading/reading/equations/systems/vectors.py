@@ -56,7 +56,7 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
         is_own = is_own or (vector in {"f", "F"} and [*by_use] == [rates[name] for name in order])
         if not is_own or (used[0][2] == "(" and (vector in spellings.known or vector.lower() in FUNCTION_WORDS)):
             continue
-        names = _told(text, vector, spellings) or by_use
+        names = _told(text, vector, spellings) or _from_zero(vector, indices, spellings) or by_use
         is_from_one = used[0][2] == "(" or max(indices) >= len(names) or not _ZERO_BASED.search(text)
         base = int(is_from_one and not is_zero_based)
         found = dict(enumerate(names, start=base)) | _taken(text, vector, spellings)
@@ -97,6 +97,12 @@ def _told(text: str, vector: str, spellings: Spellings) -> list[str]:
         if all(names):
             return [name for name in names if name]
     return []
+
+
+def _from_zero(vector: str, indices: set[int], spellings: Spellings) -> list[str]:
+    """Return r1, r2, r3 for r[0], r[1], r[2], if the task has all these names; else, or if r[0] does not occur, []."""
+    names = [spellings.canonical(f"{vector}{index + 1}") for index in range(max(indices) + 1)]
+    return [name for name in names if name] if 0 in indices and all(names) else []
 
 
 def _taken(text: str, vector: str, spellings: Spellings) -> dict[int, str]:
