@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from coursework.grading.reading.documents.document import FORMATTED, Document
+from coursework.grading.reading.documents.formulas.in_pages import with_formulas
 from coursework.grading.reading.documents.read_document import (
     document_of_archive,
     document_of_bytes,
@@ -205,6 +206,7 @@ def _nothing_in(file: SubmittedFile, could_be_table: bool, found: _Found) -> tup
 
 def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
     decoded = decode(file.content)
+    decoded = replace(decoded, text=with_formulas(decoded.text))
     if is_variant_file(decoded.text):
         _read_variant(file, expected, found)
         return ("variant",)

@@ -64,6 +64,8 @@ TEXTS = {
     "dv": r"V_{My} - 2r_3\dv{\varphi_{3}}{t}\cos\varphi_3 - r_3\dv{t}\varphi_3\sin\varphi_3 = 0",
     "doubles": "VM = V1*dsin(p*t + alpha)\nw3 = VM/(2d0*r3*dcos(phi3) + 1.0_dp*r3*dsin(phi3))",
     "points of Mathcad": "V.My(t) - 2·r.3·ω.3·cos(φ.3) - r.3·ω.3·sin(φ.3) = 0",
+    "frac of Typst": "$ V_My - frac(2 r_3 w_3, 1) cos phi_3 - r_3 dot(phi)_3 thin sin phi_3 & = 0 $",
+    "frac of AsciiMath": "`V_My/2 - frac(2 r_3 w_3)(2) cos phi_3 - r_3/2 dot phi_3 sin phi_3 = 0`",
     "a drawn dash": "V_My ─ 2*r3*w3*cos(phi3) ─ r3*w3*sin(phi3) = 0",
     "degrees": "r3*w3*cosd(phi3 - 90) - r2*w2*cos(phi2°) - r1*w1*sin((90 - phi1)*pi/180) = 0",
     "a factor of their own": "k = pi/180\nr3*w3*sin(phi3*k) - r2*w2*cos(k*phi2) - r1*w1*cos(phi1/57.29578) = 0",

@@ -31,6 +31,7 @@ _DROPPED = re.compile(
     r"|\\(?:label|tag|hspace|vspace|phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}"
     r"|\\(?:text|textrm|mbox|hbox)\s*\{\s*\([^{}=]{0,40}\)\s*\}|\\eqno\s*\([^()]*\)|&"
 )
+_ALIGNED = re.compile(r"&\s*=|=\s*&")
 _BOXED = re.compile(r"^\s*\\(?:boxed|fbox)\s*\{(.*)\}([^{}]*)$")
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
 _UPRIGHT = re.compile(
@@ -115,7 +116,7 @@ def without_latex(text: str) -> str:
     ['φ̇_3', '=', '((V_{My})/(r_3', '(2', 'cos', 'φ_3', '+', 'sin', 'φ_3', ')))']
     """
     if "\\" not in text:
-        return text.replace("&", " ") if "&=" in text else text
+        return text.replace("&", " ") if _ALIGNED.search(text) else text
     text = _SPACE.sub(" ", _DROPPED.sub(" ", _BOXED.sub(r"\1\2", text)))
     text = _UPRIGHT.sub(_upright, text.replace("{,}", ","))
     text = _COMMAND.sub(lambda found: _sign(found[0]), text)

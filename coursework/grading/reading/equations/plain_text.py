@@ -11,7 +11,7 @@ import re
 from coursework.grading.reading.equations.degrees import with_factors
 from coursework.grading.reading.equations.latex import without_latex
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings
-from coursework.grading.reading.equations.signs import plain_signs
+from coursework.grading.reading.equations.signs import depths, plain_signs
 from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.tree import constant
@@ -50,6 +50,8 @@ _T_BEHIND = re.compile(r"(?<=\w)_t\b")
 _DOTTED = re.compile(r"\bdot\s*\(\s*([^\W\d]+)\s*\)_?(\d{1,3})")
 _STAR_MATH = re.compile(r"%(?=[a-z]{3,8}(?:_|\b))|\b(?:left|right)\s*(?=[()\[\]])")
 _TYPST = re.compile(r"(?<=[\w)])\s+dot\s+(?=(\w+)|\()|(?<=\bphi)\.alt(?![a-z])")
+_TYPST_SPACE = re.compile(r"(?<=[\w)])\s+(?:thin|med|thick|wide)\s+(?=[\w(])")
+_FRACTION = re.compile(r"\bfrac\s*(?=\()")  # frac(a, b) in Typst, frac(a)(b) in AsciiMath
 # A double of Fortran, 2.D0 or 2d0, the kind behind its numbers, 2.0_dp, and its functions such as DSIN; a datum d multiplies.
 _DOUBLE = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)[dD](?=([-+]?\d{1,2})(?!\w))")
 _OF_KIND = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)_(?:[dwsq]p|r?k?(?:4|8|16)|rk|real(?:32|64)|double)\b", re.IGNORECASE)
@@ -90,6 +92,7 @@ def plain(text: str, spellings: Spellings) -> str:
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
+    text = _fractions(_TYPST_SPACE.sub(" ", text))
     text = _TYPST.sub(lambda found: _dot_or_product(found, spellings), text)
     text = _KEYED.sub(r"\1", text)
     text = _BY_POINT.sub(lambda found: _with_index(found, spellings), text)
@@ -123,6 +126,20 @@ def _dot_or_product(found: re.Match[str], spellings: Spellings) -> str:
     if found[0].strip() != "dot":
         return ""
     return found[0] if found[1] and spellings.angle(found[1]) in spellings.rates else " * "
+
+
+def _fractions(text: str) -> str:
+    """Return a line with a/b for frac(a, b) and frac(a)(b)."""
+    while found := _FRACTION.search(text):
+        inside = depths(text[found.end() :])
+        end = found.end() + inside.index(0) if 0 in inside else found.end()
+        above = text[found.end() + 1 : end]
+        cut = next((place for place, depth in enumerate(depths(above)) if depth == 0 and above[place] == ","), len(above))
+        if cut == len(above) and not text[end + 1 :].startswith("("):
+            return text
+        below = f"({above[cut + 1 :]})" if cut < len(above) else ""
+        text = f"{text[: found.start()]}({above[:cut]})/{below}{text[end + 1 :]}"
+    return text
 
 
 def _with_index(found: re.Match[str], spellings: Spellings) -> str:

@@ -15,6 +15,7 @@ from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.variant.formula.alphabet import LOOK_ALIKE
 
 _SIGNS = str.maketrans({"[": "(", "]": ")", "{": "(", "}": ")", "`": None, "$": None})
+_INDEX = 2  # letters in a name or index that is set apart
 _TAIL = " \t\r.,;:✓✔☑"
 _NAMED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:[:;\t]\s*=|=\s*=)\s*")  # a name before the formula of a spreadsheet
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\d,])")
@@ -126,10 +127,16 @@ def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
 
 
 def _joined(tokens: list[_Token], spellings: Spellings) -> list[_Token]:
-    """Return the tokens without blanks; an index separated by a blank is joined to its name."""
+    """Return the tokens without blanks; an index separated by a blank is joined to its name, "V M y" of a PDF to VMy."""
     joined: list[_Token] = []
     bare = [token for token in tokens if token.kind != "blank"]
     for token in bare:
+        for before in (2, 1):
+            parts = [one.text for one in joined[-before:] if one.kind == "name" and one.text not in spellings.known]
+            known = spellings.canonical("".join([*parts, token.text])) if token.kind == "name" and len(parts) == before else None
+            if known and len(token.text) <= _INDEX and len(parts[0]) <= _INDEX:
+                joined[-before:], token = [], _Token("name", known)
+                break
         last = joined[-1] if joined else None
         if last and last.kind == "name" and token.kind == "number" and last.text not in spellings.known:
             known = spellings.canonical(last.text + token.text)
