@@ -228,6 +228,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
         "point-slipped": files(np.hstack([10 * RIGHT[:, :3], RIGHT[:, 3:]])),
         "each-point-slipped": files(10 * RIGHT),
+        "rows-from-the-last-on": files(RIGHT[::-1]),
         "no-velocities": files(np.hstack([RIGHT[:, :3], 0 * RIGHT[:, 3:]])),
         "angles-a-row-late": files(np.hstack([RIGHT[[0, *range(24)], :3], RIGHT[:, 3:]])),
     }

@@ -227,6 +227,22 @@ def test_a_row_too_many_or_too_few_costs_a_row(numbers):
     assert min(points) > 57
 
 
+@of_each
+def test_rows_elsewhere_are_told_as_that_and_cost_the_same(numbers):
+    """Neither is another drive: rows from 4 on beside the first times cost those left out; any other order is a misconception."""
+    for desk in [*(variants()[number] for number in numbers), with_a_steady_drive()]:
+        right = desk.machine.table()
+        late, marked = desk.marked(right[3:], with_time=False)
+        assert (marked.misconception.code, late > 52) == ("rows_shifted", True)
+        for order in (np.arange(len(right))[::-1], np.random.default_rng(3).permutation(len(right))):
+            found, marked = desk.marked(right[order], with_time=False)
+            assert (marked.misconception.code, found) == ("rows_order", pytest.approx(24, abs=0.3))
+        mended = right[::-1].copy()
+        mended[:6] = right[:6]
+        mended[6, :2] = right[6, :2]
+        assert desk.marked(mended, with_time=False)[0] >= found
+
+
 def test_a_chain_of_groups_under_a_steady_drive_is_marked_like_the_others():
     """Its sines stand in no written equation, and behind a row that stands twice the next ones follow each other again."""
     desk = Desk(coursework.load("example-4"))
