@@ -58,11 +58,16 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     for (code, data), found in zip(tried, sets, strict=True):
         shown = _shown(by_code[code], *data.values()) if code in by_code else ()
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found, shown)
-    read_off = [(datum, value) for datum, read in _values_read_off(printed) for value in {read: None, float(f"{read:.3g}"): None}]
-    for datum, value in read_off:  # as computed from the table, and rounded as it may have been typed
+    for datum, value in [(one, value) for one, read in _values_read_off(printed) for value in _as_typed(one, read)]:
         at = partial(printed.key.velocities_at, data={datum.name: value})
         for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=_shown(datum, value)):
             yield replace(claim, is_read_off=True)
+
+
+def _as_typed(datum: Given, read: float) -> Iterator[float]:
+    """Yield a value as computed from the table, and rounded as it may have been typed; an angle without whole turns first."""
+    turned = read % _TURN if datum.si == "rad" and datum.value > 0 else read
+    yield from dict.fromkeys((turned, float(f"{turned:.3g}"), read, float(f"{read:.3g}")))
 
 
 def _may_vanish(printed: TableUnderTest, datum: Given) -> bool:
