@@ -64,6 +64,9 @@ TEXTS = {
     "dv": r"V_{My} - 2r_3\dv{\varphi_{3}}{t}\cos\varphi_3 - r_3\dv{t}\varphi_3\sin\varphi_3 = 0",
     "doubles": "VM = V1*dsin(p*t + alpha)\nw3 = VM/(2d0*r3*dcos(phi3) + 1.0_dp*r3*dsin(phi3))",
     "points of Mathcad": "V.My(t) - 2·r.3·ω.3·cos(φ.3) - r.3·ω.3·sin(φ.3) = 0",
+    "glued, solved for a product": "r_3ω_3sinφ_3 = r_2ω_2cosφ_2 + r_1ω_1cosφ_1",
+    "a quotient of differences": r"r3*Δφ3/Δt*sin(phi3) - r_2\frac{\Delta\varphi_2}{\Delta t}\cos\varphi_2 - r1*w1*cos(phi1) = 0",
+    "Maxima": "18] e4: r3*'diff(phi3,t)*sin(phi3) - r2*'diff(phi2,t)*cos(phi2) - r1*'diff(phi1,t)*cos(phi1) = 0$",
     "frac of Typst": "$ V_My - frac(2 r_3 w_3, 1) cos phi_3 - r_3 dot(phi)_3 thin sin phi_3 & = 0 $",
     "frac of AsciiMath": "`V_My/2 - frac(2 r_3 w_3)(2) cos phi_3 - r_3/2 dot phi_3 sin phi_3 = 0`",
     "a drawn dash": "V_My ─ 2*r3*w3*cos(phi3) ─ r3*w3*sin(phi3) = 0",
@@ -93,6 +96,13 @@ def b(t):
 def rates(t, f1, f2, f3):
     return np.linalg.solve(A(f1, f2, f3), b(t))
 w1, w2, w3, w4 = rates(0, 1.63, 3.37, 2.87)"""
+ROWS = """s, c = np.sin(phi), np.cos(phi)
+A = np.zeros((4, 4)); b = np.zeros(4)
+A[0] = [0, 0, 2*r3*c[2] + r3*s[2], 0];        b[0] = VMy
+A[1] = [0, 0, 2*r3*s[2] - r3*c[2], r3/2]
+A[2] = [r1*s[0], r2*s[1], r3*c[2], -r3/2]
+A[3] = [-r1*c[0], -r2*c[1], r3*s[2], 0]
+w = np.linalg.solve(A, b)"""
 WORKS = {
     "letters for the angles": ("v102", "обозначим φ1 = α, φ2 = β, φ3 = γ\n" + re.sub(r"phi(\d)", lambda m: "αβγ"[int(m[1]) - 1],
                                re.sub(r"w([123])\b", r"phi\1'", PLAIN["v102"]))),
@@ -102,7 +112,7 @@ WORKS = {
     "drawn": ("31", f"{REST}\n{DRAWN}"),
     "drawn in keys": ("31", f"{REST}\n" + DRAWN.translate(str.maketrans("⎡⎤⎢⎥⎣⎦₁₂₃₄", "||||||1234"))),
     "BASIC": ("v102", BASIC),
-    "functions": ("31", FUNCTIONS),
+    "functions": ("31", FUNCTIONS), "rows": ("31", ROWS),
 }  # fmt: skip
 
 
@@ -111,8 +121,8 @@ def test_works_with_names_and_matrices_of_their_own(work):
     name, text = WORKS[work]
     found = marked(text, name)
     assert (found.share, len(found.wrong)) == (1.0, 0), [(m.verdict, m.line.text, m.line.repaired) for m in found.marks]
-    line = next(one for one in reversed(text.split("\n")) if "cos" in one.lower())
-    slip = re.sub("cos", "sin", line, count=1, flags=re.IGNORECASE)
+    line = next(one for one in reversed(text.split("\n")) if re.search(r"cos|c\[", one, re.IGNORECASE))
+    slip = re.sub(r"cos|c\[", lambda found: "s[" if found[0] == "c[" else "sin", line, count=1, flags=re.IGNORECASE)
     assert marked(text.replace(line, slip), name).share < 1.0
 
 

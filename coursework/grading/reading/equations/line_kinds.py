@@ -21,7 +21,7 @@ from coursework.grading.reading.equations.equations import (
 from coursework.grading.reading.equations.labels import without_labels, without_words
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, plain_name
 from coursework.grading.reading.equations.plain_text import in_si, of_minutes, plain
-from coursework.grading.reading.equations.repair import is_name
+from coursework.grading.reading.equations.repair import is_name, is_product
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.files.printed import PAIR
 from coursework.grading.reading.unit_names import unit_of
@@ -96,7 +96,8 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
         # A law of time alone, v = V1*sin(p*t), is that of the drive, though the task has only one speed v may be short for.
         words = {spellings.canonical(word) for word in WORD.findall(plain(formula, spellings))} - {None}
         is_own = "t" in words and words <= {*spellings.data, *BUILT_IN}
-    return (name, formula) if sign and is_own and OWN_NAME.fullmatch(name) else ("", "")
+    is_own = is_own and OWN_NAME.fullmatch(name) is not None and not (meant is None and is_product(name, spellings))
+    return (name, formula) if sign and is_own else ("", "")
 
 
 def is_equation_without_sign(text: str, names: Names) -> bool:

@@ -85,6 +85,13 @@ def is_name(word: str, spellings: Spellings) -> bool:
     return all(piece.kind == "function" or piece.text in spellings.known for piece in pieces)
 
 
+def is_product(word: str, spellings: Spellings) -> bool:
+    """Return whether a word is a product without signs, r3ω3sinφ3 or r3ω3, and not a name of the student such as ca."""
+    pieces = _spelled("name", word, spellings)
+    speeds = {*spellings.rates.values()}
+    return len(pieces) > 1 and any(one.kind == "function" or (one.text in speeds and not one.text.isalpha()) for one in pieces)
+
+
 def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
     """Return a name in its declared spelling, or the names and functions that it is a chain of."""
     if kind == "blank":

@@ -43,6 +43,10 @@ _ELEMENT = re.compile(
     r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*[\[(]\s*(\d{1,2})\s*(?:(?:,|\]\s*\[)\s*(\d{1,2})\s*)?[\])]"
     r"[ \t]*:?=(?!=)([^=;\n]+);?"
 )
+_ROW_OF_CELLS = re.compile(
+    r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*([\[(])\s*(\d{1,2})\s*(?:,\s*:\s*)?[\])][ \t]*=[ \t]*(?:[\w.]{1,12}\()?"
+    r"\[((?:[^\[\]\n]|\[\d{1,2}\]){1,1000})\]\)?"
+)
 # A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\[e; f]
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*[\w.]{{0,20}}\s*\(?\s*\[)")
 _DIVIDED = re.compile(r"(?m)(?<==)[ \t]*(\[[^=\n]{1,2000}\])[ \t]*\\[ \t]*(\[[^=\n]{1,1000}\])(?=[ \t]*;?[ \t]*(?:[%#/].*)?$)")
@@ -60,7 +64,7 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     """
     if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,")):
         return text
-    text = _named_apart(_elements_gathered(_returned_as_named(text)))
+    text = _named_apart(_elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text))))
     whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
     found = next((found for pattern in _PRODUCTS if (found := pattern.search(whole))), None)
     if found is None:
@@ -121,6 +125,13 @@ def _named_apart(text: str) -> str:
         matrix, sides = divided.groups()
         call = text[: divided.start()] + " " + "\\".join(_OF_CALL) + text[divided.end() :]
     return f"{call}\n{_OF_CALL[0]} = {matrix}\n{_OF_CALL[1]} = {sides}"
+
+
+def _as_cells(row: re.Match[str]) -> str:
+    """Return a row that is assigned to a matrix, A[0] = [a, b] or A(1, :) = [a, b], cell by cell: A[0, 0] = a; A[0, 1] = b"""
+    base = int(row[2] == "[")
+    cells = [cell for cell in vector(row[4]) if cell]
+    return "; ".join(f"{row[1]}[{int(row[3]) + 1 - base}, {place}] = {cell}" for place, cell in enumerate(cells, start=1 - base))
 
 
 def _elements_gathered(text: str) -> str:

@@ -28,6 +28,10 @@ _SAID = re.compile(
 _NUMBERS = re.compile(r"[\[({]\s*((?:-?\d+\.?\d*\s*[,;\s]\s*)+-?\d+\.?\d*)\s*[\])}]")
 _RETURNED = re.compile(r"(?:\breturn\s+|(?<![\w.])d\w{1,12}\s*=\s*)(?:[\w.]{1,12}\s*\(\s*)?(?=[\[({])")
 _ZERO_BASED = re.compile(r"\b(?:np|math|Math|std|torch)\.|\bimport\b|#include|\b(?:double|float|const|let|var|func)\s")
+_SINES = re.compile(
+    r"(?m)^[ \t]*((?:[^\W\d]\w{0,9}[ \t]*,[ \t]*)?[^\W\d]\w{0,9})[ \t]*="
+    r"[ \t]*((?:[\w.]{0,6}(?:sin|cos)\(\s*\w{1,9}\s*\)[ \t]*,?[ \t]*){1,2});?[ \t]*$"
+)
 _SAME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?::?=|<-)\s*\1\s*(?=[;,}\n#%]|//|$)")  # phi1 = phi1
 _DERIVATIVE = re.compile(r"d[a-z]\w*|\w+_?dot|(?:w|v|om|omega|ω)", re.IGNORECASE)
 _MOST_CHARACTERS = 200_000
@@ -39,6 +43,7 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
     The order comes from the line that unpacks or builds the vector, from a comment, from the values returned or from the start
     values; else it is the order of the task.
     """
+    text = _of_whole_vectors(text) if len(text) <= _MOST_CHARACTERS else text
     if len(text) > _MOST_CHARACTERS or not (entries := [*_ENTRY.finditer(text)]):
         return _returned(text, [one.rate for one in variant.coordinates])
     uses: dict[str, list[re.Match[str]]] = defaultdict(list)
@@ -64,6 +69,20 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
             meant[vector] = found
     named = _ENTRY.sub(lambda entry: _named(entry, meant), text)
     return _returned(_SAME.sub("", named) if meant else text, [rates[name] for name in order])
+
+
+def _of_whole_vectors(text: str) -> str:
+    r"""Return a text with sin(q[2]) for s[2], where s = np.sin(q), or s, c = np.sin(q), np.cos(q), and q is a vector.
+
+    >>> _of_whole_vectors("s, c = np.sin(q), np.cos(q)\nw = s[0]*c[1]")
+    's, c = np.sin(q), np.cos(q)\nw = sin(q[0])*cos(q[1])'
+    """
+    for line in _SINES.finditer(text):
+        names = re.findall(r"\w+", line[1])
+        calls = re.findall(r"(sin|cos)\(\s*(\w+)\s*\)", line[2])
+        for name, (function, vector) in zip(names, calls, strict=False) if len(names) == len(calls) else ():
+            text = re.sub(rf"(?<![\w.]){name} ?([\[(]\s*\d{{1,2}}\s*[\])])", rf"{function}({vector}\1)", text)
+    return text
 
 
 def _named(entry: re.Match[str], meant: dict[str, dict[int, str]]) -> str:
