@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from coursework.grading.reading.documents.document import FORMATTED, Document
+from coursework.grading.reading.documents.formulas.in_pages import with_formulas
 from coursework.grading.reading.documents.read_document import (
     document_of_archive,
     document_of_bytes,
@@ -85,7 +86,7 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         found.entries.append(FileEntry(file.name, kinds[0], kinds, file.size, file.sha256))
     table, trouble = _one_table(found, expected.grid)
     handed = found.equations or found.beside
-    lines = [_in_unit_of(table, line) for line in handed[: most_lines(expected)]]
+    lines = handed[: most_lines(expected)]
     if unread := found.unread + len(handed) - len(lines):
         found.notes.append(note("ignored_file", "lines", number=unread))
     return StudentWork(
@@ -98,14 +99,6 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         found.review,
         found.unopened,
     )
-
-
-def _in_unit_of(table: Table | None, line: EquationLine) -> EquationLine:
-    """Return a line without its readings in degrees, unless the table has a column in degrees."""
-    turned = [other for other in line.others if other.in_degrees]
-    if not turned or table is None or all(column.unit != "deg" for column in table.columns):
-        return replace(line, others=tuple(other for other in line.others if not other.in_degrees))
-    return line if line.tree is not None else replace(line, tree=turned[0].tree, repaired=turned[0].text, fault=None)
 
 
 def _opened(file: SubmittedFile) -> list[SubmittedFile]:
@@ -213,6 +206,7 @@ def _nothing_in(file: SubmittedFile, could_be_table: bool, found: _Found) -> tup
 
 def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
     decoded = decode(file.content)
+    decoded = replace(decoded, text=with_formulas(decoded.text))
     if is_variant_file(decoded.text):
         _read_variant(file, expected, found)
         return ("variant",)

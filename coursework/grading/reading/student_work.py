@@ -118,15 +118,13 @@ class EquationReading:
     """One way to read a line: `tree` is left - right; `text` is the repaired text that was read, "" if the line as it stands.
 
     `guessed` is True if something was added that the line does not contain.  `is_loose` is True if the line may mean something
-    else, so that the reading counts only if it is right.  `in_degrees` is True if the reading converts degrees to radians, which
-    is correct beside a table in degrees.
+    else, so that the reading counts only if it is right.
     """
 
     tree: Formula
     text: str = ""
     guessed: bool = False
     is_loose: bool = False
-    in_degrees: bool = False
 
 
 @frozen

@@ -200,6 +200,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "many-lines": files(equations=tuple(f"w1 = {k}*w2" for k in range(9))),
         "rounded-data": files(equations=(EQUATIONS[0].replace("2*r3*w3", "0.9145*w3"), *EQUATIONS[1:])),
         "by-place": {"table.csv": "\n".join(numbers).encode()},
+        "wrong-drive": files(equations=("VMy = V1*cos(p*t + alpha)", *EQUATIONS)),
         "prose": files(equations=(*EQUATIONS, "w2 = how r2 turns?")),
         "sines": files(equations=tuple(line.replace("cos(phi3)", "cos phi3") for line in EQUATIONS)),
         "velocities-alone": {"table.csv": text(with_cell(4, 0, 9.0, RIGHT[:, 3:]), NAMES[3:])},
@@ -227,6 +228,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
         "point-slipped": files(np.hstack([10 * RIGHT[:, :3], RIGHT[:, 3:]])),
         "each-point-slipped": files(10 * RIGHT),
+        "rows-from-the-last-on": files(RIGHT[::-1]),
         "no-velocities": files(np.hstack([RIGHT[:, :3], 0 * RIGHT[:, 3:]])),
         "angles-a-row-late": files(np.hstack([RIGHT[[0, *range(24)], :3], RIGHT[:, 3:]])),
     }

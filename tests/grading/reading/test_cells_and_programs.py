@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from coursework.grading.reading.equations.names_in_text import spellings_of
-from coursework.variant.formula.tree import named
+from coursework.variant.formula.tree import named, spelled
 from tests.grading.reading.dialects import DIALECTS, archive, workbook, written
 from tests.grading.reading.test_more_notations import MATRICES
 from tests.grading.reading.test_read_submission import COLUMNS, EQUATIONS, GRID, read, table
@@ -33,13 +33,14 @@ def test_matrices_that_nobody_can_read_are_lines_and_not_a_bad_table() -> None:
     assert work.equations is not None and all(line.tree is None for line in work.equations)
 
 
-def test_angles_in_degrees_are_turned_beside_a_table_in_degrees_alone() -> None:
+def test_angles_in_degrees_are_turned_beside_a_table_in_degrees_or_in_radians() -> None:
+    """A program may turn its angles for sine and cosine alone; its table says how they were printed, not how they were used."""
     line = b"w3 = VMy/(r3*(2*COS(phi3*PI()/180) + SIN(RADIANS(phi3))))"
     degrees = DIALECTS["excel_ru"](GRID.names, written(times(GRID), COLUMNS, "fixed", 4, "deg"), "deg")
-    for content, turned in ((degrees, True), (table(), False)):
+    for content in (degrees, table()):
         work = read(("t.csv", content), ("e.txt", line))
-        assert work.equations is not None and any(other.in_degrees for other in work.equations[0].others) is turned
-        assert (work.equations[0].tree is not None) is turned  # and so `precheck` tells it
+        assert work.equations is not None and work.equations[0].tree is not None  # and so `precheck` tells it
+        assert any(spelled(other.tree).count("180") == 0 for other in work.equations[0].others)
 
 
 def test_a_matrix_between_dollars_is_read_row_by_row() -> None:

@@ -1,5 +1,7 @@
 """Every notation of `notations.py` over three mechanisms: right is right, a slip never is, what is unread asks a person."""
 
+import re
+
 import pytest
 
 from coursework.grading.reading.equations.labels import without_words
@@ -55,7 +57,73 @@ TEXTS = {
     "a number that is no label": "-(VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)) = -(0)",
     "unpacked": "def f(x):\n    w1, w2, w3, w4 = x\n    return [VMy - 2*r3*w3*np.cos(phi3) - r3*w3*np.sin(phi3)]",
     "l3": "VMy - 2*l3*w3*cos(theta3) - l3*w3*sin(theta3) = 0",
+    "phi3_t": "11) VMy - 2*r3*phi3_t*cos(phi3) - r3*phi_{3,t}*sin(phi3) = 0",
+    "all of them at t": "VMy_t - 2*r3*w3_t*cos(phi3_t) - r3*w3_t*sin(phi3_t) = 0",
+    "dot of AsciiMath": "`V_(My) - 2 r_3 dot phi_3 cos phi_3 - r_3 dot phi_3 sin phi_3 = 0`",
+    "a wheel's angle": "-r3*f4'/2 + r3*phi3_t*cos(f3) + r2*fi2'*sin(f2) + r1*thd1*sin(th1) = 0",
+    "dv": r"V_{My} - 2r_3\dv{\varphi_{3}}{t}\cos\varphi_3 - r_3\dv{t}\varphi_3\sin\varphi_3 = 0",
+    "doubles": "VM = V1*dsin(p*t + alpha)\nw3 = VM/(2d0*r3*dcos(phi3) + 1.0_dp*r3*dsin(phi3))",
+    "points of Mathcad": "V.My(t) - 2·r.3·ω.3·cos(φ.3) - r.3·ω.3·sin(φ.3) = 0",
+    "glued, solved for a product": "r_3ω_3sinφ_3 = r_2ω_2cosφ_2 + r_1ω_1cosφ_1",
+    "a quotient of differences": r"r3*Δφ3/Δt*sin(phi3) - r_2\frac{\Delta\varphi_2}{\Delta t}\cos\varphi_2 - r1*w1*cos(phi1) = 0",
+    "Maxima": "18] e4: r3*'diff(phi3,t)*sin(phi3) - r2*'diff(phi2,t)*cos(phi2) - r1*'diff(phi1,t)*cos(phi1) = 0$",
+    "frac of Typst": "$ V_My - frac(2 r_3 w_3, 1) cos phi_3 - r_3 dot(phi)_3 thin sin phi_3 & = 0 $",
+    "frac of AsciiMath": "`V_My/2 - frac(2 r_3 w_3)(2) cos phi_3 - r_3/2 dot phi_3 sin phi_3 = 0`",
+    "a drawn dash": "V_My ─ 2*r3*w3*cos(phi3) ─ r3*w3*sin(phi3) = 0",
+    "degrees": "r3*w3*cosd(phi3 - 90) - r2*w2*cos(phi2°) - r1*w1*sin((90 - phi1)*pi/180) = 0",
+    "a factor of their own": "k = pi/180\nr3*w3*sin(phi3*k) - r2*w2*cos(k*phi2) - r1*w1*cos(phi1/57.29578) = 0",
+    "degrees by words": "r3*w3*Sin[phi3 Degree] - r2*w2*cos(deg2rad(phi2)) - r1*w1*cos(Math.toRadians(phi1)) = 0",
 }
+
+
+# Whole works: what the letters stand for, vectors counted from 0, matrices drawn in lines, functions that return them.
+DRAWN = """⎡r₁⋅sin(φ₁)  r₂⋅sin(φ₂)⎤ ⎡ω₁⎤   ⎡r₃⋅ω₄/2 - r₃⋅ω₃⋅cos(φ₃)⎤
+⎢                      ⎥⋅⎢  ⎥ = ⎢                       ⎥
+⎣r₁⋅cos(φ₁)  r₂⋅cos(φ₂)⎦ ⎣ω₂⎦   ⎣    r₃⋅ω₃⋅sin(φ₃)      ⎦"""
+BASIC = """10 V = V1*SIN(P*T+ALPHA)
+20 W3 = -V/(A*SIN(F3)+C*COS(F3))
+30 U = W3*(C*SIN(F3)-A*COS(F3))
+40 D = R1*R2*SIN(F1-F2)
+50 W1 = ((-V-A*W3*SIN(F3))*R2*COS(F2)+A*W3*COS(F3)*R2*SIN(F2))/D
+60 W2 = (-R1*SIN(F1)*A*W3*COS(F3)+(V+A*W3*SIN(F3))*R1*COS(F1))/D"""
+FUNCTIONS = """def A(f1, f2, f3):
+    return np.array([[0, 0, 2*np.cos(f3) + np.sin(f3), 0], [0, 0, 2*np.sin(f3) - np.cos(f3), 0.5],
+                     [r1*np.sin(f1), r2*np.sin(f2), r3*np.cos(f3), -0.5*r3],
+                     [-r1*np.cos(f1), -r2*np.cos(f2), r3*np.sin(f3), 0],
+                     ])
+def b(t):
+    return np.array([V1*np.sin(p*t + alpha)/r3, 0, 0, 0])
+def rates(t, f1, f2, f3):
+    return np.linalg.solve(A(f1, f2, f3), b(t))
+w1, w2, w3, w4 = rates(0, 1.63, 3.37, 2.87)"""
+ROWS = """s, c = np.sin(phi), np.cos(phi)
+A = np.zeros((4, 4)); b = np.zeros(4)
+A[0] = [0, 0, 2*r3*c[2] + r3*s[2], 0];        b[0] = VMy
+A[1] = [0, 0, 2*r3*s[2] - r3*c[2], r3/2]
+A[2] = [r1*s[0], r2*s[1], r3*c[2], -r3/2]
+A[3] = [-r1*c[0], -r2*c[1], r3*s[2], 0]
+w = np.linalg.solve(A, b)"""
+WORKS = {
+    "letters for the angles": ("v102", "обозначим φ1 = α, φ2 = β, φ3 = γ\n" + re.sub(r"phi(\d)", lambda m: "αβγ"[int(m[1]) - 1],
+                               re.sub(r"w([123])\b", r"phi\1'", PLAIN["v102"]))),
+    "and the phase": ("v102", "α, β, γ - углы звеньев 1, 2, 3\n" + re.sub(r"phi(\d)", lambda m: "αβγ"[int(m[1]) - 1],
+                      PLAIN["v102"]).replace("VMx + a*w3*sin(γ) + c", "V1*sin(p*t + α) + a*γ'*sin(γ) + c")),
+    "counted from 0": ("31", re.sub(r"\b(phi|w|r)(\d)", lambda m: f"{m[1]}[{int(m[2]) - 1}]", PLAIN["31"])),
+    "drawn": ("31", f"{REST}\n{DRAWN}"),
+    "drawn in keys": ("31", f"{REST}\n" + DRAWN.translate(str.maketrans("⎡⎤⎢⎥⎣⎦₁₂₃₄", "||||||1234"))),
+    "BASIC": ("v102", BASIC),
+    "functions": ("31", FUNCTIONS), "rows": ("31", ROWS),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("work", WORKS)
+def test_works_with_names_and_matrices_of_their_own(work):
+    name, text = WORKS[work]
+    found = marked(text, name)
+    assert (found.share, len(found.wrong)) == (1.0, 0), [(m.verdict, m.line.text, m.line.repaired) for m in found.marks]
+    line = next(one for one in reversed(text.split("\n")) if re.search(r"cos|c\[", one, re.IGNORECASE))
+    slip = re.sub(r"cos|c\[", lambda found: "s[" if found[0] == "c[" else "sin", line, count=1, flags=re.IGNORECASE)
+    assert marked(text.replace(line, slip), name).share < 1.0
 
 
 @pytest.mark.parametrize(("notation", "name"), diagonal(2, NOTATIONS, PLAIN))

@@ -18,7 +18,7 @@ import numpy as np
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
 from coursework.grading.marking.equations.dashes import as_lists_or_minus
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, unlikeliness
-from coursework.grading.marking.equations.lacks import lack_of
+from coursework.grading.marking.equations.lacks import lack_of, law_of
 from coursework.grading.marking.equations.linear import Linear, differing, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
@@ -160,8 +160,8 @@ class Judge:
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, any(mark is other for other in dependent)) for mark in marks)
-        if independent == len(self.key.variant.sought):  # all equations are there: other lines of the text are no equations
-            marks = tuple(mark for mark in marks if mark.verdict != "wrong" or self._names_any(mark.line))
+        if independent == len(self.key.variant.sought):  # all equations are there: other lines are none, but a drive is told
+            marks = tuple(mark for mark in marks if mark.verdict != "wrong" or self._names_any(mark.line) or self._law_of(mark))
         wrong = [mark for mark in marks if mark.verdict == "wrong" and self._names_any(mark.line)]
         different = differing(_trees(wrong), self.off_closure)
         if different == len(wrong) == 2 and is_one_slip(_trees(wrong), _trees(counted), self.key.variant, self.off_closure):
@@ -173,6 +173,9 @@ class Judge:
     def _names_any(self, line: EquationLine) -> bool:
         """Return whether a line names a sought velocity; one that does not, as T = 2*pi/p, is none of the equations needed."""
         return not {*self.key.variant.sought}.isdisjoint(line.difference.names())
+
+    def _law_of(self, mark: EquationMark) -> str:
+        return law_of({*mark.line.difference.names()}, self.key.variant)
 
     def _turned_back(self, marks: Sequence[EquationMark]) -> tuple[EquationMark, ...] | None:
         """Return the marks with the sign of all angular velocities turned; None if that corrects no line or spoils one."""

@@ -5,7 +5,7 @@ Enters: marked lines, a `Probe`.  Leaves: a `Sentence` for each line.  Used by `
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 
 import numpy as np
 
@@ -32,6 +32,8 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Varia
         if not named & {*variant.sought}:
             if verdict == "right" and not named & driven:
                 return say("feedback.lack.any_motion")
+            if verdict == "wrong" and (law := law_of(named, variant)):
+                return say("feedback.lack.drive", law=law)
             key = "position" if verdict == ON_CLOSURE else "no_velocity"
             return say(f"feedback.lack.{key}", names=tuple(variant.sought))
         if not line.is_affine:
@@ -45,6 +47,13 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Varia
     except NoValue:
         return ""
     return say("feedback.lack.repeats", place=same[0]) if same else say("feedback.lack.follows")
+
+
+def law_of(named: Set[str], variant: Variant) -> str:
+    """Return the law of the task for what a line gives as a function of time, "" if it gives no velocity that is driven."""
+    rest = {"t", *(one.name for one in variant.given)}
+    laws = [law for law in variant.drive if law.formula is not None and law.name in named and named <= {law.name, *rest}]
+    return f"{laws[0].name} = {spelled(laws[0].formula)}" if laws and laws[0].formula is not None else ""
 
 
 def _lacks_term(tree: Formula, variant: Variant, probe: Probe) -> Sentence | str:

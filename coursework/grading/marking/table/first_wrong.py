@@ -89,7 +89,7 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
     places = 1 - math.floor(math.log10(off)) if off > 0 else _MOST_DIGITS  # so that a tenth of the tolerance is visible
 
     def number(value: float, as_shown: _Shown = shown) -> float:
-        return float(f"{round(as_shown.number(value), places):.{_MOST_DIGITS}g}")
+        return float(f"{round(as_shown.number(value), places):.{_MOST_DIGITS}g}") + 0.0  # 0 for -0
 
     stated = replace(shown, turns=0) if way == START else shown  # a start value is told as it stands in the task
     before = int(rows_above(cells.student.values)[row - 1]) if row else 0

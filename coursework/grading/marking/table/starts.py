@@ -42,12 +42,14 @@ def own_start(key: Key, cells: Cells) -> OwnStart | None:
     The start may be what row 1 prints, or what stood there before it was put right or misprinted, or what the velocities of
     row 1 tell; single values may be the task's. The start that makes most cells right is taken.
     """
-    printed = cells.student.values[0, : len(key.coordinates)]
+    m, student = len(key.coordinates), cells.student
+    to_print = HALF * (np.nan_to_num(student.units[0, :m]) + key.told_to)
     least = int((cells.marks == KEY).sum() + _MORE * cells.marks.size)
     found = [
         (start, made)
         for start in _starts(key, cells)
-        if (made := _marked_from(key, cells, start)) and (np.isin(start, printed).all() or (made.marks == KEY).sum() >= least)
+        if (made := _marked_from(key, cells, start))
+        and (near(student.values[0, :m], start, to_print).all() or (made.marks == KEY).sum() >= least)
     ]
     for start in _told_by_velocities(key, cells):
         made = _marked_from(key, cells, start)

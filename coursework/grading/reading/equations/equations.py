@@ -11,10 +11,11 @@ from collections.abc import Mapping
 from dataclasses import field, replace
 from itertools import pairwise
 
+from coursework.grading.reading.equations.degrees import with_angles_in_degrees
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.meanings import Meanings, in_smaller_units, meaning_of, put_in
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
-from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_radians, of_units, plain
+from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_units, plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
 from coursework.grading.reading.equations.signs import relates_two_sides
 from coursework.grading.reading.expected import Expected
@@ -61,13 +62,16 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     """
     found, fault = _readings(text, names)
     variant = names.expected.variant
-    meanings = ((of_radians(text), True), (of_one_component(text, variant), False), (of_products(text, names.spellings), False))
-    for meant, in_degrees in meanings:
+    found += [replace(one, is_loose=True) for one in (_readings(text, names.before)[0] if names.before else ())]
+    for meant in (of_one_component(text, variant), of_products(text, names.spellings)):
         read = _readings(meant, names)[0] if meant != text else []
-        found += [replace(one, text=one.text or meant, is_loose=True, in_degrees=in_degrees) for one in read]
+        found += [replace(one, text=one.text or meant, is_loose=True) for one in read]
     if (in_si := of_units(text)) != text:
         is_loose = any(not reading.is_loose for reading in found)  # 0.4 m may also be a product with a datum m
         found += [replace(one, text=one.text or in_si, is_loose=is_loose) for one in _readings(in_si, names)[0]]
+    for reading in [*found]:
+        if (turned := with_angles_in_degrees(reading.tree, variant)) is not None:
+            found.append(EquationReading(turned, " = ".join(map(spelled, turned.args)), is_loose=True))
     firm = [reading for reading in found if not reading.is_loose]
     for tree in in_smaller_units(firm[0].tree, variant) if firm else ():
         found.append(EquationReading(tree, " = ".join(map(spelled, tree.args)), is_loose=True))
@@ -225,12 +229,14 @@ class Names:
     """What a name in a line may mean: a name of the variant in any spelling, or another known name.
 
     `own` are the definitions in the same text; `listed` matches the list mark that its lines begin with, no minus or factor.
+    `before` are the names as they are without the student's letters for angles, if such a letter is a datum of the task.
     """
 
     spellings: Spellings
     expected: Expected
     own: Meanings = field(default_factory=dict)
     listed: re.Pattern[str] | None = None
+    before: Names | None = None
 
     def declared(self, name: Formula) -> Formula:
         """Return a name as declared in the variant."""

@@ -31,6 +31,7 @@ _DROPPED = re.compile(
     r"|\\(?:label|tag|hspace|vspace|phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}"
     r"|\\(?:text|textrm|mbox|hbox)\s*\{\s*\([^{}=]{0,40}\)\s*\}|\\eqno\s*\([^()]*\)|&"
 )
+_ALIGNED = re.compile(r"&\s*=|=\s*&")
 _BOXED = re.compile(r"^\s*\\(?:boxed|fbox)\s*\{(.*)\}([^{}]*)$")
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
 _UPRIGHT = re.compile(
@@ -43,6 +44,8 @@ _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi
           **dict.fromkeys(("\\equiv", "\\approx", "\\simeq", "\\cong", "\\doteq", "\\coloneqq", "\\triangleq"), "="),
           **dict.fromkeys(("\\Rightarrow", "\\Longrightarrow", "\\implies", "\\rightarrow", "\\longrightarrow", "\\to",
                            "\\Leftrightarrow", "\\iff", "\\therefore", "\\leadsto"), ARROW)}  # fmt: skip
+# A derivative of the packages physics, derivative and diffcoeff: \dv{\varphi_3}{t}, \dv[1]{t}\varphi_3.
+_DERIVATIVE = re.compile(r"\\(?:o?dv|pdv|derivative|diff)(?![A-Za-z])\*?\s*(?:\[1\])?(?=\s*\{)")
 _DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
 _MOST = 200  # fractions and dots in one line, environments in a text
 
@@ -113,10 +116,11 @@ def without_latex(text: str) -> str:
     ['φ̇_3', '=', '((V_{My})/(r_3', '(2', 'cos', 'φ_3', '+', 'sin', 'φ_3', ')))']
     """
     if "\\" not in text:
-        return text.replace("&", " ") if "&=" in text else text
+        return text.replace("&", " ") if _ALIGNED.search(text) else text
     text = _SPACE.sub(" ", _DROPPED.sub(" ", _BOXED.sub(r"\1\2", text)))
     text = _UPRIGHT.sub(_upright, text.replace("{,}", ","))
     text = _COMMAND.sub(lambda found: _sign(found[0]), text)
+    text = _derivatives(text)
     for name in ("frac", "dfrac", "tfrac", "cfrac"):
         text = _fractions(text, f"\\{name}")
     for _ in range(_MOST):
@@ -149,6 +153,21 @@ def _fractions(text: str, command: str) -> str:
         above, place = _argument(text, start + len(command))
         below, end = _argument(text, place)
         text = f"{text[:start]}(({above})/({below})){text[end:]}"
+    return text
+
+
+def _derivatives(text: str) -> str:
+    r"""Return a text with the derivatives of packages as fractions: ((d φ_3)/(d t)) for \dv{φ_3}{t}, ((d)/(d t)) for \dv{t}."""
+    for _ in range(_MOST):
+        if (found := _DERIVATIVE.search(text)) is None:
+            return text
+        above, end = _argument(text, found.end())
+        below = above
+        if text[end:].lstrip().startswith("{"):
+            below, end = _argument(text, end)
+            text = f"{text[: found.start()]}((d {above})/(d {below})){text[end:]}"
+        else:
+            text = f"{text[: found.start()]}((d)/(d {below})){text[end:]}"
     return text
 
 

@@ -19,9 +19,9 @@ from coursework.grading.reading.equations.equations import (
     read_as_one,
 )
 from coursework.grading.reading.equations.labels import without_labels, without_words
-from coursework.grading.reading.equations.names_in_text import Spellings, plain_name
+from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, plain_name
 from coursework.grading.reading.equations.plain_text import in_si, of_minutes, plain
-from coursework.grading.reading.equations.repair import is_name
+from coursework.grading.reading.equations.repair import is_name, is_product
 from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.files.printed import PAIR
 from coursework.grading.reading.unit_names import unit_of
@@ -38,6 +38,8 @@ _COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−
 _CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
 _CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
+_LINE_NUMBER = re.compile(r"^\s*(\d{1,5})\s+(?=[^\W\d])")
+_STEPS, _SEVERAL_LINES = (5, 10, 100), 2
 _FEWEST = 4  # an expression has more words than this, so that it is not prose
 
 # Statements of a program that are not equations: it asks, repeats, calls, prints, stops, counts; also the time of a row.
@@ -90,7 +92,12 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     if meant in spellings.rates and is_own:
         named = names_in(formula, spellings)
         is_own = bool(TURNED.search(formula) or named & {*spellings.rates}) and named.isdisjoint(spellings.rates.values())
-    return (name, formula) if sign and is_own and OWN_NAME.fullmatch(name) else ("", "")
+    if meant and plain_name(name) != plain_name(meant) and not is_own and not re.search(r"\d", name):
+        # A law of time alone, v = V1*sin(p*t), is that of the drive, though the task has only one speed v may be short for.
+        words = {spellings.canonical(word) for word in WORD.findall(plain(formula, spellings))} - {None}
+        is_own = "t" in words and words <= {*spellings.data, *BUILT_IN}
+    is_own = is_own and OWN_NAME.fullmatch(name) is not None and not (meant is None and is_product(name, spellings))
+    return (name, formula) if sign and is_own else ("", "")
 
 
 def is_equation_without_sign(text: str, names: Names) -> bool:
@@ -135,6 +142,20 @@ def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.P
     numbers = [([found[1], *found[2].split(".")[:-1]], int(found[2].rpartition(".")[2])) for found in begun]
     steps = [(one[0] == other[0], other[1] - one[1]) for one, other in pairwise(numbers)]
     return _COUNT if steps and all(step == (True, 1) for step in steps) else None
+
+
+def without_line_numbers(text: str) -> str:
+    r"""Return a program without the numbers of its lines, 10, 20, 30 …, as BASIC has them.
+
+    >>> without_line_numbers("10 V = 1\n20 W = 2\n30 END"), without_line_numbers("2 a = b\n3 c = d\n")
+    ('V = 1\nW = 2\nEND', '2 a = b\n3 c = d\n')
+    """
+    lines = text.split("\n")
+    begun = [_LINE_NUMBER.match(line) for line in lines if line.strip()]
+    numbers = [int(found[1]) for found in begun if found]
+    steps = {after - before for before, after in pairwise(numbers)}
+    is_numbered = len(numbers) == len(begun) > _SEVERAL_LINES and len(steps) == 1 and min(steps) in _STEPS
+    return "\n".join(_LINE_NUMBER.sub("", line) for line in lines) if is_numbered else text
 
 
 def is_step(text: str, names: Names) -> bool:

@@ -15,6 +15,7 @@ from itertools import islice
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_in, names_of, read_line
 from coursework.grading.reading.equations.latex import logical_lines
+from coursework.grading.reading.equations.legends import with_legend
 from coursework.grading.reading.equations.line_kinds import (
     definition,
     is_datum,
@@ -26,10 +27,12 @@ from coursework.grading.reading.equations.line_kinds import (
     no_velocity,
     own_name,
     sign_of_list,
+    without_line_numbers,
 )
 from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
+from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.parts import LIST, of_row, parts_of
 from coursework.grading.reading.equations.systems.vectors import with_entries_named
@@ -106,7 +109,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     most = most_lines(expected)
     names = names_for(expected)
     pieces = _pieces(text, names) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
-    lines = list(islice(pieces, _MOST_LINES))
+    names, lines = with_legend(list(islice(pieces, _MOST_LINES)), names)
     own = _definitions(lines, names) if beside is None else {}
     with_own = replace(
         names,
@@ -172,8 +175,8 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
 
 def _by_names(text: str, names: Names) -> str:
     """Return a text with matrix systems written as equations and with names in place of vector entries."""
-    variant = names.expected.variant
-    return with_entries_named(in_rows(text, variant.sought), variant, names.spellings)
+    rows = in_rows(in_one_line(without_line_numbers(text)), names.expected.variant.sought)
+    return with_entries_named(rows, names.expected.variant, names.spellings)
 
 
 def _closed(line: str) -> str:

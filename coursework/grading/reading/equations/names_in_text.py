@@ -19,7 +19,7 @@ from coursework.variant.record.variant import Variant
 BUILT_IN = ("t", "pi")
 _AXES = {"0": "x", "pi/2": "y"}
 _ROW = re.compile(r"(.*\d|.*(?=_))_?[ijkn]")
-_TURNING = re.compile(r"(?:theta|psi|alpha|beta|gamma|q)(\d+)")
+_TURNING = re.compile(r"(?:theta|psi|alpha|beta|gamma|q|f|fi|th|ph)(\d+)")
 
 
 @frozen

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 
+from coursework.grading.reading.equations.degrees import with_factors
 from coursework.grading.reading.equations.latex import without_latex
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings
-from coursework.grading.reading.equations.signs import plain_signs
+from coursework.grading.reading.equations.signs import depths, plain_signs
 from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.tree import constant
@@ -19,6 +20,7 @@ from coursework.variant.record.variant import Variant
 _PREFIX = re.compile(r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
 # A point between names multiplies (as in France) if the line has no other product sign; else a field follows it, par.r1.
 _POINT = re.compile(r"((?<![^\W\d])[^\W\d]\w{0,40}|[\d)])\.(?=([^\W\d]\w{0,40}|\())")
+_BY_POINT = re.compile(r"(?<![\w.])([^\W\d]{1,7})\.(\w{1,4})(?![\w.]|\((?!\s*t\s*\)))")  # an index in Mathcad: ω.3, V.My
 _KEYED = re.compile(r"[^\W\d]\w{0,20}\[\s*['\"](\w{1,20})['\"]\s*\]")  # d["r1"] of Python
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
@@ -29,22 +31,33 @@ _DERIVATIVES = (
     re.compile(rf"(?:\bd\s*/\s*d\s*t\b|\(\(\s*d\s*\)\s*/\s*\(\s*d\s*t\s*\)\))\s*\(\s*{_NAME}\s*\)"),
     re.compile(rf"(?:\bd\s*/\s*d\s*t\b|\(\(\s*d\s*\)\s*/\s*\(\s*d\s*t\s*\)\))\s*{_NAME}"),
     re.compile(rf"\bd[\s_]*{_NAME}\s*/\s*d\s*t\b"),
+    re.compile(rf"\(\(\s*[Δ∆]\s*{_NAME}\s*\)\s*/\s*\(\s*[Δ∆]\s*t\s*\)\)"),
+    re.compile(rf"[Δ∆]\s*{_NAME}\s*/\s*[Δ∆]\s*t\b"),
     re.compile(rf"{_NAME}{_PRIME}"),
     re.compile(r"([^\W\d]\u0307(?:\w|\{\w{0,9}\}){0,40})"),
     re.compile(r"\b([^\W\d]\w{0,40}?_?dot(?:_?\d{1,3})?)\b"),
     re.compile(rf"\bdot[\s_]*\(?\s*{_NAME}\s*\)?"),
-    re.compile(rf"\b(?:diff|D|Diff|der)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
+    re.compile(rf"'?\b(?:diff|D|Diff|der)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
     re.compile(rf"{_NAME}\.diff\(\s*t\s*\)"),
     re.compile(rf"\bd_?{_NAME}_?dt\b"),
     re.compile(rf"\bD_?{_NAME}"),
 )
-# As programs name derivatives, unless it is a name of the variant: dphi3, phi3p, phi3d.
-_SHORT_DERIVATIVES = (re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dp]\b"))
+# As programs name derivatives, unless it is a name of the variant: dphi3, phi3p, thd3, phi3_t.
+_SHORT_DERIVATIVES = (
+    re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dp]\b"),
+    re.compile(r"\b([^\W\d]{1,9}(?=_?[dp]_?\d{1,3}\b))_?[dp]_?(\d{1,3})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?t\b"),
+)  # fmt: skip
+_AT_TIME = re.compile(r"\b(?:sin|cos|tan|tg)\s*[({]?\s*[^\W\d]\w{0,40}?\d?_t\b")  # sin(phi3_t): all names are those at a time
+_T_BEHIND = re.compile(r"(?<=\w)_t\b")
 _DOTTED = re.compile(r"\bdot\s*\(\s*([^\W\d]+)\s*\)_?(\d{1,3})")
 _STAR_MATH = re.compile(r"%(?=[a-z]{3,8}(?:_|\b))|\b(?:left|right)\s*(?=[()\[\]])")
-_TYPST = re.compile(r"(?<=[\w)])\s+dot\s+(?=[\w(])|(?<=\bphi)\.alt(?![a-z])")
-# A double of Fortran, 2.D0, and its functions such as DSIN, which in capitals cannot be products of a datum d.
-_DOUBLE, _OF_DOUBLES = re.compile(r"(?<=\d\.)(\d*)[dD](?=([-+]?\d{1,2})(?!\w))"), re.compile(r"\bD(?=(?:SIN|COS|TAN|SQRT)\b)")
+_TYPST = re.compile(r"(?<=[\w)])\s+dot\s+(?=(\w+)|\()|(?<=\bphi)\.alt(?![a-z])")
+_TYPST_SPACE = re.compile(r"(?<=[\w)])\s+(?:thin|med|thick|wide)\s+(?=[\w(])")
+_FRACTION = re.compile(r"\bfrac\s*(?=\()")  # frac(a, b) in Typst, frac(a)(b) in AsciiMath
+# A double of Fortran, 2.D0 or 2d0, the kind behind its numbers, 2.0_dp, and its functions such as DSIN; a datum d multiplies.
+_DOUBLE = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)[dD](?=([-+]?\d{1,2})(?!\w))")
+_OF_KIND = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)_(?:[dwsq]p|r?k?(?:4|8|16)|rk|real(?:32|64)|double)\b", re.IGNORECASE)
+_OF_DOUBLES = re.compile(r"\b(?:D(?=(?:SIN|COS|TAN|SQRT)\b)|d(?=(?:sin|cos|tan|sqrt)\b))")
 _SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # an index in Mathematica
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
 _OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*(?:t|\w+\s*,[\w\s,]{1,60})\s*\)|\[\s*t\s*\])")
@@ -52,12 +65,6 @@ _OF_ROW = re.compile(r"(?<![\w.])([^\W\d]\w*(?:\[\s*\d{1,2}\s*\])?)(?:\s?\[\s*[i
 _ARC = re.compile(r"(?<!\w)[a𝑎](sin|cos|tan)")
 _LAMBDA = re.compile(r"=\s*(?:lambda\b[\w\s,]{0,60}:|@\s*\([\w\s,]{0,60}\))")  # in Python, in MATLAB
 _METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() in Rust
-_PI = r"(?:(?:np|numpy|math|Math)\.)?(?:pi|π|ПИ|ПІ)(?:\(\))?"
-_IN_DEGREES = re.compile(
-    r"\b(?:(?:np|numpy|math|Math)\.)?(?:radians|deg2rad|РАДИАНЫ|РАДІАНИ)\s*(?=\()|(?<=\b(?:sin|cos))d\b"
-    rf"|\s*[*·⋅]\s*{_PI}\s*/\s*180\b|\s*/\s*180\s*[*·⋅]\s*{_PI}(?!\w)|(?<![\w.]){_PI}\s*/\s*180\s*[*·⋅]\s*",
-    re.IGNORECASE,
-)
 _DEGREE = r"(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)"
 _DEGREES = re.compile(rf"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{{1,3}}(?:[.,]\d{{1,9}})?)\s*{_DEGREE}")
 _MINUTES = re.compile(rf"(\d{{1,3}})\s*{_DEGREE}\s*(\d{{1,2}})\s*'(?!')(?:\s*(\d{{1,2}}(?:[.,]\d+)?)\s*(?:''|\"|″|$))?")
@@ -81,22 +88,26 @@ def plain(text: str, spellings: Spellings) -> str:
     """
     text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
     text = _METHOD.sub(r"\2(\1)", text)
-    text = _DEGREES.sub(r"\1(\2*pi/180)", of_minutes(text))
+    text = with_factors(_DEGREES.sub(r"\1(\2*pi/180)", of_minutes(text)))
     text = _LAMBDA.sub("= ", _ROOT.sub(r"sqrt(\1)", text).replace("√", "sqrt"))
     text = _OF_ROW.sub(lambda found: _of_row(found, spellings), text)
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
-    text = _TYPST.sub(lambda found: " * " if found[0].strip() == "dot" else "", text)
+    text = _fractions(_TYPST_SPACE.sub(" ", text))
+    text = _TYPST.sub(lambda found: _dot_or_product(found, spellings), text)
     text = _KEYED.sub(r"\1", text)
+    text = _BY_POINT.sub(lambda found: _with_index(found, spellings), text)
     is_field = "*" in text
     text = _POINT.sub(lambda found: _pointed(found, spellings, is_field), text)
-    text = _OF_DOUBLES.sub("", _DOUBLE.sub(lambda found: _double(found, spellings), text))
+    text = _OF_KIND.sub(r"\1", _DOUBLE.sub(lambda found: _double(found, spellings), text))
+    text = _OF_DOUBLES.sub(lambda found: found[0] if found[0] in spellings.data else "", text)
     text = _DOTTED.sub(r"dot(\1\2)", _SUBSCRIPT.sub(r"\1\2", text))
     text = _OF_TIME.sub(lambda found: _of_time(found, spellings), _INDEXED.sub(lambda found: _indexed(found, spellings), text))
     text = _EQUATION.sub(r"\1 = \2", _POWER.sub(r"(\1)^\2", text))
     for pattern in _DERIVATIVES:
         text = pattern.sub(lambda found: _rate(found, spellings), text)
+    text = _T_BEHIND.sub("", text) if _AT_TIME.search(text) else text
     for pattern in _SHORT_DERIVATIVES:
         text = pattern.sub(lambda found: found[0] if spellings.canonical(found[0]) else _rate(found, spellings), text)
     return text
@@ -110,6 +121,33 @@ def _pointed(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
     if is_field or (len(before) > 1 and before.isalpha() and spellings.canonical(before) is None):
         return "" if len(before) > 1 or before.isalpha() else found[0]
     return f"{before}*" if before == ")" or before.isdigit() or spellings.canonical(before) else found[0]
+
+
+def _dot_or_product(found: re.Match[str], spellings: Spellings) -> str:
+    """Return the product that `dot` is in Typst, unless a coordinate follows: in AsciiMath that is its derivative."""
+    if found[0].strip() != "dot":
+        return ""
+    return found[0] if found[1] and spellings.angle(found[1]) in spellings.rates else " * "
+
+
+def _fractions(text: str) -> str:
+    """Return a line with a/b for frac(a, b) and frac(a)(b)."""
+    while found := _FRACTION.search(text):
+        inside = depths(text[found.end() :])
+        end = found.end() + inside.index(0) if 0 in inside else found.end()
+        above = text[found.end() + 1 : end]
+        cut = next((place for place, depth in enumerate(depths(above)) if depth == 0 and above[place] == ","), len(above))
+        if cut == len(above) and not text[end + 1 :].startswith("("):
+            return text
+        below = f"({above[cut + 1 :]})" if cut < len(above) else ""
+        text = f"{text[: found.start()]}({above[:cut]})/{below}{text[end + 1 :]}"
+    return text
+
+
+def _with_index(found: re.Match[str], spellings: Spellings) -> str:
+    """Return a name with its index joined, unless what stands behind the point is a name of its own."""
+    is_index = found[2].isdigit() or spellings.canonical(found[2]) is None
+    return found[1] + found[2] if is_index and spellings.angle(found[1] + found[2]) else found[0]
 
 
 def _number_in_si(found: re.Match[str]) -> str:
@@ -135,11 +173,6 @@ def _with_minutes(found: re.Match[str]) -> str:
 def _double(found: re.Match[str], spellings: Spellings) -> str:
     """Return the digits of a double with e for d; leave 0.5d1 unchanged if the task has a d1, as it is a product."""
     return found[0] if spellings.canonical(f"d{found[2]}") else f"{found[1]}e"
-
-
-def of_radians(text: str) -> str:
-    """Return a line without its conversions of degrees to radians: sin(phi3) for SIN(phi3*PI()/180)."""
-    return _IN_DEGREES.sub("", text)
 
 
 def in_si(quantity: str) -> str:
@@ -201,5 +234,5 @@ def _of_time(found: re.Match[str], spellings: Spellings) -> str:
 
 def _rate(found: re.Match[str], spellings: Spellings) -> str:
     """Return the name of a coordinate's rate for a derivative; leave it unchanged if it is not of a coordinate."""
-    name = spellings.angle(re.sub("[{}\u0307]|_?dot", "", found[1]))
+    name = spellings.angle(re.sub("[{}\u0307]|_?dot", "", "".join(found.groups())))
     return f" {spellings.rates[name]} " if name in spellings.rates else found[0]

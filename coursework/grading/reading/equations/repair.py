@@ -15,6 +15,7 @@ from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.variant.formula.alphabet import LOOK_ALIKE
 
 _SIGNS = str.maketrans({"[": "(", "]": ")", "{": "(", "}": ")", "`": None, "$": None})
+_INDEX = 2  # letters in a name or index that is set apart
 _TAIL = " \t\r.,;:✓✔☑"
 _NAMED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:[:;\t]\s*=|=\s*=)\s*")  # a name before the formula of a spreadsheet
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\d,])")
@@ -84,6 +85,13 @@ def is_name(word: str, spellings: Spellings) -> bool:
     return all(piece.kind == "function" or piece.text in spellings.known for piece in pieces)
 
 
+def is_product(word: str, spellings: Spellings) -> bool:
+    """Return whether a word is a product without signs, r3ω3sinφ3 or r3ω3, and not a name of the student such as ca."""
+    pieces = _spelled("name", word, spellings)
+    speeds = {*spellings.rates.values()}
+    return len(pieces) > 1 and any(one.kind == "function" or (one.text in speeds and not one.text.isalpha()) for one in pieces)
+
+
 def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
     """Return a name in its declared spelling, or the names and functions that it is a chain of."""
     if kind == "blank":
@@ -126,10 +134,16 @@ def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
 
 
 def _joined(tokens: list[_Token], spellings: Spellings) -> list[_Token]:
-    """Return the tokens without blanks; an index separated by a blank is joined to its name."""
+    """Return the tokens without blanks; an index separated by a blank is joined to its name, "V M y" of a PDF to VMy."""
     joined: list[_Token] = []
     bare = [token for token in tokens if token.kind != "blank"]
     for token in bare:
+        for before in (2, 1):
+            parts = [one.text for one in joined[-before:] if one.kind == "name" and one.text not in spellings.known]
+            known = spellings.canonical("".join([*parts, token.text])) if token.kind == "name" and len(parts) == before else None
+            if known and len(token.text) <= _INDEX and len(parts[0]) <= _INDEX:
+                joined[-before:], token = [], _Token("name", known)
+                break
         last = joined[-1] if joined else None
         if last and last.kind == "name" and token.kind == "number" and last.text not in spellings.known:
             known = spellings.canonical(last.text + token.text)

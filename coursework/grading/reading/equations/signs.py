@@ -19,7 +19,7 @@ _RAISED = re.compile(f"[{''.join(_SUPERSCRIPTS)}]+")
 _DOT = "\u0307"
 _OF_NO_KEYBOARD = re.compile(r"[^\x00-\x7f]")
 _SIGNS = {
-    **dict.fromkeys("≡≈≅≃≐≑≔≝⩴⩵⩶", "="), **dict.fromkeys("−‐‑‒–—―﹣", "-"), "﹢": "+",
+    **dict.fromkeys("≡≈≅≃≐≑≔≝⩴⩵⩶", "="), **dict.fromkeys("−‐‑‒–—―﹣﹘─━➖", "-"), "﹢": "+",
     **dict.fromkeys("∗•∙⋅·●∘×✕✖⨯⸱・\u2062", "*"), **dict.fromkeys("⁄∕÷", "/"), **dict.fromkeys("〖⟦❨", "("),
     **dict.fromkeys("〗⟧❩", ")"), **dict.fromkeys("，、", ","), "。": ".", "【": "[", "】": "]", "；": ";", "：": ":",
     **dict.fromkeys("\u00ad\u200b\u200c\u200d\u200e\u200f\u2060\u2061\u2063\u2064\ufe0e\ufe0f\ufeff", ""),

@@ -135,3 +135,11 @@ def test_rounded_lines_of_a_whole_set_count_each():
     found = marks(texts)
     assert {mark.verdict for mark in found.marks} <= {"right", "rounded"}
     assert (found.independent, found.needed) == (4, 4)
+
+
+def test_a_wrong_drive_beside_all_equations_is_told_and_costs_nothing():
+    for name, drive, law in (("31", "VMy = V1*cos(p*t + alpha)", "VMy = V1*sin(p*t + alpha)"), ("v102", "VMy = V1", "VMy = 0")):
+        found = marks([drive, *written(name)], name)
+        told = next(mark for mark in found.marks if mark.line.line == 1)
+        assert (found.share, told.verdict, told.lack.values["law"]) == (1.0, "wrong", law)
+        assert all(mark.line.line > 1 for mark in marks(["r1 = 2*r2", *written(name)], name).marks)

@@ -10,6 +10,8 @@ import coursework
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.first_wrong import first_wrong
+from coursework.grading.marking.table.starts import march
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
@@ -92,6 +94,17 @@ def test_a_mistyped_start_costs_the_same_in_every_coordinate_and_variant(numbers
                 assert (table.earned.rule, table.earned.worth) == ("start", 0.95)
     close(points)
     assert max(points) <= 57.0
+
+
+def test_a_mistyped_start_costs_the_same_in_a_chain_of_groups():
+    """Its starts are computed, so none is exactly as it is printed; on the last one no velocity depends."""
+    desk = Desk(coursework.load("whitworth"))
+    begun = desk.key.table[0, : desk.machine.m]
+    for place in range(1, len(begun)):
+        table = march(desk.key, begun + 0.05 * (np.arange(len(begun)) == place), desk.key.velocities_at)
+        found, marked = desk.marked(table)
+        assert (found, marked.earned.rule) == (57, "start"), place
+        assert repr(first_wrong(desk.key, marked.cells).sentence.values["expected"]) != "-0.0"  # phi4 begins at 0
 
 
 def test_a_start_value_typed_wrong_and_not_used_is_one_cell():
@@ -225,6 +238,31 @@ def test_a_row_too_many_or_too_few_costs_a_row(numbers):
         points.append(desk.marked(np.vstack([right[:1], right]), with_time=False)[0])
     close(points)
     assert min(points) > 57
+
+
+def test_an_angle_that_is_another_datum_is_told_without_whole_turns():
+    """The velocities are those of 6.303 rad as well, but nobody typed that."""
+    for name in ("31", "v102"):
+        desk = Desk(coursework.load(name))
+        found, marked = desk.marked(Machine(desk.variant, data={"alpha": 0.02}).table())
+        assert (marked.misconception.code, marked.misconception.names) == ("datum_alpha", ("0.02", "rad"))
+        assert found == pytest.approx(24, abs=0.3)
+
+
+@of_each
+def test_rows_elsewhere_are_told_as_that_and_cost_the_same(numbers):
+    """Neither is another drive: rows from 4 on beside the first times cost those left out; any other order is a misconception."""
+    for desk in [*(variants()[number] for number in numbers), with_a_steady_drive()]:
+        right = desk.machine.table()
+        late, marked = desk.marked(right[3:], with_time=False)
+        assert (marked.misconception.code, late > 52) == ("rows_shifted", True)
+        for order in (np.arange(len(right))[::-1], np.random.default_rng(3).permutation(len(right))):
+            found, marked = desk.marked(right[order], with_time=False)
+            assert (marked.misconception.code, found) == ("rows_order", pytest.approx(24, abs=0.3))
+        mended = right[::-1].copy()
+        mended[:6] = right[:6]
+        mended[6, :2] = right[6, :2]
+        assert desk.marked(mended, with_time=False)[0] >= found
 
 
 def test_a_chain_of_groups_under_a_steady_drive_is_marked_like_the_others():

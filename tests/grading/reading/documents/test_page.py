@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from coursework.grading.reading.documents.document import place_of
+from coursework.grading.reading.documents.formulas.in_pages import with_formulas
 from coursework.grading.reading.documents.page import document_of_latex, document_of_page
 from coursework.grading.reading.files.kinds import is_html
 from coursework.grading.reading.numbers import plain_text
@@ -65,3 +66,23 @@ def test_a_page_begins_with_any_of_its_signs(text: str, is_page: bool) -> None:
 def test_a_formula_that_a_script_draws_is_a_line() -> None:
     page = document_of_page('<p>So</p><script type="math/tex; mode=display">w_1 = V/r</script><script>w2 = 1</script>', "x", 9, 9)
     assert [line.text for line in page.lines if "=" in line.text] == ["w_1 = V/r"]
+
+
+W3 = "<math><msub><mi>&omega;</mi><mn>3</mn></msub><mo>=</mo><mfrac><mi>a</mi><mn>2</mn></mfrac><mi>b</mi></math>"
+KATEX = (
+    '<span class="katex"><span class="katex-mathml"><math><semantics><mrow><mi>w</mi></mrow><annotation encoding="application/'
+    'x-tex">w_3 = \\frac a2 &lt; b</annotation></semantics></math></span><span class="katex-html" aria-hidden="true"><span>w'
+    "</span><span>3</span></span></span>"
+)
+
+
+@pytest.mark.parametrize(("page", "text"), [
+    (f"<p>So {W3}</p>", "<p>So  ω_3 = ((a)/(2)) b </p>"),
+    (f"{KATEX} then", '<span class="katex"><span class="katex-mathml"> w_3 = \\frac a2 &lt; b </span> then'),
+    ("<m:math xmlns:m='x'><m:mi>a</m:mi><m:mo>&lt;</m:mo></m:math>", " a &lt; "),
+    ("<math><mtable><mtr><mtd><mi>a</mi><mo>=</mo><mi>b</mi></mtd></mtr><mtr><mtd><mi>c</mi><mo>=</mo><mi>d</mi></mtd></mtr>"
+     "</mtable></math>", " a = b<br>c = d "),
+    *((page, page) for page in ("<math><mi>a</mi><mo>&amp;</mo>", "<math><mi>a</mb></math>", "<math>&nosuch;</math>", "<math")),
+])  # fmt: skip
+def test_the_formulas_of_a_page_are_text(page: str, text: str) -> None:
+    assert with_formulas(page) == text

@@ -11,14 +11,10 @@ from coursework.grading.reading.documents.pdf_lines import (
     Letter,
     PageLine,
     Word,
-    _cells,
-    _first,
-    _parted,
-    _rows,
     lines_of,
-    tables_in,
     with_fractions,
-)  # fmt: skip
+)
+from coursework.grading.reading.documents.pdf_tables import _cells, _first, _parted, _rows, tables_in
 
 
 def letters(text: str, base: float, left: float = 0.0, size: float = 10.0) -> list[Letter]:
@@ -203,3 +199,13 @@ def test_a_fraction_inside_another_is_put_together_first() -> None:
     )
     assert [" ".join(line.split()) for line in texts(found)] == ["y= ((a+ ((p)/(q)))/(c))"]
     assert with_fractions(BESIDE, []) == BESIDE
+
+
+def test_a_number_that_is_broken_at_the_end_of_its_cell_is_put_together() -> None:
+    """Word breaks -16.6542 after its minus, and after as many digits as the column holds; a page's number below is no rest."""
+    lines = [row("0.00", "5.5518", "-"), row("16.65", at=(200.0,)), row("42", at=(200.0,)), row("0.02", "5.3995", "14.112"),
+             row("8", at=(200.0,)), row("0.04", "4.9981", "11.0328")]  # fmt: skip
+    end = [row("0.06", "4.3916", "-"), row("7.9410", at=(200.0,)), row("3", at=(100.0,))]
+    ((_, found),) = tables_in([*lines, *end])
+    assert [cells[-1] for cells in found] == ["-16.6542", "14.1128", "11.0328", "-7.9410"]
+    assert [cells[1] for cells in found] == ["5.5518", "5.3995", "4.9981", "4.3916"]

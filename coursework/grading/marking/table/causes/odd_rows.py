@@ -9,12 +9,12 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.ways import as_printed, near
-from coursework.system.arrays import Array, Flags, shifted
+from coursework.grading.marking.table.ways import StudentTable, as_printed, near
+from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
-# A shift is told if so many successive rows are shifted by the same number, which is at most FARTHEST.
-FEWEST_SHIFTED, FARTHEST = 3, 3
+# A shift is told if so many successive rows are shifted by the same number.
+FEWEST_SHIFTED = 3
 
 
 @frozen
@@ -38,22 +38,41 @@ def repeated_rows(key: Key, cells: Cells) -> tuple[int, ...]:
 
 def displaced_rows(key: Key, cells: Cells) -> tuple[Shift, ...]:
     """Return the runs of rows that agree with rows of the key, but not with the row where they stand."""
-    count = len(key.table)
-    at_home = _rows_alike(key, cells, 0)
+    alike = alike_rows(key, cells.student)
+    at_home = np.diagonal(alike)
     found: list[Shift] = []
-    for by in sorted(range(-FARTHEST, FARTHEST + 1), key=abs):
-        if by and count > abs(by):
-            found += _runs(_rows_alike(key, cells, by) & ~at_home, by)
+    for by in sorted(shifts(alike), key=abs):
+        rows = np.zeros(len(alike), dtype=bool)
+        rows[max(-by, 0) : len(alike) - max(by, 0)] = np.diagonal(alike, by)
+        found += _runs(rows & ~at_home, by)
     return tuple(sorted(found, key=lambda shift: shift.first))
 
 
-def _rows_alike(key: Key, cells: Cells, by: int) -> Flags:
-    """Return which rows (n,) agree, in every cell that is there, with the key's row that is `by` further down."""
-    values = cells.student.values
-    expected = shifted(key.table, -by)
-    there = np.isfinite(values) & np.isfinite(expected)
-    alike = near(values, expected, _tolerance(key, cells))
-    return np.asarray(np.all(alike | ~there, axis=1) & (there.sum(axis=1) > there.shape[1] / 2))
+def shifts(alike: Flags) -> dict[int, int]:
+    """Return by how many rows at least `FEWEST_SHIFTED` rows are shifted, with the number of these rows."""
+    rows, places = np.nonzero(alike)
+    by, counts = np.unique((places - rows)[places != rows], return_counts=True)
+    return {int(one): int(count) for one, count in zip(by, counts, strict=True) if count >= FEWEST_SHIFTED}
+
+
+def alike_rows(key: Key, student: StudentTable, stands: Flags | None = None) -> Flags:
+    """Return which rows (n) agree with which rows of the key (n), in every cell that is there, with their whole turns or without.
+
+    Cells that are right where they stand (`stands`, (n, m + r)) may have been put right: they agree with any row of the key, but
+    rows that are right where they stand only with their own.
+    """
+    there, known = np.isfinite(student.values), np.isfinite(key.table)
+    tolerance = as_printed(key, np.nan_to_num(student.units))
+    turns = np.zeros(there.shape) if student.turns is None else 2 * np.pi * student.turns
+    alike = there.astype(int) @ known.T.astype(int) > there.shape[1] / 2
+    for place in range(there.shape[1]):
+        values, expected, off = student.values[:, place, None], key.table[None, :, place], tolerance[:, place, None]
+        holds = near(values, expected, off) | near(values + turns[:, place, None], expected, off)
+        alike &= holds | ~(there[:, place, None] & known[None, :, place]) | (False if stands is None else stands[:, place, None])
+    if stands is not None:
+        at_home = np.diagonal(alike).copy()
+        alike[at_home] = np.eye(len(alike), dtype=bool)[at_home]
+    return np.asarray(alike)
 
 
 def _tolerance(key: Key, cells: Cells) -> Array:

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
-from itertools import combinations, product
+from itertools import combinations, islice, product
 
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.causes.shifted import put_back
+from coursework.grading.marking.table.causes.shifted import in_order, put_back
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed, near
 from coursework.system.angles import whole_turns
@@ -58,11 +58,16 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     for (code, data), found in zip(tried, sets, strict=True):
         shown = _shown(by_code[code], *data.values()) if code in by_code else ()
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found, shown)
-    read_off = [(datum, value) for datum, read in _values_read_off(printed) for value in {read: None, float(f"{read:.3g}"): None}]
-    for datum, value in read_off:  # as computed from the table, and rounded as it may have been typed
+    for datum, value in [(one, value) for one, read in _values_read_off(printed) for value in _as_typed(one, read)]:
         at = partial(printed.key.velocities_at, data={datum.name: value})
         for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=_shown(datum, value)):
             yield replace(claim, is_read_off=True)
+
+
+def _as_typed(datum: Given, read: float) -> Iterator[float]:
+    """Yield a value as computed from the table, and rounded as it may have been typed; an angle without whole turns first."""
+    turned = read % _TURN if datum.si == "rad" and datum.value > 0 else read
+    yield from dict.fromkeys((turned, float(f"{turned:.3g}"), read, float(f"{read:.3g}")))
 
 
 def _may_vanish(printed: TableUnderTest, datum: Given) -> bool:
@@ -128,16 +133,21 @@ def _whole(code: str, table: Array, units: Array) -> Claim:
 
 
 def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
-    """Yield the claim that a row stands twice or is left out, so that every row after it stands beside another time.
+    """Yield the claim that rows stand twice or are left out, so that every row after them stands beside another time.
 
-    If the angles stand where they belong, another cause that explains as much is preferred: only the velocities are shifted.  If
-    the velocities do, the claim names the coordinates: only these are.
+    If there are none, yield the claim that the rows of the task stand in another order, e.g. from the last to the first.  If the
+    angles stand where they belong, another cause that explains as much is preferred: only the velocities are shifted.  If the
+    velocities do, the claim names the coordinates: only these are.
     """
-    student = put_back(printed)
-    if student is not None:
+    turns = _taken_off(printed.student)  # which depend on the first row, also where that belongs to a later time
+    whole = replace(printed.student, values=printed.student.values + _TURN * turns, turns=None)
+    as_handed_in = [printed, *([TableUnderTest(printed.key, whole)] if turns.any() else [])]
+    rules = (("rows_shifted", put_back), ("rows_order", in_order))
+    found = ((code, student) for code, rule in rules for student in map(rule, as_handed_in) if student is not None)
+    for code, student in islice(found, 1):
         in_place, still = (bool(part.mean() >= _IN_PLACE) for part in np.hsplit(printed.of_task, [printed.m]))
         names = tuple(printed.key.coordinates) if still and not in_place else ()
-        yield replace(_as_euler("rows_shifted", student, names), is_read_off=in_place)
+        yield replace(_as_euler(code, student, names), is_read_off=in_place)
 
 
 def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:

@@ -1,49 +1,94 @@
-"""A table that is right except for one row too many or too few: a row is repeated, left out, or put before the first.
+"""A table that is right except for some rows too many or too few: rows are repeated, left out, or put before the first.
 
-Enters: a `TableUnderTest`.  Leaves: the table with its rows put back.  Used by `other_data.py`.
+Enters: a `TableUnderTest`.  Leaves: the table with its rows put back, also where they stand in any other order.
+Used by `other_data.py`.
 From the slip on, every row stands beside another time and no longer follows; with the rows put back, the slip costs one row.
 """
 
 from __future__ import annotations
 
+from collections.abc import Container, Mapping
+
 import numpy as np
 
 from coursework.grading.marking.table.causes.claims import TableUnderTest
+from coursework.grading.marking.table.causes.odd_rows import FEWEST_SHIFTED, alike_rows, shifts
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.ways import StudentTable
 from coursework.system.arrays import Array, Flags
 
 # The rows are put back only if then at least this part of the cells is right.
 _ENOUGH = 0.5
+_MOST = 0.5  # of the rows that are there
+_MOST_SHIFTS = 2  # of more than one row, those of most rows
 
 
 def put_back(printed: TableUnderTest) -> StudentTable | None:
-    """Return the table without the surplus row, or with an empty row where one is left out; None if there is neither.
+    """Return the table without the surplus rows, or with empty rows where some are left out; None if there are neither.
 
     A cell that is right where it stands is right in the rows put back too: its value was shifted before it was put right.
     """
     student, count = printed.student, len(printed.student.values)
     stands = printed.of_task
-    as_it_is, late, early = (_right(printed, stands, by) for by in (0, -1, 1))
-    best, made = as_it_is.sum() + student.values.shape[1], None  # by at least the cells of the row that then is missing
-    for place in range(1, count):
-        before = as_it_is[:place].sum()
-        if before + late[place:].sum() > best:
-            best = before + late[place:].sum()
-            gone = place if as_it_is[place - 1] >= late[place] else place - 1
-            made = [*(row for row in range(count) if row != gone), None]
-    for place in range(count):
-        if as_it_is[:place].sum() + early[place:].sum() > best:
-            best = as_it_is[:place].sum() + early[place:].sum()
-            made = [*range(place), None, *range(place, count - 1)]
-    if made is None or best < _ENOUGH * student.values.size:
+    as_it_is = _right(printed, stands, 0)
+    best, made = (
+        as_it_is.sum() + student.values.shape[1],
+        list[int | None](),
+    )  # by at least the cells of a row that then is missing
+    usual = shifts(alike_rows(printed.key, student, stands))
+    for by in dict.fromkeys([-1, 1, *sorted(usual, key=lambda one: -usual[one])[:_MOST_SHIFTS]]):
+        there, rows = _right(printed, stands, by), abs(by)
+        for place in range(int(by < 0), count):
+            if (right := as_it_is[:place].sum() + there[place:].sum()) <= best:
+                continue
+            best = right
+            if by > 0:
+                made = [*range(place), *[None] * rows, *range(place, count - rows)][:count]
+            else:
+                begun = max(place - rows, 0)
+                gone = range(place, place + rows)
+                if as_it_is[begun:place].sum() < there[place : place + rows].sum() or place + rows > count:
+                    gone = range(begun, begun + rows)
+                made = [*(row for row in range(count) if row not in gone), *[None] * rows]
+    if not made or best < _ENOUGH * np.isfinite(student.values).sum():
         return None
-    values, units = np.full_like(student.values, np.nan), np.full_like(student.units, np.nan)
-    for row, of in enumerate(made):
-        if of is not None:
-            put = stands[of] & (row != of)
-            values[row], units[row] = np.where(put, printed.key.table[row], student.values[of]), student.units[of]
+    return _put(printed, {row: of for row, of in enumerate(made) if of is not None})
+
+
+def _put(printed: TableUnderTest, made: Mapping[int, int], mended: Container[int] = ()) -> StudentTable:
+    """Return the table with other rows in the place of its own; a cell that is right where it stands is right there, too.
+
+    So are all cells in rows that are `mended`.
+    """
+    values, units = np.full_like(printed.student.values, np.nan), np.full_like(printed.student.units, np.nan)
+    for row, of in made.items():
+        put = (printed.of_task[of] & (row != of)) | (row in mended)
+        values[row], units[row] = np.where(put, printed.key.table[row], printed.student.values[of]), printed.student.units[of]
     return StudentTable(values, units)
+
+
+def in_order(printed: TableUnderTest) -> StudentTable | None:
+    """Return the table with its rows beside their times, if most are rows of the task in another order; else None.
+
+    A row may be another one's that was put right meanwhile: then the row that stood there is right in the place that is left.
+    """
+    stands = printed.of_task
+    alike = alike_rows(printed.key, printed.student, stands)
+    there = np.flatnonzero(np.isfinite(printed.student.values).any(axis=1))
+    at_home = np.diagonal(alike)
+    # Of a row that agrees with several rows, the first that no other row is.
+    made, again = {int(row): int(row) for row in there[at_home[there]]}, dict[int, int]()
+    for row in there[~at_home[there]].tolist():
+        places = [int(place) for place in np.flatnonzero(alike[row])]
+        if free := [place for place in places if place not in made]:
+            made[free[0]] = row
+        elif twice := [place for place in places if made[place] == place and place not in again]:
+            again[twice[0]] = row
+    moved = len(again) + sum(place != row for place, row in made.items())
+    if moved < FEWEST_SHIFTED or len(made) + len(again) < _MOST * len(there):
+        return None
+    left = dict(zip((place for place in range(len(alike)) if place not in made), again.values(), strict=False))
+    return _put(printed, made | left, left)
 
 
 def _right(printed: TableUnderTest, stands: Flags, by: int) -> Array:
@@ -55,8 +100,9 @@ def _right(printed: TableUnderTest, stands: Flags, by: int) -> Array:
     key, m, values = printed.key, printed.m, printed.student.values
     last = key.table[-1:, :m] + key.step * key.table[-1:, m : 2 * m]
     t = np.asarray(key.t + by * key.step)
-    after = np.hstack([last, key.velocities_at(t[-1:], last)])
-    table = np.vstack([np.full_like(after, np.nan), key.table, after])[1 + by : 1 + by + len(values)]
+    after = np.hstack([last, key.velocities_at(key.t[-1:] + key.step, last)])
+    none = np.full((abs(by), values.shape[1]), np.nan)
+    table = np.vstack([none, key.table, after, none])[abs(by) + by : abs(by) + by + len(values)]
     right = alike(key, printed.student, table) | stands
     with np.errstate(invalid="ignore"):
         own = np.abs(values[:, m:] - key.velocities_at(t, printed.q)) <= printed.true_velocities[1]

@@ -28,8 +28,13 @@ _PRODUCTS = (
     ),
     re.compile(rf"(?m)^[ \t]*(?:{_NAME}|{_NAMES})[ \t]*=[ \t]*{_SOLVED}(?:[%#/].*)?$"),
     re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}#[ \t]*{_NAMES}[ \t]*$"),
+    re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}(?:[%#/].*)?$"),
 )
-_ORDERS = ((0, 1, 2), (1, 0, 2), (0, 2, 1))  # places of the matrix, the unknowns and the right side in each of `_PRODUCTS`
+_OF_CALLS = re.compile(rf"{_SOLVER}\s*[^\W\d]\w{{0,20}}\s*\(")
+_RETURNED = re.compile(r"(?m)^[ \t]*return[ \t]+(?=[\w.]{0,20}\(?\s*\[)")
+# Places of the matrix, the unknowns and the right side in each of `_PRODUCTS`; the last has none, the call of its function has.
+_ORDERS = ((0, 1, 2), (1, 0, 2), (0, 2, 1), (0, 2, 1))
+_FUNCTION = re.compile(r"(?m)^[ \t]*(?:def|function)\b[^(\n]{0,60}?([^\W\d]\w{0,30})[ \t]*\(")
 _TAKEN = rf"(?m)(?:^|(?<=;))[ \t]*{_NAME}[ \t]*=[ \t]*%s[ \t]*[\[(][ \t]*(\d{{1,2}})[ \t]*[\])][ \t]*(?:;|$)"  # w1 = x(1)
 _LATEX = re.compile(r"\\(?:begin|math|q?quad)")
 _IN_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathsf|mathrm|underline|overline)\s*\{(\w)\}|\\[,;:! ]")
@@ -37,6 +42,10 @@ _IN_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathsf|mathrm|underline|ov
 _ELEMENT = re.compile(
     r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*[\[(]\s*(\d{1,2})\s*(?:(?:,|\]\s*\[)\s*(\d{1,2})\s*)?[\])]"
     r"[ \t]*:?=(?!=)([^=;\n]+);?"
+)
+_ROW_OF_CELLS = re.compile(
+    r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*([\[(])\s*(\d{1,2})\s*(?:,\s*:\s*)?[\])][ \t]*=[ \t]*(?:[\w.]{1,12}\()?"
+    r"\[((?:[^\[\]\n]|\[\d{1,2}\]){1,1000})\]\)?"
 )
 # A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\[e; f]
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*[\w.]{{0,20}}\s*\(?\s*\[)")
@@ -55,13 +64,14 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     """
     if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,")):
         return text
-    text = _named_apart(_elements_gathered(text))
+    text = _named_apart(_elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text))))
     whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
     found = next((found for pattern in _PRODUCTS if (found := pattern.search(whole))), None)
     if found is None:
         return text
     named = {name: (begin, end, content) for name, begin, end, content in _matrices(whole)}
     groups = [group for group in found.groups() if group]
+    groups += [_names_of_call(whole, found.start())] if len(groups) == 2 else []
     matrix, unknowns, right = (groups[place] for place in _ORDERS[_PRODUCTS.index(found.re)])
     taken = [] if "," in unknowns else sorted(re.finditer(_TAKEN % re.escape(unknowns), whole), key=lambda one: int(one[2]))
     columns = vector(unknowns) if "," in unknowns else vector(named[unknowns][2]) if unknowns in named else []
@@ -76,6 +86,26 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     for begin, end, said in sorted(pieces, reverse=True):
         whole = whole[:begin] + said + "\n" * whole.count("\n", begin, end) + whole[end:]
     return whole
+
+
+def _returned_as_named(text: str) -> str:
+    """Return a text in which functions that return a matrix or a right side, solve(A(q), b(t)), are such matrices: A = …"""
+    begun = _FUNCTION.search(text) if _OF_CALLS.search(text) else None
+    while begun and (returned := _RETURNED.search(text, begun.end())):
+        function, begun = begun, _FUNCTION.search(text, begun.end())
+        called = re.compile(rf"(?<=[(,\s]){re.escape(function[1])}\s*\([\w\s,.*\[\]]{{0,60}}\)(?=\s*[,)])")
+        if (begun is None or returned.start() < begun.start()) and called.search(text, returned.end()):
+            named = f"{function[1]} = {called.sub(function[1], text[returned.end() :])}"
+            text = text[: returned.start()] + named
+            begun = _FUNCTION.search(text, returned.start())
+    return text
+
+
+def _names_of_call(text: str, place: int) -> str:
+    """Return "w1, w2" of the line w1, w2 = rates(t, y) for the function rates that returns at a place, else ""."""
+    functions = [found[1] for found in _FUNCTION.finditer(text, 0, place)]
+    called = re.search(rf"(?m)^[ \t]*{_NAMES}[ \t]*=[ \t]*{re.escape(functions[-1])}[ \t]*\(", text) if functions else None
+    return called[1] if called else ""
 
 
 def _named_apart(text: str) -> str:
@@ -95,6 +125,13 @@ def _named_apart(text: str) -> str:
         matrix, sides = divided.groups()
         call = text[: divided.start()] + " " + "\\".join(_OF_CALL) + text[divided.end() :]
     return f"{call}\n{_OF_CALL[0]} = {matrix}\n{_OF_CALL[1]} = {sides}"
+
+
+def _as_cells(row: re.Match[str]) -> str:
+    """Return a row that is assigned to a matrix, A[0] = [a, b] or A(1, :) = [a, b], cell by cell: A[0, 0] = a; A[0, 1] = b"""
+    base = int(row[2] == "[")
+    cells = [cell for cell in vector(row[4]) if cell]
+    return "; ".join(f"{row[1]}[{int(row[3]) + 1 - base}, {place}] = {cell}" for place, cell in enumerate(cells, start=1 - base))
 
 
 def _elements_gathered(text: str) -> str:

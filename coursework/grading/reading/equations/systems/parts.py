@@ -121,7 +121,7 @@ def vector(content: str) -> list[str]:
 def _matrix(content: str) -> list[list[str]]:
     """Return the rows of a matrix: nested lists, or separated by semicolons or line ends."""
     for _ in range(_MOST_WITHIN):
-        rows = [row.strip() for row in at_commas(content)]
+        rows = [row.strip() for row in at_commas(content.rstrip(" \t\n,"))]
         if not all(row.startswith("[") and row.endswith("]") for row in rows):
             rows = re.split(r"[;\n]", _NEXT_LINE.sub(" ", content))
         elif len(rows) == 1:

@@ -28,6 +28,10 @@ _SAID = re.compile(
 _NUMBERS = re.compile(r"[\[({]\s*((?:-?\d+\.?\d*\s*[,;\s]\s*)+-?\d+\.?\d*)\s*[\])}]")
 _RETURNED = re.compile(r"(?:\breturn\s+|(?<![\w.])d\w{1,12}\s*=\s*)(?:[\w.]{1,12}\s*\(\s*)?(?=[\[({])")
 _ZERO_BASED = re.compile(r"\b(?:np|math|Math|std|torch)\.|\bimport\b|#include|\b(?:double|float|const|let|var|func)\s")
+_SINES = re.compile(
+    r"(?m)^[ \t]*((?:[^\W\d]\w{0,9}[ \t]*,[ \t]*)?[^\W\d]\w{0,9})[ \t]*="
+    r"[ \t]*((?:[\w.]{0,6}(?:sin|cos)\(\s*\w{1,9}\s*\)[ \t]*,?[ \t]*){1,2});?[ \t]*$"
+)
 _SAME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?::?=|<-)\s*\1\s*(?=[;,}\n#%]|//|$)")  # phi1 = phi1
 _DERIVATIVE = re.compile(r"d[a-z]\w*|\w+_?dot|(?:w|v|om|omega|ω)", re.IGNORECASE)
 _MOST_CHARACTERS = 200_000
@@ -39,6 +43,7 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
     The order comes from the line that unpacks or builds the vector, from a comment, from the values returned or from the start
     values; else it is the order of the task.
     """
+    text = _of_whole_vectors(text) if len(text) <= _MOST_CHARACTERS else text
     if len(text) > _MOST_CHARACTERS or not (entries := [*_ENTRY.finditer(text)]):
         return _returned(text, [one.rate for one in variant.coordinates])
     uses: dict[str, list[re.Match[str]]] = defaultdict(list)
@@ -56,7 +61,7 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
         is_own = is_own or (vector in {"f", "F"} and [*by_use] == [rates[name] for name in order])
         if not is_own or (used[0][2] == "(" and (vector in spellings.known or vector.lower() in FUNCTION_WORDS)):
             continue
-        names = _told(text, vector, spellings) or by_use
+        names = _told(text, vector, spellings) or _from_zero(vector, indices, spellings) or by_use
         is_from_one = used[0][2] == "(" or max(indices) >= len(names) or not _ZERO_BASED.search(text)
         base = int(is_from_one and not is_zero_based)
         found = dict(enumerate(names, start=base)) | _taken(text, vector, spellings)
@@ -64,6 +69,20 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
             meant[vector] = found
     named = _ENTRY.sub(lambda entry: _named(entry, meant), text)
     return _returned(_SAME.sub("", named) if meant else text, [rates[name] for name in order])
+
+
+def _of_whole_vectors(text: str) -> str:
+    r"""Return a text with sin(q[2]) for s[2], where s = np.sin(q), or s, c = np.sin(q), np.cos(q), and q is a vector.
+
+    >>> _of_whole_vectors("s, c = np.sin(q), np.cos(q)\nw = s[0]*c[1]")
+    's, c = np.sin(q), np.cos(q)\nw = sin(q[0])*cos(q[1])'
+    """
+    for line in _SINES.finditer(text):
+        names = re.findall(r"\w+", line[1])
+        calls = re.findall(r"(sin|cos)\(\s*(\w+)\s*\)", line[2])
+        for name, (function, vector) in zip(names, calls, strict=False) if len(names) == len(calls) else ():
+            text = re.sub(rf"(?<![\w.]){name} ?([\[(]\s*\d{{1,2}}\s*[\])])", rf"{function}({vector}\1)", text)
+    return text
 
 
 def _named(entry: re.Match[str], meant: dict[str, dict[int, str]]) -> str:
@@ -97,6 +116,12 @@ def _told(text: str, vector: str, spellings: Spellings) -> list[str]:
         if all(names):
             return [name for name in names if name]
     return []
+
+
+def _from_zero(vector: str, indices: set[int], spellings: Spellings) -> list[str]:
+    """Return r1, r2, r3 for r[0], r[1], r[2], if the task has all these names; else, or if r[0] does not occur, []."""
+    names = [spellings.canonical(f"{vector}{index + 1}") for index in range(max(indices) + 1)]
+    return [name for name in names if name] if 0 in indices and all(names) else []
 
 
 def _taken(text: str, vector: str, spellings: Spellings) -> dict[int, str]:

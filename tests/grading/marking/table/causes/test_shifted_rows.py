@@ -28,6 +28,9 @@ def put_back(monkeypatch: pytest.MonkeyPatch, rights: dict[int, np.ndarray]) -> 
         student=SimpleNamespace(values=values, units=np.full((ROWS, 1), 0.1)),
     )
     monkeypatch.setattr(shifted, "_right", lambda printed, stands, by: rights[by])
+    counts = {by: int(right.sum()) for by, right in rights.items() if by}
+    monkeypatch.setattr(shifted, "alike_rows", lambda key, student, stands: None)
+    monkeypatch.setattr(shifted, "shifts", lambda alike: counts)
     found = shifted.put_back(printed)
     return None if found is None else found.values[:, 0].tolist()
 
@@ -62,3 +65,17 @@ def test_of_two_rows_the_one_goes_that_is_less_right_where_it_stands(monkeypatch
     rights = {0: [1.0] * 7 + [0.5] + [0.0] * 12, -1: [0.0] * 7 + [0.2] + [1.0] * 12, 1: [0.0] * ROWS}
     found = put_back(monkeypatch, {by: np.array(right) for by, right in rights.items()})
     assert found is not None and found[:-1] == [float(row) for row in range(ROWS) if row != 7]
+
+
+def test_several_rows_that_are_left_out_get_empty_ones(monkeypatch):
+    """A table that begins at row 4, one without rows 6 to 10, and one that has three rows more from row 7 on."""
+    none, nan = np.zeros(ROWS), float("nan")
+    numbers = [float(row) for row in range(ROWS)]
+    assert repr(put_back(monkeypatch, {0: none, -1: none, 1: none, 3: none + 1})) == repr([nan] * 3 + numbers[:17])
+    first = (np.arange(ROWS) < 5).astype(float)
+    assert repr(put_back(monkeypatch, {0: first, -1: none, 1: none, 5: 1 - first})) == repr(
+        numbers[:5] + [nan] * 5 + numbers[5:15]
+    )
+    first = (np.arange(ROWS) < 6).astype(float)
+    found = put_back(monkeypatch, {0: first, -1: none, 1: none, -3: (np.arange(ROWS) > 8).astype(float)})
+    assert repr(found) == repr(numbers[:6] + numbers[9:] + [nan] * 3)

@@ -1,0 +1,67 @@
+"""What a student calls the angles, "α = φ1, β = φ2" or "α, β - angles of links 1, 2" -> spellings of the task's names.
+
+Enters: the pieces of a text, `Names`.  Leaves: `Names` with these spellings, and the pieces without the legend.
+Used by `lines.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from coursework.grading.reading.equations.equations import Names
+from coursework.grading.reading.equations.names_in_text import Spellings, plain_name
+from coursework.grading.reading.equations.signs import plain_signs
+from coursework.variant.formula.alphabet import spell
+
+_NAME = r"([^\W\d]\w{0,12})"
+_SAME = re.compile(rf"(?:(?:[^\W\d_]{{3,20}}|[-–•*])[\s:,(]*){{0,6}}{_NAME}\s*(?:=|⇒)\s*{_NAME}\s*(?:[.,;)][^=]{{0,120}})?")
+_ANGLES = r"(?:angles?|углы|угол|кути|кут|Winkel|angles|ángulos)"
+_LISTED = re.compile(
+    rf"((?:{_NAME},\s*){{1,9}}{_NAME})\s*[-–:,]?\s[^=*+/]{{0,40}}\b{_ANGLES}\b[^=*+/\d]{{0,40}}\b((?:\d,\s*){{1,9}}\d)\b.*", re.I
+)
+_GREEK = ("alpha", "beta", "gamma", "delta", "theta", "psi", "chi", "eta", "zeta", "xi", "epsilon", "eps", "phi")
+_MOST_CHARACTERS = 300
+
+
+def with_legend(lines: Sequence[tuple[int, str]], names: Names) -> tuple[Names, list[tuple[int, str]]]:
+    """Return the names with what the lines call the coordinates, and the other lines; the letter of a datum may be an angle."""
+    called: dict[str, str] = {}
+    rest: list[tuple[int, str]] = []
+    for number, line in lines:
+        found = [*_pairs(line, names.spellings)]
+        called |= {plain_name(name): meant for name, meant in found if plain_name(name) not in called}
+        rest += [] if found else [(number, line)]
+    if not called:
+        return names, rest
+    before = names.spellings
+    beside = replace(before, others=before.others | called)  # a letter of a datum stays the datum
+    spellings = replace(beside, known=before.known - {*called})
+    return replace(
+        names, spellings=spellings, before=replace(names, spellings=beside) if before.known & {*called} else None
+    ), rest
+
+
+def _pairs(line: str, spellings: Spellings) -> Iterator[tuple[str, str]]:
+    """Yield (name of the student, coordinate) of a line that says nothing else."""
+    text = plain_signs(line[:_MOST_CHARACTERS]) if len(line) <= _MOST_CHARACTERS else ""
+    if same := _SAME.fullmatch(text):
+        for name, other in (same.groups(), same.groups()[::-1]):
+            meant = spellings.angle(other)
+            if meant in spellings.rates and meant in spellings.known and _is_free(name, spellings):
+                yield name, meant
+                return
+    elif listed := _LISTED.fullmatch(text):
+        own, numbers = re.findall(r"\w+", listed[1]), re.findall(r"\d", listed[4])
+        angles = [spellings.angle(f"phi{number}") for number in numbers]
+        pairs = [(name, angle) for name, angle in zip(own, angles, strict=False) if angle in spellings.rates and angle]
+        yield from pairs if len(own) == len(numbers) == len(pairs) and all(_is_free(one, spellings) for one in own) else ()
+
+
+def _is_free(name: str, spellings: Spellings) -> bool:
+    """Return whether a name means nothing in the task, or only a datum with a Greek letter, which angles have as well."""
+    meant = spellings.canonical(name)
+    return (
+        spellings.angle(name) is None if meant is None else meant in spellings.data and spell(name).rstrip("0123456789") in _GREEK
+    )
