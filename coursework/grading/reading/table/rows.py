@@ -1,6 +1,6 @@
 """The rows of a file -> rows of the assigned grid.
 
-Enters: a `Layout`, the places of time and row numbers, the grid.  Leaves: `Rows`.  Raises `Refused` if rows contradict.
+Enters: a `Layout`, the places of time and row numbers, the grid.  Leaves: `Rows`.
 Used by `table.py`.
 """
 
@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from coursework.grading.reading.expected import Grid
-from coursework.grading.reading.limits import doubtful
 from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.table.columns import Places
 from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME
@@ -29,7 +28,8 @@ class Rows:
     `extra` counts rows of the file that match no row of the grid; `recovered` counts times that a spreadsheet had spoilt.
     If the student's time step differs from the grid's, `own` are the file's rows in the order of time and `own_step` is the step
     in s; otherwise they are () and 0.  `off_grid` is the first row of the file (from 0) whose time is not that of the row of the
-    grid at its place, with this time in s; None if there is none.
+    grid at its place, with this time in s; None if there is none.  `twice` is the first row of the grid (from 1) for which the
+    file has two rows that contradict each other, 0 if there is none.
     """
 
     of_grid: tuple[int | None, ...]
@@ -40,6 +40,7 @@ class Rows:
     own: tuple[int, ...] = ()
     own_step: float = 0.0
     off_grid: tuple[int, float] | None = None
+    twice: int = 0
 
 
 def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
@@ -60,10 +61,10 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
         targets = [number if 0 <= number < grid.rows else None for number in numbers]
     else:
         targets = [place if place < grid.rows else None for place in range(count)]
-    of_grid = _unique(layout, places, targets, grid.rows)
+    of_grid, twice = _unique(layout, places, targets, grid.rows)
     on_grid = [target for target in targets if target is not None]
     is_sorted = any(later < earlier for earlier, later in pairwise(on_grid))
-    return Rows(of_grid, is_sorted, targets.count(None), recovered, unit, own, step, _off_grid(times, targets))
+    return Rows(of_grid, is_sorted, targets.count(None), recovered, unit, own, step, _off_grid(times, targets), twice)
 
 
 def in_order(rows: Rows, count: int) -> Rows:
@@ -145,10 +146,11 @@ def _row_numbers(layout: Layout, at: int) -> list[int]:
     return [number - start for number in numbers] if start in {0, 1} and len(set(numbers)) == len(numbers) else []
 
 
-def _unique(layout: Layout, places: Places, targets: list[int | None], rows: int) -> tuple[int | None, ...]:
-    """Return the file's row for each row of the grid; of equal rows the first.  Raises `Refused` if two rows contradict."""
+def _unique(layout: Layout, places: Places, targets: list[int | None], rows: int) -> tuple[tuple[int | None, ...], int]:
+    """Return the file's row for each row of the grid, of several the first; and the first row (from 1) for which two differ."""
     columns = [place.at for name, place in places.places.items() if name not in {TIME, INDEX}]
     of_grid: list[int | None] = [None] * rows
+    twice = 0
     for place, target in enumerate(targets):
         if target is None:
             continue
@@ -156,8 +158,8 @@ def _unique(layout: Layout, places: Places, targets: list[int | None], rows: int
         if first is None:
             of_grid[target] = place
         elif any(_contradict(layout.body[first][at], layout.body[place][at]) for at in columns):
-            raise doubtful("two_rows", row=target + 1)
-    return tuple(of_grid)
+            twice = twice or target + 1
+    return tuple(of_grid), twice
 
 
 def _contradict(first: PrintedNumber, second: PrintedNumber) -> bool:

@@ -86,3 +86,14 @@ def test_a_table_truly_made_with_another_step_is_told_so():
         table = machine.table(lambda t, q, m=machine: m.h / 2 * m.velocities(t, q)[: m.m])
         _, marks = desk.marked(table, times=np.arange(len(table)) * machine.h / 2)
         assert "other_step" in codes(marks), desk.variant.name
+
+
+@pytest.mark.parametrize(("row", "how"), [(10, "tenfold"), (1, "a tenth"), (20, "from the first step"), (8, "doubled")])
+def test_a_time_put_right_among_others_takes_nothing_of_the_points(row, how):
+    """It may be that of another row as well: a person is asked then, and told the points that the better order earns."""
+    for desk in variants()[::2]:
+        table, times = desk.machine.table(slip=(9, 0, 0.2)), np.arange(desk.machine.rows) * desk.machine.h
+        other = OTHER[how](times)
+        before, _ = desk.marked(table, times=other)
+        other[row] = times[row]
+        assert desk.marked(table, times=other)[0] >= before > 55

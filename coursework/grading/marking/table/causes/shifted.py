@@ -15,6 +15,7 @@ from coursework.system.arrays import Array, Flags
 
 # The rows are put back only if then at least this part of the cells is right.
 _ENOUGH = 0.5
+_DIGITS = 9  # of the sums, without round-off
 
 
 def put_back(printed: TableUnderTest) -> StudentTable | None:
@@ -25,18 +26,16 @@ def put_back(printed: TableUnderTest) -> StudentTable | None:
     student, count = printed.student, len(printed.student.values)
     stands = printed.of_task
     as_it_is, late, early = (_right(printed, stands, by) for by in (0, -1, 1))
-    best, made = as_it_is.sum() + student.values.shape[1], None  # by at least the cells of the row that then is missing
+    best = float(np.round(as_it_is.sum() + student.values.shape[1], _DIGITS)), np.inf  # the cells of the row that then is missing
+    made: list[int | None] | None = None
     for place in range(1, count):
-        before = as_it_is[:place].sum()
-        if before + late[place:].sum() > best:
-            best = before + late[place:].sum()
-            gone = place if as_it_is[place - 1] >= late[place] else place - 1
+        if (total := _total(as_it_is, late, place)) > best:
+            best, gone = total, place if as_it_is[place - 1] >= late[place] else place - 1
             made = [*(row for row in range(count) if row != gone), None]
     for place in range(count):
-        if as_it_is[:place].sum() + early[place:].sum() > best:
-            best = as_it_is[:place].sum() + early[place:].sum()
-            made = [*range(place), None, *range(place, count - 1)]
-    if made is None or best < _ENOUGH * student.values.size:
+        if (total := _total(as_it_is, early, place)) > best:
+            best, made = total, [*range(place), None, *range(place, count - 1)]
+    if made is None or best[0] < _ENOUGH * student.values.size:
         return None
     values, units = np.full_like(student.values, np.nan), np.full_like(student.units, np.nan)
     for row, of in enumerate(made):
@@ -44,6 +43,15 @@ def put_back(printed: TableUnderTest) -> StudentTable | None:
             put = stands[of] & (row != of)
             values[row], units[row] = np.where(put, printed.key.table[row], student.values[of]), student.units[of]
     return StudentTable(values, units)
+
+
+def _total(stays: Array, shifted: Array, place: int) -> tuple[float, float]:
+    """Return how much is right if the rows (n,) up to a place stay and those from it on are shifted, and how much of it stays.
+
+    Without round-off, and of equal totals the one in which more stays: rows that are right in both ways decide nothing.
+    """
+    above = stays[:place].sum()
+    return float(np.round(above + shifted[place:].sum(), _DIGITS)), float(np.round(above, _DIGITS))
 
 
 def _right(printed: TableUnderTest, stands: Flags, by: int) -> Array:
