@@ -66,11 +66,24 @@ def test_the_first_rows_earn_their_cells_with_times_that_are_all_of_the_task():
         assert points == usual > 25 and not marks.cells.wrong.any()
 
 
-def test_shuffled_rows_with_other_times_are_put_in_order():
+@pytest.mark.parametrize("how", ["doubled", "from the first step", "much later", "numbers from 1", "minutes"])
+def test_shuffled_rows_with_other_times_are_put_in_order_and_that_is_told(how):
     for desk in variants()[::2]:
         order = np.random.default_rng(2).permutation(desk.machine.rows)
-        points, marks = desk.marked(desk.machine.table()[order], times=2 * order * desk.machine.h)
-        assert points == 60.0 and not marks.cells.wrong.any()
+        times = OTHER[how](np.arange(desk.machine.rows) * desk.machine.h)[order]
+        points, marks = desk.marked(desk.machine.table()[order], times=times)
+        assert points == 60.0 and not marks.cells.wrong.any() and codes(marks) == ()
+        told = {note.code: note.text for note in marks.table.notes}
+        assert "rows_sorted" in told
+        if "data_differ" in told:
+            assert "row 1 is at" in told["data_differ"] or "row 2 is at" in told["data_differ"]
+
+
+def test_shuffled_rows_with_the_times_of_the_task_have_no_other_order():
+    desk = variants()[0]
+    order = np.random.default_rng(2).permutation(desk.machine.rows)
+    _, marks = desk.marked(desk.machine.table()[order], times=order * desk.machine.h)
+    assert marks.table.in_order is None and marks.table.reading.order == "sorted"
 
 
 def test_rows_left_out_at_the_beginning_stand_where_their_times_say():
