@@ -42,8 +42,8 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     from coursework.grading.marking.force_columns import ForceColumns
 
-# With this share of the points, no other reading of a table is marked.
-_BY_FAR = 0.9
+# With this share of the points, or so many times the right cells, no other order of a table's rows is marked.
+_BY_FAR, _FEW = 0.9, 0.5
 GRADED = ("graded", "graded-with-notes")
 
 
@@ -151,18 +151,24 @@ class Marker:
         self._kept: dict[bytes, tuple[str, ...]] = {}
 
     def grade(self, work: StudentWork) -> Grade:
-        """Return the grade of one submission; a table whose times are not the task's may count in order, if more is right so."""
-        in_order = work.table and work.table.in_order
-        if not work.table or not in_order or self._right(in_order) <= self._right(work.table):
-            return self._grade(work)
-        notes = (*in_order.notes, *(one for one in work.notes if one not in work.table.notes))
-        found = self._grade(replace(work, table=in_order, notes=notes))
-        if (found.parts["table"] or 0.0) >= _BY_FAR:
-            return found
-        return max(found, self._grade(work), key=lambda grade: grade.parts["table"] or 0.0)
+        """Return the grade of one submission; a table whose times are not the task's may count in order, if it earns more so.
 
-    def _grade(self, work: StudentWork) -> Grade:
+        Of the two orders that with more right cells is marked first, the other one only if that leaves much open.
+        """
         student = student_of(self.key, work.table) if work.table else None
+        if not work.table or student is None or not (in_order := work.table.in_order):
+            return self._grade(work, student)
+        notes = (*in_order.notes, *(one for one in work.notes if one not in work.table.notes))
+        tried = [(work, student), (replace(work, table=in_order, notes=notes), student_of(self.key, in_order))]
+        right = [self._right(one) for _, one in tried]
+        if right[1] > right[0]:
+            tried, right = tried[::-1], right[::-1]
+        first = self._grade(*tried[0])
+        if (first.parts["table"] or 0.0) >= _BY_FAR or right[1] < _FEW * right[0]:
+            return first
+        return max(first, self._grade(*tried[1]), key=lambda grade: grade.parts["table"] or 0.0)
+
+    def _grade(self, work: StudentWork, student: StudentTable | None) -> Grade:
         back = turned(self.key, student) if student and not self.by_forces and self.rubric.clockwise == "accept" else None
         equations = self._equations(work, turning=self.rubric.clockwise == "accept" and student is None)
         answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
@@ -198,9 +204,9 @@ class Marker:
         marks = None if work.equations is None or self.by_forces else self.judge.mark(work.equations, turning=turning)
         return marks if marks and marks.marks else None
 
-    def _right(self, table: Table) -> int:
+    def _right(self, student: StudentTable) -> int:
         """Return how many cells of a table are right."""
-        cells = marked(self.key, student_of(self.key, table))
+        cells = marked(self.key, student)
         return int((cells.counted & ~cells.wrong & ~cells.missing).sum())
 
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:

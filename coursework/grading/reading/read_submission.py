@@ -251,6 +251,7 @@ def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]
     wholes = joined([part for part, _ in found.tables], grid)
     if len(wholes) < len(tables):  # some files hold parts of one table
         tables = [table for _, table in read_parts(wholes, grid) if isinstance(table, Table)] or tables
+    tables = [table for table in tables if not table.unsure] or tables
     ranked = sorted(tables, key=lambda table: (table.weight, sum(column.decimals for column in table.columns)), reverse=True)
     best, *others = ranked
     equal = [other for other in others if other.weight == best.weight and not alike(other, best)]
@@ -260,7 +261,7 @@ def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]
     if others:
         found.notes.append(note("two_tables", name=_named(best), others=tuple(map(_named, others))))
     found.notes += best.notes
-    found.review = found.review or _unread_cells(best)
+    found.review = found.review or best.unsure or _unread_cells(best)
     return best, None
 
 

@@ -85,7 +85,8 @@ class Table:
     `own` has all rows in the order of time if the student's step differs from the grid's.  `place` says where in a document the
     table stands, None if the file is the table.  `strange` counts the cells read by position under heads that name something
     else; `asked` is the question to a person about columns whose heads are not understood, needed unless their cells are right.
-    `in_order` is the table with its rows in the order of the file, if its times are not the grid's.
+    `in_order` is the table with its rows in the order of the file, if its times are not the grid's. `unsure` is the question to a
+    person about rows that contradict each other, whatever is right.
     """
 
     reading: Reading
@@ -97,6 +98,7 @@ class Table:
     strange: int = 0
     asked: Sentence | None = None
     in_order: Table | None = None
+    unsure: Sentence | None = None
 
     @property
     def cells(self) -> int:

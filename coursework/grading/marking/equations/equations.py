@@ -156,7 +156,11 @@ class Judge:
         meant = as_others_of_their_kind(lines, alone, COUNTED)
         found = tuple(mark if one is line else self._mark(one) for one, line, mark in zip(meant, lines, alone, strict=True))
         back = self._turned_back(found) if turning else None
-        marks = tuple(mark for mark in back or found if mark.verdict in COUNTED or not mark.line.may_be_datum)
+        senses = [self._summed(found), *([self._summed(back, turned=True)] if back else [])]
+        return max(senses, key=lambda marks: (marks.share, sum(mark.verdict in COUNTED for mark in marks.marks)))
+
+    def _summed(self, found: Sequence[EquationMark], *, turned: bool = False) -> EquationMarks:
+        marks = tuple(mark for mark in found if mark.verdict in COUNTED or not mark.line.may_be_datum)
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, any(mark is other for other in dependent)) for mark in marks)
@@ -168,7 +172,7 @@ class Judge:
             marks = tuple(replace(mark, lack=say("feedback.lack.one_slip")) if mark is wrong[1] else mark for mark in marks)
             independent, different = max(independent, len(self.key.variant.sought) - 1), 1
         numbers = tuple(sorted(mark.line.line for mark in dependent))
-        return EquationMarks(marks, independent, len(self.key.variant.sought), numbers, different, turned=back is not None)
+        return EquationMarks(marks, independent, len(self.key.variant.sought), numbers, different, turned=turned)
 
     def _names_any(self, line: EquationLine) -> bool:
         """Return whether a line names a sought velocity; one that does not, as T = 2*pi/p, is none of the equations needed."""
@@ -178,15 +182,14 @@ class Judge:
         return law_of({*mark.line.difference.names()}, self.key.variant)
 
     def _turned_back(self, marks: Sequence[EquationMark]) -> tuple[EquationMark, ...] | None:
-        """Return the marks with the sign of all angular velocities turned; None if that corrects no line or spoils one."""
+        """Return the marks with the sign of all angular velocities turned, None if that corrects no line."""
         variant = self.key.variant
         angular = frozenset(name for name in self.key.velocities if variant.unit_of(name) == "rad/s")
-        back = tuple(self._mark(with_other_sign(mark.line, angular)) if mark.verdict in JUDGED else mark for mark in marks)
-        gained = any(before.verdict == "wrong" and after.verdict in COUNTED for before, after in zip(marks, back, strict=True))
-        lost = any(before.verdict in COUNTED and after.verdict not in COUNTED for before, after in zip(marks, back, strict=True))
-        if not gained or lost:
+        back = (self._mark(with_other_sign(mark.line, angular)) if mark.verdict in JUDGED else mark for mark in marks)
+        both = [*zip(marks, back, strict=True)]
+        if not any(before.verdict == "wrong" and after.verdict in COUNTED for before, after in both):
             return None
-        return tuple(after if after.verdict in COUNTED else before for before, after in zip(marks, back, strict=True))
+        return tuple(before if before.verdict == "wrong" == after.verdict else after for before, after in both)
 
     def _with_lack(self, mark: EquationMark, counted: Sequence[EquationMark], is_dependent: bool) -> EquationMark:
         """Return the mark with what the line lacks, if it is right and adds nothing, or is wrong by no single slip."""

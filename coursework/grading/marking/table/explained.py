@@ -41,10 +41,10 @@ class Explained:
 
         The gates are those of the points. A step counts if its velocity is explained too, or was before a cell of its row was
         put right; a velocity, if its row belongs to the motion of the explained steps and it is explained too, or may have been
-        before a coordinate of its row was put right; other right cells count in runs.
+        before a coordinate of its row was put right; other right cells count in runs. A wrong start value costs a cell.
         With `as_it_is` no cell of the table is taken as put right; with `only_velocities` no coordinate counts.
         """
-        m, rows, by_key = len(self.key.coordinates), self._rows, self._by_key
+        m, rows, by_key, held = len(self.key.coordinates), self._rows, self._by_key, holds
         after_put = (holds & ~by_key)[rows[1:], :m] & self._above_put
         holds = (holds | by_key) & self._spoken
         mostly = not as_it_is and holds[rows, m:].mean() >= _MOSTLY
@@ -59,7 +59,7 @@ class Explained:
         counts |= found & ~but(found, motion)
         if only_velocities:
             counts[:, :m] = False
-        return float(counts.sum()) / max(self._count, 1)
+        return max(float(counts.sum()) - int((self.cells.wrong & ~held)[:1, :m].sum()), 0.0) / max(self._count, 1)
 
     @cached_property
     def _rows(self) -> Places:

@@ -6,13 +6,14 @@ Enters: marked cells.  Leaves: the same cells marked against that table.  Used b
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.guesses import agreed
 from coursework.grading.marking.table.cells import GIVEN, Cells, mark_cells
-from coursework.grading.marking.table.ways import HALF, KEY, as_printed, near, own_ways
+from coursework.grading.marking.table.ways import HALF, KEY, STEP, STEP_TRUE, StudentTable, as_printed, near, own_ways
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -66,13 +67,40 @@ def _starts(key: Key, cells: Cells) -> list[Array]:
     """Return the starts (m,), other than the task's, from which a table may have been made."""
     m, values, task = len(key.coordinates), cells.student.values[0], key.table[0, : len(key.coordinates)]
     found = []
-    for table in (cells.before, cells.student):
+    for table in (cells.before, cells.student, _stepped_back(cells, key.stride, m)):
         if table is not None:
             start, units = table.values[0, :m], table.units[0, :m]
-            other = np.abs(start - task) > np.where(start == values[:m], HALF, 1.0) * (units + key.told_to)
-            found.append(np.where(other, start, task))
+            is_printed = start == values[:m]
+            other = np.abs(start - task) > np.where(is_printed, HALF, 1.0) * (units + key.told_to)
+            found.append(np.where(other, np.where(is_printed, start, _as_typed(start, units)), task))
+            start = found[-1]
             found += [np.where(np.arange(m) == place, start, task) for place in np.flatnonzero(other) if other.sum() > 1]
     return [start for start in np.unique(found, axis=0) if (start != task).any()]
+
+
+def _stepped_back(cells: Cells, step: float, m: int) -> StudentTable | None:
+    """Return the table with starts from which row 2 was made, where only its step from row 1 is broken; None if none is."""
+    student, followed = cells.student, np.isin(cells.marks[2:3, :m], (KEY, STEP, STEP_TRUE)).all(axis=0)
+    broken = cells.wrong[1:2, :m].any(axis=0) & followed
+    if not broken.any() or not len(cells.marks[2:]):
+        return None
+    values, units = student.values.copy(), student.units.copy()
+    values[0, :m] = np.where(broken, values[1, :m] - step * values[0, m : 2 * m], values[0, :m])
+    units[0, :m] = np.where(broken, units[1, :m] + step * units[0, m : 2 * m], units[0, :m])
+    return replace(student, values=values, units=units)
+
+
+def _as_typed(told: Array, within: Array) -> Array:
+    """Return values with as few decimals as leave them `within` so much of what was told: a start is typed with few.
+
+    >>> _as_typed(np.array([1.6156, 3.43681]), np.array([0.01, 1e-5])).tolist()
+    [1.62, 3.43681]
+    """
+    found = told.copy()
+    for decimals in reversed(_DECIMALS):
+        rounded = np.round(told, decimals)
+        found = np.where(np.abs(rounded - told) <= within, rounded, found)
+    return found
 
 
 def _told_by_velocities(key: Key, cells: Cells) -> Iterator[Array]:

@@ -1,6 +1,6 @@
 """The rows of a file -> rows of the assigned grid.
 
-Enters: a `Layout`, the places of time and row numbers, the grid.  Leaves: `Rows`.  Raises `Refused` if rows contradict.
+Enters: a `Layout`, the places of time and row numbers, the grid.  Leaves: `Rows`.
 Used by `table.py`.
 """
 
@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from coursework.grading.reading.expected import Grid
-from coursework.grading.reading.limits import doubtful
 from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.table.columns import Places
 from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME
@@ -27,9 +26,11 @@ class Rows:
     """For each row of the grid (from 0) the index of the file's row, None if there is none; and what was unusual about the rows.
 
     `extra` counts rows of the file that match no row of the grid; `recovered` counts times that a spreadsheet had spoilt.
-    If the student's time step differs from the grid's, `own` are the file's rows in the order of time and `own_step` is the step
-    in s; otherwise they are () and 0.  `off_grid` is the first row of the file (from 0) whose time is not that of the row of the
-    grid at its place, with this time in s; None if there is none.
+    `order` are the file's rows in the order of even times, () if the times are uneven or the file is in that order or the
+    opposite one.  If the student's time step differs from the grid's, `own` are the file's rows in the order of time and
+    `own_step` is the step in s; otherwise they are () and 0.  `off_grid` is the first row in order (from 0) whose time is not
+    that of the row of the grid at its place, with this time in s; None if there is none.  `twice` is the first row of the grid
+    (from 1) for which the file has two rows that contradict each other, 0 if there is none.
     """
 
     of_grid: tuple[int | None, ...]
@@ -40,6 +41,8 @@ class Rows:
     own: tuple[int, ...] = ()
     own_step: float = 0.0
     off_grid: tuple[int, float] | None = None
+    twice: int = 0
+    order: tuple[int, ...] = ()
 
 
 def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
@@ -47,6 +50,7 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
     count = len(layout.body)
     unit, recovered = "s", 0
     own: tuple[int, ...] = ()
+    order: tuple[int, ...] = ()
     step = 0.0
     times: list[float] = []
     if TIME in places.places:
@@ -55,26 +59,44 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
         unit = _time_unit(layout.heads[at].unit, cells, grid)
         times, recovered = _times(cells, PRINTED["s"][unit])
         own, step = _own_step(times, grid)
+        order = _order(times)
         targets = _by_time(times, _coarse(cells) * PRINTED["s"][unit], grid, step)
     elif INDEX in places.places and (numbers := _row_numbers(layout, places.places[INDEX].at)):
         targets = [number if 0 <= number < grid.rows else None for number in numbers]
     else:
         targets = [place if place < grid.rows else None for place in range(count)]
-    of_grid = _unique(layout, places, targets, grid.rows)
+    of_grid, twice = _unique(layout, places, targets, grid.rows)
     on_grid = [target for target in targets if target is not None]
     is_sorted = any(later < earlier for earlier, later in pairwise(on_grid))
-    return Rows(of_grid, is_sorted, targets.count(None), recovered, unit, own, step, _off_grid(times, targets))
+    return Rows(
+        of_grid, is_sorted, targets.count(None), recovered, unit, own, step, _off_grid(times, targets, order), twice, order
+    )
 
 
 def in_order(rows: Rows, count: int) -> Rows:
     """Return the rows of the grid filled in the order of even times, else of the file, of `count` rows."""
-    order = rows.own or range(count)
+    order = rows.own or rows.order or range(count)
     of_grid = tuple(order[place] if place < len(order) else None for place in range(len(rows.of_grid)))
-    return Rows(of_grid, False, max(count - len(of_grid), 0), 0, rows.time_unit)
+    return Rows(of_grid, bool(rows.order), max(count - len(of_grid), 0), 0, rows.time_unit)
 
 
-def _off_grid(times: Sequence[float], targets: Sequence[int | None]) -> tuple[int, float] | None:
-    return next(((place, time) for place, time in enumerate(times) if targets[place] != place and math.isfinite(time)), None)
+def _off_grid(times: Sequence[float], targets: Sequence[int | None], order: Sequence[int]) -> tuple[int, float] | None:
+    found = ((place, row) for place, row in enumerate(order or range(len(times))) if targets[row] != place)
+    return next(((place, times[row]) for place, row in found if math.isfinite(times[row])), None)
+
+
+def _order(times: Sequence[float]) -> tuple[int, ...]:
+    """Return the rows of a file in the order of even times, () if they stand in it or in the opposite one, or are uneven."""
+    order = sorted(range(len(times)), key=times.__getitem__)
+    if (
+        len(order) < _FEWEST
+        or not all(map(math.isfinite, times))
+        or order in ([*range(len(times))], [*reversed(range(len(times)))])
+    ):
+        return ()
+    begin, step = times[order[0]], (times[order[-1]] - times[order[0]]) / (len(order) - 1)
+    even = all(abs(times[row] - begin - place * step) < _NEAR * step for place, row in enumerate(order))
+    return tuple(order) if even else ()
 
 
 def _own_step(times: Sequence[float], grid: Grid) -> tuple[tuple[int, ...], float]:
@@ -145,10 +167,11 @@ def _row_numbers(layout: Layout, at: int) -> list[int]:
     return [number - start for number in numbers] if start in {0, 1} and len(set(numbers)) == len(numbers) else []
 
 
-def _unique(layout: Layout, places: Places, targets: list[int | None], rows: int) -> tuple[int | None, ...]:
-    """Return the file's row for each row of the grid; of equal rows the first.  Raises `Refused` if two rows contradict."""
+def _unique(layout: Layout, places: Places, targets: list[int | None], rows: int) -> tuple[tuple[int | None, ...], int]:
+    """Return the file's row for each row of the grid, of several the first; and the first row (from 1) for which two differ."""
     columns = [place.at for name, place in places.places.items() if name not in {TIME, INDEX}]
     of_grid: list[int | None] = [None] * rows
+    twice = 0
     for place, target in enumerate(targets):
         if target is None:
             continue
@@ -156,8 +179,8 @@ def _unique(layout: Layout, places: Places, targets: list[int | None], rows: int
         if first is None:
             of_grid[target] = place
         elif any(_contradict(layout.body[first][at], layout.body[place][at]) for at in columns):
-            raise doubtful("two_rows", row=target + 1)
-    return tuple(of_grid)
+            twice = twice or target + 1
+    return tuple(of_grid), twice
 
 
 def _contradict(first: PrintedNumber, second: PrintedNumber) -> bool:

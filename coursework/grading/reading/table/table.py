@@ -26,7 +26,7 @@ from coursework.grading.reading.table.layout import Layout
 from coursework.grading.reading.table.parts import NOTHING, Part, joined
 from coursework.grading.reading.table.rows import Rows, in_order, place_rows
 from coursework.grading.reading.table.units import factor_of, stands_beside, turns_of_jumps, units_of_columns, whole_turns
-from coursework.words.sentences import ranges
+from coursework.words.sentences import ranges, say
 
 _UNCOMPUTED = 0.2  # of the cells: above this share of formulas without a value a file is refused
 _STEADY = 0.9  # least share of numbers in equal steps in the column of a drive: a few may be slips
@@ -74,7 +74,8 @@ def _table(part: Part, grid: Grid) -> Table:
     rows = place_rows(layout, places, grid)
     other = _in_order(part, grid, places, rows) if rows.off_grid else None
     if any(row is not None for row in rows.of_grid):
-        return replace(_placed(part, grid, places, rows), in_order=other)
+        unsure = say("reading.trouble.two_rows", row=rows.twice) if rows.twice else None
+        return replace(_placed(part, grid, places, rows), in_order=other, unsure=unsure)
     if other is None or len(layout.body) != grid.rows:
         raise unreadable("no_rows", step=grid.step, rows=grid.rows)
     return other

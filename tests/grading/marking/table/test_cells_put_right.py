@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 
+import coursework
 from coursework.grading.marking.table.ways import KEY
-from tests.grading.marking.table.test_equal_faults import variants
+from tests.grading.marking.machines import Machine
+from tests.grading.marking.table.test_equal_faults import Desk, variants
 from tests.grading.marking.test_more_right_never_less import earned
 
 PAIRS, MANY = 40, 60
@@ -130,3 +132,52 @@ def test_a_velocity_put_right_leaves_the_step_that_one_made_from_it_was_used_for
         after, cells = earned(desk, put_right(desk, worse, [(row, m + 3)]))
         assert cells.marks[row, m + 3] == KEY
         assert after.share >= before.share - 1e-9, off
+
+
+def put_right_one_by_one(desk, table, cells, **how):
+    """The points as the numbers of the key are put into cells of a table, one after the other."""
+    points = [desk.marked(table, **how)[0]]
+    for cell in cells:
+        table = put_right(desk, table, [cell])
+        points.append(desk.marked(table, **how)[0])
+    return points
+
+
+def test_a_cell_put_right_in_exchanged_columns_takes_nothing_from_those_made_from_it():
+    desk = variants()[1]
+    table = desk.machine.table(slip=(1, 2, -0.04))[:, [2, 1, 0, *range(3, len(desk.key.names))]]
+    points = put_right_one_by_one(desk, table, [(4, 0), (10, 2)])
+    assert points == sorted(points)
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_a_cell_put_right_with_the_sign_of_the_task_counts_in_a_table_that_is_clockwise(mirrored):
+    desk = variants()[4]
+    m, table = desk.machine.m, desk.machine.table(slip=(8, 0, 0.2))
+    table[:, m:] *= -1
+    if mirrored:
+        table[:, :m] = 2 * table[0, :m] - table[:, :m]
+    table[9, m] += 0.5
+    points = put_right_one_by_one(desk, table, [(9, m), (12, 0), (20, m + 1)])
+    assert points == sorted(points)
+
+
+def test_a_start_put_right_is_told_by_the_step_from_it_beside_exchanged_columns():
+    """Its velocities do not feel it, so nothing else tells what it was: 17 points were lost."""
+    desk = Desk(coursework.load("v112"))
+    start = desk.machine.start.copy()
+    start[3] += 0.1
+    table = desk.machine.table(start=start)[:, [1, 0, *range(2, len(desk.key.names))]]
+    assert desk.marked(put_right(desk, table, [(0, 3)]))[0] >= desk.marked(table)[0]
+
+
+def test_a_start_typed_wrong_costs_a_cell_beside_another_cause():
+    """Nothing was lost for it, and a cell when it was put right."""
+    desk = variants()[0]
+    m, table = desk.machine.m, Machine(desk.variant, drive_sign=-1.0).table()
+    for place in range(m):
+        typed = table.copy()
+        typed[0, place] += 0.1
+        typed[1:, place] += np.where(np.arange(1, len(table)) < 2, 0.1, 0.0)
+        points = put_right_one_by_one(desk, typed, [(0, place)])
+        assert points == sorted(points), place

@@ -66,11 +66,24 @@ def test_the_first_rows_earn_their_cells_with_times_that_are_all_of_the_task():
         assert points == usual > 25 and not marks.cells.wrong.any()
 
 
-def test_shuffled_rows_with_other_times_are_put_in_order():
+@pytest.mark.parametrize("how", ["doubled", "from the first step", "much later", "numbers from 1", "minutes"])
+def test_shuffled_rows_with_other_times_are_put_in_order_and_that_is_told(how):
     for desk in variants()[::2]:
         order = np.random.default_rng(2).permutation(desk.machine.rows)
-        points, marks = desk.marked(desk.machine.table()[order], times=2 * order * desk.machine.h)
-        assert points == 60.0 and not marks.cells.wrong.any()
+        times = OTHER[how](np.arange(desk.machine.rows) * desk.machine.h)[order]
+        points, marks = desk.marked(desk.machine.table()[order], times=times)
+        assert points == 60.0 and not marks.cells.wrong.any() and codes(marks) == ()
+        told = {note.code: note.text for note in marks.table.notes}
+        assert "rows_sorted" in told
+        if "data_differ" in told:
+            assert "row 1 is at" in told["data_differ"] or "row 2 is at" in told["data_differ"]
+
+
+def test_shuffled_rows_with_the_times_of_the_task_have_no_other_order():
+    desk = variants()[0]
+    order = np.random.default_rng(2).permutation(desk.machine.rows)
+    _, marks = desk.marked(desk.machine.table()[order], times=order * desk.machine.h)
+    assert marks.table.in_order is None and marks.table.reading.order == "sorted"
 
 
 def test_rows_left_out_at_the_beginning_stand_where_their_times_say():
@@ -86,3 +99,14 @@ def test_a_table_truly_made_with_another_step_is_told_so():
         table = machine.table(lambda t, q, m=machine: m.h / 2 * m.velocities(t, q)[: m.m])
         _, marks = desk.marked(table, times=np.arange(len(table)) * machine.h / 2)
         assert "other_step" in codes(marks), desk.variant.name
+
+
+@pytest.mark.parametrize(("row", "how"), [(10, "tenfold"), (1, "a tenth"), (20, "from the first step"), (8, "doubled")])
+def test_a_time_put_right_among_others_takes_nothing_of_the_points(row, how):
+    """It may be that of another row as well: a person is asked then, and told the points that the better order earns."""
+    for desk in variants()[::2]:
+        table, times = desk.machine.table(slip=(9, 0, 0.2)), np.arange(desk.machine.rows) * desk.machine.h
+        other = OTHER[how](times)
+        before, _ = desk.marked(table, times=other)
+        other[row] = times[row]
+        assert desk.marked(table, times=other)[0] >= before > 55

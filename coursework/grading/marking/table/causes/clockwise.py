@@ -12,7 +12,8 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.before.guesses import FEW
+from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, StudentTable
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
@@ -82,7 +83,10 @@ def _with_points(against: Array, angular: Flags, m: int) -> Flags:
 
 
 def _turned(key: Key, student: StudentTable, signs: Flags, *, mirrored: bool) -> StudentTable:
-    """Return a table with other `signs` (m + r,) of velocities; if `mirrored`, of angles too, about their first value."""
+    """Return a table with other `signs` (m + r,) of velocities; if `mirrored`, of angles too, about their first value.
+
+    A cell that is right as it stands, one of few in its column, was put right in the table handed in, and stays.
+    """
     m, angular = len(key.coordinates), _angular(key)[: len(key.coordinates)]
 
     def back(values: Array) -> Array:
@@ -93,7 +97,10 @@ def _turned(key: Key, student: StudentTable, signs: Flags, *, mirrored: bool) ->
         return found
 
     own = student.own and replace(student.own, values=back(student.own.values))
-    return replace(student, values=back(student.values), own=own)
+    undone = replace(student, values=back(student.values), own=own)
+    right = alike(key, student, key.table)
+    put = right & ~alike(key, undone, key.table) & (right.mean(axis=0) <= FEW)
+    return replace(undone, values=np.where(put, student.values, undone.values))
 
 
 def _start(key: Key, first: Array) -> Array:

@@ -19,7 +19,7 @@ from coursework.grading.marking.table.causes.shifted import in_order, put_back
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed, near
 from coursework.system.angles import whole_turns
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Flags
 from coursework.variant.formula.units import size_of
 from coursework.variant.record.entries import Given
 
@@ -158,7 +158,9 @@ def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:
         values[:, m:] = student.values[:, m:]
         values[:, :width], units[:, :width] = values[:, :width] / factor, units[:, :width] / factor
         if alike(printed.key, replace(student, values=values, units=units), printed.key.table)[0, :m].all():
-            yield _as_euler(SLIPPED if width == m else f"each_{SLIPPED}", StudentTable(values, units))
+            yield _as_euler(
+                SLIPPED if width == m else f"each_{SLIPPED}", _kept(printed, printed.of_task, StudentTable(values, units))
+            )
 
 
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
@@ -175,16 +177,13 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
                 continue
             values = student.values.copy()
             values[:, place] = sign * (values[:, place] - quarters * np.pi / 2)
-            yield _as_euler(f"origin_{key.names[place]}", replace(student, values=values))
+            yield _as_euler(f"origin_{key.names[place]}", _kept(printed, printed.of_task, replace(student, values=values)))
 
 
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
     """Yield claims that two columns are exchanged; whole turns are taken off after they are exchanged back."""
     key, student, m = printed.key, printed.student, printed.m
-    turns = _taken_off(student)
-    tolerance = as_printed(key, np.nan_to_num(student.units))
-    with np.errstate(invalid="ignore"):
-        as_it_is = np.abs(student.values - key.table) <= tolerance
+    turns, tolerance, as_it_is = _taken_off(student), as_printed(key, np.nan_to_num(student.units)), printed.of_task
     for first, second in combinations(range(len(key.names)), 2):
         order = list(range(len(key.names)))
         order[first], order[second] = second, first
@@ -193,13 +192,14 @@ def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
             values[:, place] -= _turns(key, place, values[:, place])
         for place in set(range(len(key.names))) - {first, second}:
             values[:, place] = student.values[:, place]
-        close = near(values, key.table, tolerance[:, order])
+        close = near(values, key.table, tolerance[:, order]) | as_it_is[:, order]
         pair = [first, second]
         is_like = second < m and key.variant.unit_of(key.names[first]) == key.variant.unit_of(key.names[second])
-        begins = is_like and close[0, pair].all() and not as_it_is[0, pair].any()
+        begins = is_like and close[0, pair].all() and not as_it_is[0, pair].all()
         if begins or close[:, pair].mean() > max(_LIKE_KEY, as_it_is[:, pair].mean()):
             names = (key.names[first], key.names[second])
-            yield _as_euler("swapped_columns", StudentTable(values, student.units[:, order]), names)
+            undone = _kept(printed, as_it_is[:, order], StudentTable(values, student.units[:, order]))
+            yield _as_euler("swapped_columns", undone, names)
 
 
 def _taken_off(student: StudentTable) -> Array:
@@ -219,3 +219,12 @@ def _as_euler(code: str, student: StudentTable, names: tuple[str, ...] = ()) -> 
     """Return the claim that the table `student`, in which the cause is undone, follows Euler's rules."""
     blank = np.full(student.values.shape, np.nan)
     return Claim(code, blank, blank, student, is_whole=True, names=names)
+
+
+def _kept(printed: TableUnderTest, stands: Flags, undone: StudentTable) -> StudentTable:
+    """Return the table in which a cause is `undone`, with cells that stand right, (n, m + r), as the task has them.
+
+    They were put right in the table handed in.
+    """
+    put = stands & ~alike(printed.key, undone, printed.key.table)
+    return replace(undone, values=np.where(put, printed.key.table, undone.values))

@@ -21,6 +21,7 @@ from coursework.system.arrays import Array, Flags
 _ENOUGH = 0.5
 _MOST = 0.5  # of the rows that are there
 _MOST_SHIFTS = 2  # of more than one row, those of most rows
+_DIGITS = 9  # of the sums, without round-off
 
 
 def put_back(printed: TableUnderTest) -> StudentTable | None:
@@ -31,17 +32,15 @@ def put_back(printed: TableUnderTest) -> StudentTable | None:
     student, count = printed.student, len(printed.student.values)
     stands = printed.of_task
     as_it_is = _right(printed, stands, 0)
-    best, made = (
-        as_it_is.sum() + student.values.shape[1],
-        list[int | None](),
-    )  # by at least the cells of a row that then is missing
+    best = _total(as_it_is, as_it_is, count)[0] + student.values.shape[1], np.inf  # the cells of a row that then is missing
+    made: list[int | None] = []
     usual = shifts(alike_rows(printed.key, student, stands))
     for by in dict.fromkeys([-1, 1, *sorted(usual, key=lambda one: -usual[one])[:_MOST_SHIFTS]]):
         there, rows = _right(printed, stands, by), abs(by)
         for place in range(int(by < 0), count):
-            if (right := as_it_is[:place].sum() + there[place:].sum()) <= best:
+            if (total := _total(as_it_is, there, place)) <= best:
                 continue
-            best = right
+            best = total
             if by > 0:
                 made = [*range(place), *[None] * rows, *range(place, count - rows)][:count]
             else:
@@ -50,7 +49,7 @@ def put_back(printed: TableUnderTest) -> StudentTable | None:
                 if as_it_is[begun:place].sum() < there[place : place + rows].sum() or place + rows > count:
                     gone = range(begun, begun + rows)
                 made = [*(row for row in range(count) if row not in gone), *[None] * rows]
-    if not made or best < _ENOUGH * np.isfinite(student.values).sum():
+    if not made or best[0] < _ENOUGH * np.isfinite(student.values).sum():
         return None
     return _put(printed, {row: of for row, of in enumerate(made) if of is not None})
 
@@ -73,13 +72,13 @@ def in_order(printed: TableUnderTest) -> StudentTable | None:
     A row may be another one's that was put right meanwhile: then the row that stood there is right in the place that is left.
     """
     stands = printed.of_task
-    alike = alike_rows(printed.key, printed.student, stands)
+    same = alike_rows(printed.key, printed.student, stands)
     there = np.flatnonzero(np.isfinite(printed.student.values).any(axis=1))
-    at_home = np.diagonal(alike)
+    at_home = np.diagonal(same)
     # Of a row that agrees with several rows, the first that no other row is.
     made, again = {int(row): int(row) for row in there[at_home[there]]}, dict[int, int]()
     for row in there[~at_home[there]].tolist():
-        places = [int(place) for place in np.flatnonzero(alike[row])]
+        places = [int(place) for place in np.flatnonzero(same[row])]
         if free := [place for place in places if place not in made]:
             made[free[0]] = row
         elif twice := [place for place in places if made[place] == place and place not in again]:
@@ -87,8 +86,17 @@ def in_order(printed: TableUnderTest) -> StudentTable | None:
     moved = len(again) + sum(place != row for place, row in made.items())
     if moved < FEWEST_SHIFTED or len(made) + len(again) < _MOST * len(there):
         return None
-    left = dict(zip((place for place in range(len(alike)) if place not in made), again.values(), strict=False))
+    left = dict(zip((place for place in range(len(same)) if place not in made), again.values(), strict=False))
     return _put(printed, made | left, left)
+
+
+def _total(stays: Array, shifted: Array, place: int) -> tuple[float, float]:
+    """Return how much is right if the rows (n,) up to a place stay and those from it on are shifted, and how much of it stays.
+
+    Without round-off, and of equal totals the one in which more stays: rows that are right in both ways decide nothing.
+    """
+    above = stays[:place].sum()
+    return float(np.round(above + shifted[place:].sum(), _DIGITS)), float(np.round(above, _DIGITS))
 
 
 def _right(printed: TableUnderTest, stands: Flags, by: int) -> Array:

@@ -8,6 +8,7 @@ from click.testing import CliRunner
 import coursework
 from coursework.commands.cli import main
 from coursework.commands.line.options import RUBRIC_KEYS
+from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.rubric import KEYS, Rubric, read_rubric
@@ -18,6 +19,7 @@ from coursework.variant.formula.tree import spelled
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from tests.grading.marking.machines import Machine
+from tests.grading.marking.test_more_right_never_less import lines
 from tests.mechanisms.library import mechanism
 from tests.sample import first
 
@@ -248,3 +250,14 @@ def test_the_example_of_a_rubric_is_the_default_and_the_help_names_its_keys():
     told = " ".join(CliRunner().invoke(main, ["grade", "--help"]).output.split())
     assert all(key in told for key in KEYS)
     assert "no place for comments: attach feedback/ID.html in SpeedGrader" in told
+
+
+def test_a_line_put_right_among_lines_that_count_clockwise_takes_nothing():
+    """Two of the wrong lines hold if angles are counted clockwise; the line put right holds only if they are not."""
+    key = key_of(coursework.load("v112"))
+    wrong = {"1": "VMy + l*w3*cos(phi3)", "3": "u + R*w4", "2": "VMx + l*w3*sin(phi3) + u",
+             "5": "r1*w1*cos(phi1) + r2*w2*cos(phi2) + rho*w4*cos(psi4)"}  # fmt: skip
+    judge = Judge(key)
+    before, after = (judge.mark(lines(key, some), turning=True) for some in (wrong, {n: wrong[n] for n in ("1", "3", "5")}))
+    assert (before.turned, before.independent) == (True, 3)
+    assert after.share >= before.share

@@ -111,7 +111,8 @@ def test_a_start_is_another_by_more_than_its_rounding(
     """Half a digit as it is printed; a whole one where what stood there was put right."""
     monkeypatch.setattr(starts, "_marked_from", lambda key, cells, start: SimpleNamespace(marks=np.zeros((1, 1))))
     monkeypatch.setattr(starts, "_told_by_velocities", lambda key, cells: iter(()))
-    key = SimpleNamespace(coordinates=("q",), table=np.array([[3.0]]), told_to=0.0)
+    monkeypatch.setattr(starts, "_stepped_back", lambda cells, step, m: None)
+    key = SimpleNamespace(coordinates=("q",), table=np.array([[3.0]]), told_to=0.0, stride=0.02)
     table = StudentTable(np.array([[3.0 + 0.1 * off]]), np.array([[0.1]]))
     student = table if before is None else StudentTable(np.array([[3.0]]), np.array([[0.1]]))
     cells = SimpleNamespace(student=student, before=None if before is None else table, marks=np.zeros((1, 1)))
@@ -129,10 +130,11 @@ def test_an_angle_counted_from_another_axis_is_a_whole_number_of_quarters_off(
 ) -> None:
     monkeypatch.setattr(other_data, "_exchanged", lambda _: iter(()))
     monkeypatch.setattr(other_data, "_as_euler", lambda code, student: (code, student.values[:, 0]))
+    monkeypatch.setattr(other_data, "_kept", lambda printed, stands, undone: undone)
     table = np.array([[0.3], [1.4], [2.9]])
     variant = SimpleNamespace(coordinates=(SimpleNamespace(unit="rad"),))
     key = SimpleNamespace(variant=variant, names=("q",), table=table)
     student = StudentTable(sign * table + shift, np.zeros((3, 1)))
-    found = [*other_data.other_columns(SimpleNamespace(key=key, student=student, m=1))]
+    found = [*other_data.other_columns(SimpleNamespace(key=key, student=student, m=1, of_task=None))]
     assert [code for code, _ in found] == (["origin_q"] if told else [])
     assert all(values == pytest.approx(table[:, 0], abs=0.02) for _, values in found)
