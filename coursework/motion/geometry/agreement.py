@@ -7,7 +7,7 @@ agree and which cannot be judged.  Raises `InputError` naming each equation that
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -110,7 +110,11 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     every = every / np.where(lengths > 0, lengths, 1.0)
     # Where the written equations contradict each other too, they are charged instead, or the drives.
     if _clashing(every[:, :first]).all() and not _clashing(every[:, first:]).all():
-        raise InputError(_clash(equations, derived, every[:, :first]))
+        raise InputError(_clash(equations, derived, every[:, :first], _clashing))
+    if len(written) and _contradictory(every[:, :first]).all() and not _contradictory(every[:, first:]).all():
+        beside = _beside(equations, derived, times, positions)
+        if _contradictory(beside).all():
+            raise InputError(_clash(equations, derived, beside, _contradictory))
     # A dead point, where the geometry alone cannot follow its drive, is reported elsewhere.
     sound = every[~_contradictory(every[:, :first])]
     if _contradictory(sound).any():
@@ -167,10 +171,19 @@ def _faults(
     return faults
 
 
-def _clash(equations: VelocityEquations, derived: Sequence[VelocityEquation], every: Array) -> list[Fault]:
-    """Return a fault that names the derived equations of which one at least must be wrong."""
+def _beside(equations: VelocityEquations, derived: Sequence[VelocityEquation], times: Array, positions: Array) -> Array:
+    """Return the derived equations as rows (c, k, n + 1) at positions that are no dead points, because nothing closes there."""
+    moved = positions + _SPREAD * (_GOLDEN * np.arange(1, positions.size + 1).reshape(positions.shape) % 1 - 0.5)
+    matrix, right, _ = compile_system(equations, derived).matrices(times, moved)
+    return np.concatenate([matrix, right[:, :, None]], axis=2)
+
+
+def _clash(
+    equations: VelocityEquations, derived: Sequence[VelocityEquation], every: Array, have_none: Callable[[Array], Flags]
+) -> list[Fault]:
+    """Return a fault that names the derived equations of which one at least must be wrong; `have_none` tests for a solution."""
     rest = [np.delete(every, place, axis=1) for place in range(len(derived))]
-    suspects = [one for one, others in zip(derived, rest, strict=True) if not _clashing(others).all()]
+    suspects = [one for one, others in zip(derived, rest, strict=True) if not have_none(others).all()]
     names = tuple(one.name for one in suspects or derived)
     line = equations.variant.nearest_line("closure") if equations.from_closure else derived[0].line
     return [Fault(say("fault.V320", names=names, sections=_sections(equations)), equations.variant.file, line)]

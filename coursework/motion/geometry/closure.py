@@ -144,7 +144,7 @@ class Closure:
         for _ in range(MAX_NEWTON):
             try:
                 step = self.correction(t, q, target)
-            except np.linalg.LinAlgError:
+            except (np.linalg.LinAlgError, ArithmeticError, ValueError):  # a root may have no value on the way
                 return None
             size = float(np.max(np.abs(step), initial=0.0))
             if not size <= FARTHEST:

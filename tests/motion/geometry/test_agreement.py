@@ -8,6 +8,7 @@ import pytest
 import coursework
 from coursework.equations.reduction.structure import structures
 from coursework.motion.geometry import agreement
+from tests.mechanisms.library import mechanism
 
 PAGE = (Path(__file__).parents[2] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 RIGHT = "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)"
@@ -98,4 +99,12 @@ def test_equations_that_contradict_each_other_alone_are_named_where_one_is_to_bl
         confirmed(text)
         return
     with pytest.raises(coursework.InputError, match=told):
+        confirmed(text)
+
+
+def test_positions_that_the_drive_cannot_keep_contradict_each_other():
+    """With the same combination of two coordinates in both, nothing is left for the drive to move."""
+    held = '["R*psi2 - l*phi3", "(R0 - R)*phi1 + R*psi2 - l*phi3"]'
+    text = mechanism("epicyclic", ('["(R0 - R)*phi1 + R*psi2", "S.y"]', held), rails=None)
+    with pytest.raises(coursework.InputError, match=r"V320 .*hold 1 and hold 2 .* contradict each other: no velocities satisfy"):
         confirmed(text)
