@@ -108,3 +108,41 @@ def test_positions_that_the_drive_cannot_keep_contradict_each_other():
     text = mechanism("epicyclic", ('["(R0 - R)*phi1 + R*psi2", "S.y"]', held), rails=None)
     with pytest.raises(coursework.InputError, match=r"V320 .*hold 1 and hold 2 .* contradict each other: no velocities satisfy"):
         confirmed(text)
+
+
+WAITING = mechanism("robot-arm")
+CRANK = """
+[given]
+r = "0.1 m"
+l = "0.35 m"
+[drive]
+w = { pieces = [["0 s", "0"], ["0.2 s", "5"]] }
+[coordinates]
+a = { start = "0 rad", rate = "w" }
+b = { start = "0 rad", rate = "v" }
+x = { start = "0.45 m", rate = "u" }
+[time]
+step = "0.02 s"
+end = "1.4 s"
+[[constraint]]
+equation = "u = -r*w*sin(a) - l*v*sin(b)"
+[[constraint]]
+equation = "r*w*cos(a) + l*v*cos(b) = 0"
+[closure]
+holds = ["r*cos(a) + l*cos(b) - x", "r*sin(a) + l*sin(b)"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "wrong"),
+    [
+        (WAITING, "VMy - r2*w2", "-VMy - r2*w2"), (WAITING, "VMy - r2*w2", "0*VMy - r2*w2"), (CRANK, "-r*w*sin(a)", "r*w*sin(a)"),
+        (CRANK, '"r*w*cos(a)', '"-r*w*cos(a)'),
+    ],
+)  # fmt: skip
+def test_the_sign_of_a_drive_that_waits_is_judged_as_well(text, right, wrong):
+    """The hand goes to the right first; the crank stands at zero for a while."""
+    assert len(confirmed(text)) == 2
+    assert right in text
+    with pytest.raises(coursework.InputError, match="V302"):
+        confirmed(text.replace(right, wrong))

@@ -56,7 +56,7 @@ def test_without_a_closed_position_the_start_alone_is_looked_at(monkeypatch):
 
         closure = SimpleNamespace(
             equations=SimpleNamespace(variant=SimpleNamespace(time=SimpleNamespace(end=1.0))), start=np.array([0.25, 0.5]),
-            driven=(1,), targets=lambda times: (None, 10 * times[:, None]), newton_rows=rows,
+            driven=(1,), targets=lambda times: (None, 10 * times[:, None]), newton_rows=rows, _moved=lambda times: times > 0,
         )  # fmt: skip
         return [part.tolist() for part in Closure.configurations.func(closure)]
 
