@@ -133,16 +133,40 @@ holds = ["r*cos(a) + l*cos(b) - x", "r*sin(a) + l*sin(b)"]
 """
 
 
+ARM = """
+[given]
+l = "0.4 m"
+[drive]
+w = { pieces = [["0 s", "1"], ["1 s", "0"]] }
+v = { pieces = [["0 s", "0"], ["1 s", "1"]] }
+[coordinates]
+a = { start = "0.5 rad", rate = "w" }
+b = { start = "0 rad", rate = "v" }
+x = { start = "0.75103302 m", rate = "u" }
+[time]
+step = "0.05 s"
+end = "2 s"
+[[constraint]]
+equation = "u = -l*w*sin(a) - l*v*sin(b)"
+[closure]
+holds = ["l*cos(a) + l*cos(b) - x"]
+"""
+
+
 @pytest.mark.parametrize(
     ("text", "right", "wrong"),
     [
-        (WAITING, "VMy - r2*w2", "-VMy - r2*w2"), (WAITING, "VMy - r2*w2", "0*VMy - r2*w2"), (CRANK, "-r*w*sin(a)", "r*w*sin(a)"),
+        (ARM, "- l*v*sin(b)", "+ l*v*sin(b)"),
+        (ARM, " - l*v*sin(b)", ""),
+        (WAITING, "VMy - r2*w2", "-VMy - r2*w2"),
+        (WAITING, "VMy - r2*w2", "0*VMy - r2*w2"),
+        (CRANK, "-r*w*sin(a)", "r*w*sin(a)"),
         (CRANK, '"r*w*cos(a)', '"-r*w*cos(a)'),
     ],
-)  # fmt: skip
+)
 def test_the_sign_of_a_drive_that_waits_is_judged_as_well(text, right, wrong):
-    """The hand goes to the right first; the crank stands at zero for a while."""
-    assert len(confirmed(text)) == 2
+    """The second joint waits at zero; the hand goes to the right first; the crank stands at zero for a while."""
+    assert len(confirmed(text)) == text.count("equation = ")
     assert right in text
     with pytest.raises(coursework.InputError, match="V302"):
         confirmed(text.replace(right, wrong))
