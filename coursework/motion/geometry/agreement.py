@@ -7,7 +7,7 @@ agree and which cannot be judged.  Raises `InputError` naming each equation that
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -15,8 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.symbolic import TIME
 from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.closure import CONFIGURATIONS, Closure, compile_closure
+from coursework.motion.geometry.drive import breaks, drive_values
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Binding
@@ -30,6 +32,8 @@ TOLERANCE = 1e-8
 _CLASH = 1e-2
 # Pseudo-random data: each value is moved by up to half of `_SPREAD` of itself, each by a different share.
 _SPREAD, _GOLDEN = 0.02, 0.6180339887498949
+# Times at which drives are looked at, and the share of its largest value below which a drive is at rest.
+_LOOKS, _AT_REST = 200, 1e-4
 _SMOOTH = {"number", "symbol", "pi", "+", "*", "sin", "cos", "tan", "exp"}
 
 
@@ -55,12 +59,30 @@ def require_agreement(equations: VelocityEquations, closure: Closure) -> Agreeme
         return Agreement()
     zeros = tuple(given.name for given in equations.variant.given if not given.value)
     always = equations.once(("agreed", zeros), lambda: _whatever_the_data(equations, closure))
-    return _judged(equations, *closure.configurations) if always is None else always
+    return _judged(equations, *_looked_at(equations, closure)) if always is None else always
 
 
 def agrees(equations: VelocityEquations, closure: Closure) -> bool:
     """Return whether the geometry confirms every written equation for the given data.  Raises `InputError` as above."""
-    return not _judged(equations, *closure.configurations).unjudged
+    return not _judged(equations, *_looked_at(equations, closure)).unjudged
+
+
+def _looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Array]:
+    """Return times and closed positions at which equations are compared; positions of no time only if none depends on it."""
+    near = closure.configurations
+    if len(closure.driven) + sum(map(bool, closure.drives)) < 2 or _depends_on_time(equations):
+        return near
+    times, positions = closure.stirred
+    return np.concatenate([near[0], times]), np.concatenate([near[1], positions])
+
+
+def _depends_on_time(equations: VelocityEquations) -> bool:
+    """Return whether written equations or positions depend on time otherwise than by a drive."""
+    parts = [part for one in equations.equations if one.written for part in (*one.coefficients.values(), one.right_side)]
+    timed = any(
+        law.pieces or law.of == "t" or any("t" in one.names() for one in law.formulas) for law in equations.variant.functions
+    )
+    return timed or any(TIME in part.free_symbols for part in (*parts, *(one.expression for one in equations.positions)))
 
 
 def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreement | None:
@@ -78,8 +100,8 @@ def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreem
     with suppress(InputError):
         others = replace(equations, variant=replace(variant, given=given))
         near = compile_closure(others, closure.start.tolist())
-        if near is not None and len((found := near.configurations)[0]) == CONFIGURATIONS:
-            return _judged(others, *found)
+        if near is not None and len(near.configurations[0]) == CONFIGURATIONS:
+            return _judged(others, *_looked_at(others, near))
     return None
 
 
@@ -102,6 +124,7 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     written = [equation for equation in equations.equations if equation.written and equation.coefficients]
     derived = given_by_geometry(equations)
     first = len(derived)
+    times, positions = _with_drives_on(equations, times, positions)
     matrix, right, _ = compile_system(equations, [*derived, *written]).matrices(times, positions)
     every = np.concatenate([matrix, right[:, :, None]], axis=2)
     scale = np.max(np.abs(every), axis=1, keepdims=True, initial=0.0)
@@ -110,7 +133,11 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     every = every / np.where(lengths > 0, lengths, 1.0)
     # Where the written equations contradict each other too, they are charged instead, or the drives.
     if _clashing(every[:, :first]).all() and not _clashing(every[:, first:]).all():
-        raise InputError(_clash(equations, derived, every[:, :first]))
+        raise InputError(_clash(equations, derived, every[:, :first], _clashing))
+    if len(written) and _contradictory(every[:, :first]).all() and not _contradictory(every[:, first:]).all():
+        beside = _beside(equations, derived, times, positions)
+        if _contradictory(beside).all():
+            raise InputError(_clash(equations, derived, beside, _contradictory))
     # A dead point, where the geometry alone cannot follow its drive, is reported elsewhere.
     sound = every[~_contradictory(every[:, :first])]
     if _contradictory(sound).any():
@@ -126,6 +153,23 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     return Agreement(
         tuple(agreed), tuple((one.name, tuple(name for name in unknown if name in one.coefficients)) for one in rest)
     )
+
+
+def _with_drives_on(equations: VelocityEquations, times: Array, positions: Array) -> tuple[Array, Array]:
+    """Return the same, and the positions once more at times at which drives move that are at rest at all of `times`.
+
+    A velocity that is zero hides its sign.  At a position all velocities are possible, so those of another time will do where
+    nothing else depends on time.
+    """
+    variant, laws = equations.variant, [law.name for law in equations.variant.drive]
+    if not laws or _depends_on_time(equations):
+        return times, positions
+    changes = np.array([0.0, *(time for time in breaks(variant) if time < variant.time.end), variant.time.end])
+    looked = np.concatenate([np.linspace(0.0, variant.time.end, _LOOKS), (changes[1:] + changes[:-1]) / 2])
+    sizes, here = (np.abs(np.nan_to_num(drive_values(equations, laws, at), posinf=0, neginf=0)) for at in (looked, times))
+    resting = np.max(here, axis=0) <= _AT_REST * np.max(sizes, axis=0)
+    later = np.array(sorted({float(looked[place]) for place in np.argmax(sizes[:, resting], axis=0)}))
+    return np.concatenate([times, np.repeat(later, len(times))]), np.concatenate([positions, np.tile(positions, (len(later), 1))])
 
 
 def given_by_geometry(equations: VelocityEquations) -> list[VelocityEquation]:
@@ -167,10 +211,19 @@ def _faults(
     return faults
 
 
-def _clash(equations: VelocityEquations, derived: Sequence[VelocityEquation], every: Array) -> list[Fault]:
-    """Return a fault that names the derived equations of which one at least must be wrong."""
+def _beside(equations: VelocityEquations, derived: Sequence[VelocityEquation], times: Array, positions: Array) -> Array:
+    """Return the derived equations as rows (c, k, n + 1) at positions that are no dead points, because nothing closes there."""
+    moved = positions + _SPREAD * (_GOLDEN * np.arange(1, positions.size + 1).reshape(positions.shape) % 1 - 0.5)
+    matrix, right, _ = compile_system(equations, derived).matrices(times, moved)
+    return np.concatenate([matrix, right[:, :, None]], axis=2)
+
+
+def _clash(
+    equations: VelocityEquations, derived: Sequence[VelocityEquation], every: Array, have_none: Callable[[Array], Flags]
+) -> list[Fault]:
+    """Return a fault that names the derived equations of which one at least must be wrong; `have_none` tests for a solution."""
     rest = [np.delete(every, place, axis=1) for place in range(len(derived))]
-    suspects = [one for one, others in zip(derived, rest, strict=True) if not _clashing(others).all()]
+    suspects = [one for one, others in zip(derived, rest, strict=True) if not have_none(others).all()]
     names = tuple(one.name for one in suspects or derived)
     line = equations.variant.nearest_line("closure") if equations.from_closure else derived[0].line
     return [Fault(say("fault.V320", names=names, sections=_sections(equations)), equations.variant.file, line)]

@@ -7,6 +7,7 @@ Used by `scene/way_to_motion.py`, `open_loops.py`, START and `grading/marking/ke
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from contextlib import suppress
 
 import numpy as np
@@ -59,9 +60,26 @@ def closed_start(closure: Closure) -> tuple[Array, Array | None]:
     found = closure.newton(0.0, closure.start, closure.origin)
     if found is None or np.max(np.abs(found - closure.start)) > 1:
         found = closure.newton(0.0, _downhill(closure), closure.origin)
-    # With more equations than coordinates the corrections also settle where the mechanism is only as nearly closed as it can be.
-    is_closed = found is not None and np.max(np.abs(closure.residual(0.0, found, closure.origin)[0])) <= CLOSED * closure.scale
-    return residual, _without_turns(closure, found) if found is not None and is_closed else None
+    if found is None or not _is_closed(closure, found):  # what keeps its start value, whatever that is, may hold it back
+        found = _without_holds(closure)
+    return residual, None if found is None else _without_turns(closure, found)
+
+
+def _is_closed(closure: Closure, q: Array, rows: Sequence[int] | slice = slice(None)) -> bool:
+    """Return whether some of the equations hold; where they are too many, a correction settles although they do not."""
+    return bool(np.max(np.abs(closure.residual(0.0, q, closure.origin)[0][rows]), initial=0.0) <= CLOSED * closure.scale)
+
+
+def _without_holds(closure: Closure) -> Array | None:
+    """Return a position near the start that closes all that must be zero, None if there is none."""
+    rows = [place for place, one in enumerate(closure.equations.positions) if one.target != "start"]
+    q, free = closure.start.copy(), list(closure.free)
+    with suppress(ArithmeticError, ValueError, np.linalg.LinAlgError):
+        for _ in range(MAX_NEWTON):
+            residual, jacobian = closure.residual(0.0, q, closure.origin)
+            q[free] -= np.linalg.pinv(jacobian[rows]) @ residual[rows]
+        return q if rows and np.max(np.abs(q - closure.start)) <= 1 and _is_closed(closure, q, rows) else None
+    return None
 
 
 def _downhill(closure: Closure) -> Array:

@@ -6,6 +6,7 @@ Enters: `VelocityEquations` with positions.  Leaves: `Closure`.  Used by `integr
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import field, replace
 from functools import cached_property
 from itertools import product
@@ -31,6 +32,9 @@ MAX_NEWTON = 25
 # that round-off may stop its shrinking.  CLOSED: still accepted when the iterations run out.
 FARTHEST, SETTLED, SHRINKING, CLOSED = 10.0, 1e-15, 1e-11, 1e-9
 _REMEMBERED = 4  # grids of times kept in the cache: a table, its exact rows and its checks ask for the same grid
+# Number of times at which a drive that waits is looked at, and the share of the largest length (or rad) that counts as waiting.
+_LATER, _WAITING = 201, 1e-6
+_STIRRED = 1e-2  # rad or m from one configuration to the next
 CONFIGURATIONS = 5  # number of positions near the start at which equations and links are judged
 MOST_COMBINED = 12  # largest number of equations for which sums and differences of pairs are tried
 
@@ -75,8 +79,16 @@ class Closure:
 
     @cached_property
     def configurations(self) -> tuple[Array, Array]:
-        """Return times and closed positions near the start, with the drive moved on; only the start if Newton finds none."""
-        times = np.linspace(0.0, self.equations.variant.time.end / 50, CONFIGURATIONS)
+        """Return times and closed positions near the start, with the drive moved on; only the start if Newton finds none.
+
+        A drive that waits moves nothing: then the first times at which something has moved are taken.
+        """
+        end = self.equations.variant.time.end
+        times = np.linspace(0.0, end / 50, CONFIGURATIONS)
+        if not self._moved(times).any():
+            later = np.linspace(0.0, end, _LATER)
+            first = max(1, int(np.argmax(self._moved(later))))
+            times = np.array([0.0, *np.linspace(later[first - 1], later[first], CONFIGURATIONS)[1:]])
         kept, known = self.targets(times)
         guess = np.tile(self.start, (len(times), 1))
         guess[:, list(self.driven)] = known
@@ -86,6 +98,33 @@ class Closure:
             closed = np.zeros(len(times), dtype=bool)
         count = int(np.argmin(closed)) if not closed.all() else len(times)
         return (times[:count], q[:count]) if count else (times[:1], self.start[None])
+
+    @property
+    def stirred(self) -> tuple[Array, Array]:
+        """Return the same with drives that wait moved a little too: positions that close, but at no time of the run.
+
+        Where such a drive leaves an angle at zero, its sine would hide the sign before it.
+        """
+        times, positions = self.configurations
+        kept, known = (part.copy() for part in self.targets(times))
+        for values, is_driven in (
+            (kept, np.array([bool(name) for name in self.drives])),
+            (known, np.ones(len(self.driven), bool)),
+        ):
+            waits = is_driven & (np.ptp(values, axis=0) <= _WAITING * self.scale)
+            values[:, waits] += _STIRRED * np.arange(len(times))[:, None]
+        guess = positions.copy()
+        guess[:, list(self.driven)] = known
+        with suppress(np.linalg.LinAlgError, ArithmeticError, ValueError):
+            q, closed = self.newton_rows(times, guess, kept)
+            return times[closed], q[closed]
+        return times[:0], positions[:0]
+
+    def _moved(self, times: Array) -> Flags:
+        """Return at which times (n,) the drives have moved something away from the start."""
+        kept, known = self.targets(times)
+        every = np.concatenate([kept, known], axis=1)
+        return np.asarray(np.max(np.abs(every - every[0]), axis=1, initial=0.0) > _WAITING * self.scale)
 
     def at_zero(self, zero: Sequence[bool]) -> Closure:
         """Return the closure with target 0 for the equations flagged in `zero`; the others keep the value the start gives."""
@@ -144,7 +183,7 @@ class Closure:
         for _ in range(MAX_NEWTON):
             try:
                 step = self.correction(t, q, target)
-            except np.linalg.LinAlgError:
+            except (np.linalg.LinAlgError, ArithmeticError, ValueError):  # a root may have no value on the way
                 return None
             size = float(np.max(np.abs(step), initial=0.0))
             if not size <= FARTHEST:

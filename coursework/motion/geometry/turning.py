@@ -36,11 +36,14 @@ def require_turning(equations: VelocityEquations, closure: Closure) -> None:
     derived = given_by_geometry(equations)
     rows = [row_of(speed) for turn in turns for speed in (turn.found, turn.named, turn.grows)]
     matrix, right, _ = compile_system(equations, [*derived, *rows]).matrices(times, positions)
-    known, asked = matrix[:, : len(derived)], matrix[:, len(derived) :]
+    known, asked, freely = matrix[:, : len(derived)], matrix[:, len(derived) :], right[:, len(derived) :]
+    apart = np.isfinite(np.concatenate([asked, freely[:, :, None]], axis=2)).all(axis=(0, 2)).reshape(-1, 3).all(axis=1)
+    turns = tuple(turns[place] for place in np.flatnonzero(apart))  # points in one place do not tell how their link turns
+    asked, freely = asked[:, np.repeat(apart, 3)], freely[:, np.repeat(apart, 3)]
     velocities = np.linalg.pinv(known) @ right[:, : len(derived), None]
     # What the geometry leaves open is not judged; nor is an arm that grows, because it is no rigid body.
-    told = np.array([gives(known, asked[:, place]) for place in range(len(rows))]).reshape(-1, 3)
-    found, named, grows = np.moveaxis(((asked @ velocities)[:, :, 0] - right[:, len(derived) :]).reshape(len(times), -1, 3), 2, 0)
+    told = np.array([gives(known, asked[:, place]) for place in range(asked.shape[1])]).reshape(-1, 3)
+    found, named, grows = np.moveaxis(((asked @ velocities)[:, :, 0] - freely).reshape(len(times), -1, 3), 2, 0)
     largest = np.max(np.abs(np.concatenate([found, named])), initial=0.0)
     judged = told.all(axis=1) & (np.max(np.abs(grows), axis=0) <= _TOLERANCE * largest * closure.scale**2)
     faults = []

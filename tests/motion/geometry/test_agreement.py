@@ -8,6 +8,7 @@ import pytest
 import coursework
 from coursework.equations.reduction.structure import structures
 from coursework.motion.geometry import agreement
+from tests.mechanisms.library import mechanism
 
 PAGE = (Path(__file__).parents[2] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 RIGHT = "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)"
@@ -99,3 +100,73 @@ def test_equations_that_contradict_each_other_alone_are_named_where_one_is_to_bl
         return
     with pytest.raises(coursework.InputError, match=told):
         confirmed(text)
+
+
+def test_positions_that_the_drive_cannot_keep_contradict_each_other():
+    """With the same combination of two coordinates in both, nothing is left for the drive to move."""
+    held = '["R*psi2 - l*phi3", "(R0 - R)*phi1 + R*psi2 - l*phi3"]'
+    text = mechanism("epicyclic", ('["(R0 - R)*phi1 + R*psi2", "S.y"]', held), rails=None)
+    with pytest.raises(coursework.InputError, match=r"V320 .*hold 1 and hold 2 .* contradict each other: no velocities satisfy"):
+        confirmed(text)
+
+
+WAITING = mechanism("robot-arm")
+CRANK = """
+[given]
+r = "0.1 m"
+l = "0.35 m"
+[drive]
+w = { pieces = [["0 s", "0"], ["0.2 s", "5"]] }
+[coordinates]
+a = { start = "0 rad", rate = "w" }
+b = { start = "0 rad", rate = "v" }
+x = { start = "0.45 m", rate = "u" }
+[time]
+step = "0.02 s"
+end = "1.4 s"
+[[constraint]]
+equation = "u = -r*w*sin(a) - l*v*sin(b)"
+[[constraint]]
+equation = "r*w*cos(a) + l*v*cos(b) = 0"
+[closure]
+holds = ["r*cos(a) + l*cos(b) - x", "r*sin(a) + l*sin(b)"]
+"""
+
+
+ARM = """
+[given]
+l = "0.4 m"
+[drive]
+w = { pieces = [["0 s", "1"], ["1 s", "0"]] }
+v = { pieces = [["0 s", "0"], ["1 s", "1"]] }
+[coordinates]
+a = { start = "0.5 rad", rate = "w" }
+b = { start = "0 rad", rate = "v" }
+x = { start = "0.75103302 m", rate = "u" }
+[time]
+step = "0.05 s"
+end = "2 s"
+[[constraint]]
+equation = "u = -l*w*sin(a) - l*v*sin(b)"
+[closure]
+holds = ["l*cos(a) + l*cos(b) - x"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "wrong"),
+    [
+        (ARM, "- l*v*sin(b)", "+ l*v*sin(b)"),
+        (ARM, " - l*v*sin(b)", ""),
+        (WAITING, "VMy - r2*w2", "-VMy - r2*w2"),
+        (WAITING, "VMy - r2*w2", "0*VMy - r2*w2"),
+        (CRANK, "-r*w*sin(a)", "r*w*sin(a)"),
+        (CRANK, '"r*w*cos(a)', '"-r*w*cos(a)'),
+    ],
+)
+def test_the_sign_of_a_drive_that_waits_is_judged_as_well(text, right, wrong):
+    """The second joint waits at zero; the hand goes to the right first; the crank stands at zero for a while."""
+    assert len(confirmed(text)) == text.count("equation = ")
+    assert right in text
+    with pytest.raises(coursework.InputError, match="V302"):
+        confirmed(text.replace(right, wrong))

@@ -56,7 +56,7 @@ def test_without_a_closed_position_the_start_alone_is_looked_at(monkeypatch):
 
         closure = SimpleNamespace(
             equations=SimpleNamespace(variant=SimpleNamespace(time=SimpleNamespace(end=1.0))), start=np.array([0.25, 0.5]),
-            driven=(1,), targets=lambda times: (None, 10 * times[:, None]), newton_rows=rows,
+            driven=(1,), targets=lambda times: (None, 10 * times[:, None]), newton_rows=rows, _moved=lambda times: times > 0,
         )  # fmt: skip
         return [part.tolist() for part in Closure.configurations.func(closure)]
 
@@ -85,3 +85,13 @@ def test_a_start_that_a_slip_of_the_pen_opens_is_refused_with_the_slip(right: st
     (fault,) = caught.value.faults
     assert fault.code == code
     assert str(fault.message).partition(" A likelier slip: ")[2] == told
+
+
+def test_a_root_without_a_value_on_the_way_to_a_closed_start_is_no_fault_of_the_tool():
+    """Newton's first step from 1 leads to -1, where the closure has no value; the equation that disagrees is told."""
+    text = (
+        '[drive]\nv = "0"\n[coordinates]\na = { start = "1 m", rate = "v" }\nx = { start = "1 m", rate = "u" }\n'
+        '[time]\nstep = "0.1 s"\nend = "1 s"\n[[constraint]]\nequation = "u = v"\n[closure]\nholds = ["sqrt(x) - a/4"]'
+    )
+    found, _ = module.closed_start(make_run(parse_variant(text, "mine")).scene.closure.at_zero([True]))
+    assert found.tolist() == [0.75]

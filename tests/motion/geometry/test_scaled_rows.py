@@ -20,7 +20,7 @@ def confirmed(monkeypatch):
         system = SimpleNamespace(matrices=lambda times, positions: (rows[None, :, :-1], rows[None, :, -1], None))
         monkeypatch.setattr(agreement, "compile_system", lambda *of: system)
         each = [SimpleNamespace(name=name, coefficients={"w": 1}, written=True, line=7) for name in ("d1", "d2", "11")]
-        variant = SimpleNamespace(file="v.toml", bindings=(), lines={("closure",): 5})
+        variant = SimpleNamespace(file="v.toml", drive=(), bindings=(), lines={("closure",): 5})
         equations = SimpleNamespace(from_closure=each[:2], equations=each[2:], bound=(), unknowns=("w1", "w2"), variant=variant)
         return agreement._judged(equations, np.zeros(1), np.zeros((1, 2))).agreed
 

@@ -53,3 +53,7 @@ def test_other_data_of_one_template_are_judged_too():
     assert closure(text).names
     with pytest.raises(coursework.InputError, match=r"V309 .*link 3 turns at"):
         closure(text, ("k = 1", "k = 2"), ("1.5448169061004255", "0.77240845305021275"))
+
+
+def test_points_in_one_place_do_not_tell_how_their_link_turns():
+    assert closure(CLOCKWISE, ("[links]", 'E = "C + 0*(C - D)"\n[links]\n9 = { points = ["C", "E"], rate = "w2" }')) is not None
