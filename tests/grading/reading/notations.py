@@ -118,6 +118,11 @@ NOTATIONS = {
     "a list of SymPy": lambda t: "eqs = [" + ", ".join("Eq({}, {})".format(*line.split(" = ")) for line in t.split("\n")) + "]",
     "arrow": _lines("Eq. ({k}) → {e}"), "twice": _lines("{e} ⇒ {e}"), "one line": lambda t: "; ".join(t.split("\n")),
     "quad": lambda t: " \\quad ".join(t.split("\n")),
+    # A comma of \, ends no equation, wherever it stands.
+    "latex quad": lambda t: " \\quad ".join(map(_tex, t.split("\n"))),
+    "latex one line": lambda t: "; ".join(map(_tex, t.split("\n"))),
+    "latex chain": lambda t: re.sub(r"(?m)^(.*) = 0$", r"V_D = \1 \\equiv 0,", _tex(t)),
+    "latex labels": lambda t: "\n".join(f"f_{k} = {_tex(e)} \\;;" for k, e in enumerate(t.split("\n"), 1)),
     **{form: _lines(form) for form in (
         "({k}) link 3: {e}", "w{k}: {e}", "Equation for x: {e}", "проекция на x: {e}", "X方向：{e}", "由图可得{e}", "M_x) {e}",
         "{L}) {e}", "{k}° {e}", "{K}. {e}", "({K}) {e}", "From the closure {e}", "Звено {k} {e}", "V_Cy = 0: {e}",
