@@ -115,7 +115,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         names,
         own=own,
         spellings=replace(names.spellings, own=frozenset(own)),
-        listed=sign_of_list([line for _, line in lines if "=" in line], names.spellings.canonical),
+        listed=sign_of_list([line for _, line in lines if relates_two_sides(line[:MAX_CHARACTERS])], names.spellings.canonical),
     )
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
