@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Sequence
+from itertools import islice
 
 from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.signs import depths
@@ -37,7 +38,7 @@ _SINES = re.compile(
 )
 _SAME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?::?=|<-)\s*\1\s*(?=[;,}\n#%]|//|$)")  # phi1 = phi1
 _DERIVATIVE = re.compile(r"d[a-z]\w*|\w+_?dot|(?:w|v|om|omega|ω)", re.IGNORECASE)
-_MOST_CHARACTERS = 200_000
+_MOST_CHARACTERS, _MOST_SINES = 200_000, 20
 
 
 def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str:
@@ -80,12 +81,14 @@ def _of_whole_vectors(text: str) -> str:
     >>> _of_whole_vectors("s, c = np.sin(q), np.cos(q)\nw = s[0]*c[1]")
     's, c = np.sin(q), np.cos(q)\nw = sin(q[0])*cos(q[1])'
     """
-    for line in _SINES.finditer(text):
-        names = re.findall(r"\w+", line[1])
+    meant: dict[str, tuple[str, str]] = {}
+    for line in islice(_SINES.finditer(text), _MOST_SINES):
         calls = re.findall(r"(sin|cos)\(\s*(\w+)\s*\)", line[2])
-        for name, (function, vector) in zip(names, calls, strict=False) if len(names) == len(calls) else ():
-            text = re.sub(rf"(?<![\w.]){name} ?([\[(]\s*\d{{1,2}}\s*[\])])", rf"{function}({vector}\1)", text)
-    return text
+        meant |= dict(zip(re.findall(r"\w+", line[1]), calls, strict=False))
+    if not meant:
+        return text
+    entry = re.compile(rf"(?<![\w.])({'|'.join(meant)}) ?([\[(]\s*\d{{1,2}}\s*[\])])")
+    return entry.sub(lambda found: f"{meant[found[1]][0]}({meant[found[1]][1]}{found[2]})", text)
 
 
 def _named(entry: re.Match[str], meant: dict[str, dict[int, str]]) -> str:
