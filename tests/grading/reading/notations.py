@@ -118,10 +118,18 @@ NOTATIONS = {
     "a list of SymPy": lambda t: "eqs = [" + ", ".join("Eq({}, {})".format(*line.split(" = ")) for line in t.split("\n")) + "]",
     "arrow": _lines("Eq. ({k}) → {e}"), "twice": _lines("{e} ⇒ {e}"), "one line": lambda t: "; ".join(t.split("\n")),
     "quad": lambda t: " \\quad ".join(t.split("\n")),
+    # A comma of \, ends no equation, wherever it stands.
+    "glued, with primes": lambda t: _rates(r"φ\1'")(_named(t, _greek).replace("*", "")).replace("=", "＝"),
+    "glued, in brackets": lambda t: _calls(_named(t, _subscripts).replace("*", ""), r"\1[\2]"),
+    "latex quad": lambda t: " \\quad ".join(map(_tex, t.split("\n"))),
+    "latex one line": lambda t: "; ".join(map(_tex, t.split("\n"))),
+    "latex chain": lambda t: re.sub(r"(?m)^(.*) = 0$", r"V_D = \1 \\equiv 0,", _tex(t)),
+    "latex labels": lambda t: "\n".join(f"f_{k} = {_tex(e)} \\;;" for k, e in enumerate(t.split("\n"), 1)),
     **{form: _lines(form) for form in (
         "({k}) link 3: {e}", "w{k}: {e}", "Equation for x: {e}", "проекция на x: {e}", "X方向：{e}", "由图可得{e}", "M_x) {e}",
         "{L}) {e}", "{k}° {e}", "{K}. {e}", "({K}) {e}", "From the closure {e}", "Звено {k} {e}", "V_Cy = 0: {e}",
         "**{k}.** {e}", "{k}# {e}",
+        "▸ {e}", "✅ {e}", "{k}] {e} (C)", "Punkt C: {e} — {k}", "{e} [{k}]", "– {e} % eq",
         "(3.{k}) {e}", "(A.{k}) {e}", "{k} - {e}", "{k}\t{e}", "f{k} = {e}", "| {e}", "{e} ..... ({k})", "{e} \\eqno({k})",
     )},
 }  # fmt: skip

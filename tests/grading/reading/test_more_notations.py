@@ -10,7 +10,7 @@ from tests.grading.reading.test_notations import marked
 from tests.sample import diagonal, first
 
 REST = "\n".join(PLAIN["31"].split("\n")[:2])
-WITH_A_DASH = ("dash", "{k} - {e}")
+WITH_A_DASH = ("dash", "{k} - {e}", "– {e} % eq")
 MATRICES = {
     "matlab": "[r1*sin(phi1), r2*sin(phi2); r1*cos(phi1), r2*cos(phi2)]*[w1; w2] = [r3*w4/2 - r3*w3*cos(phi3); r3*w3*sin(phi3)]",
     "latex": r"""\[\begin{pmatrix} r_1\sin\varphi_1 & r_2\sin\varphi_2 \\ r_1\cos\varphi_1 & r_2\cos\varphi_2 \end{pmatrix}

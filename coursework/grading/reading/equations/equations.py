@@ -112,7 +112,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
     if len(text) > reader.MAX_CHARACTERS:
         return found, fault
     named: Fault | None = None
-    written = [plain(one, names.spellings) for one in dict.fromkeys((shortest, text))]
+    written = [plain(one, names.spellings) for one in dict.fromkeys((shortest, without_labels(text), text))]
     for candidate in dict.fromkeys(bare for one in written for bare in bare_equations(one, names.is_name)):
         for closely in (False,) if found else (False, True):
             sides = sides_of(candidate, names.spellings, closely=closely)

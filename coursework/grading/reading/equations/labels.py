@@ -9,21 +9,23 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from coursework.grading.reading.equations.signs import ARROW, depths
+from coursework.grading.reading.equations.signs import ARROW, depths, relates_two_sides
 from coursework.grading.reading.unit_names import unit_of
 
 _WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
+_MARKS = "•‣⁃▪▫◦●○■□◆◇▸▹►▻▶▷➢➤➔✓✔✅★☆❖🔹🔸👉"  # of the items of a list
 _LABEL = re.compile(
-    rf"[\s$]*(?:[*•‣▪◦●■◆►▶➢➤✓]\s+|[-–]\s\[[ x]\]\s)?(?:[(\[]?{_WORD}[\s.№]*\(?\d{{1,3}}(?!\d)[a-zа-я]?\)?\]?\s*"
+    rf"[\s$]*(?:[*{_MARKS}]\s+|[-–]\s\[[ x]\]\s)?(?:[(\[]?{_WORD}[\s.№]*\(?\d{{1,3}}(?!\d)[a-zа-я]?\)?\]?\s*"
     r"(?:[:)]|\.(?!\d))?(?!\s*:?=)(?=\s|\w|[-+−(.])"
     r"|[(\[{<](?:%[io]\d{1,3}|\d{1,3}(?:\.\d{1,3})?(?:['a-zа-я]|\.[a-zа-я])?|[A-ZА-Я]\.\d{1,3}|\*{1,3})[)\]}>]\s*(?::|\.(?!\d))?(?!=)"
     r"|[\u2460-\u2473\u2474-\u249b]\s*|\d{1,3}/\s+|[a-zа-я]\.\s+|[(\[]O?[A-ZА-Я][)\]]:?\s+(?![+=*/·])|[A-Z]{1,4}\d{1,3}\.\s+|\d{1,3}[)\]]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
-    r"|\(?[IVXivx]{1,5}[).]\s+|\*\*[^*=]{1,30}\*\*[:.]?\s*|\*\s+|>\s+|[|{⎧⎨⎪⎩]\s+|(?<=[•‣▪◦●■◆►▶➢➤✓\]]\s))\s*",
+    r"|\(?[IVXivx]{1,5}[).]\s+|\*\*[^*=]{1,30}\*\*[:.]?\s*|\*\s+|>\s+|[|{⎧⎨⎪⎩]\s+"
+    rf"|(?<=[{_MARKS}\]]\s))\s*",
     re.IGNORECASE,
 )
 _LABEL_AT_END = re.compile(
     r"(?:\s|(?<![.…])(?=[.…]{3}))(?:[-–—.…]+\s*)?(?:[(\[/<](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]/>]"
-    rf"|(?i:{_WORD})[\s.№]*\(?\d{{1,3}}\)?)\s*$"
+    rf"|(?i:{_WORD})[\s.№]*\(?\d{{1,3}}\)?|(?:—|--)\s?\d{{1,3}})\s*$"
 )
 _VANISHES = re.compile(r"(=\s*0(?:[.,]0+)?)(?!\w|[.,]\d)(?!\s*[-+*/^])")
 _UNIT_AT_END = re.compile(r"[,;]?\s{0,9}(?:\[([^\[\]]{1,12})\]|\(([^()]{1,12})\)|(?:,|(?<=[\w)])\s)\s*(\S{1,8}))\s*$")
@@ -46,6 +48,7 @@ _SAID = re.compile(
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
 _ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
+_POINT_AT_END = re.compile(r"(?<=\S)\s+\([A-Z]\)[.,;]?\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
 _CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")
 _NUMBER_BEHIND = re.compile(r"\s+\d")  # a number after a blank: "at point P 2*r3*w3"; no factor is followed by one
@@ -70,7 +73,7 @@ def without_labels(text: str) -> str:
     """Return a line without the label at its beginning and the number of the equation at its end."""
     text = text[len(label_of(text)) :]
     found = _LABEL_AT_END.search(text)
-    is_label = found and "=" in text[: found.start()].rstrip(" \t=")
+    is_label = found and relates_two_sides(text[: found.start()].rstrip(" \t=≡＝"))
     return text[: found.start()] if found and is_label else text
 
 
@@ -87,6 +90,8 @@ def bare_equations(text: str, is_name: Callable[[str], bool]) -> Iterator[str]:
         ended = _ended(candidate, is_name)
         yield from dict.fromkeys((ended, candidate) if candidate else ())
     yield from (bare, text)
+    if named := _POINT_AT_END.search(text):  # "= u (C)": where there is a length c, C may be the point that is meant
+        yield from bare_equations(text[: named.start()], is_name)
 
 
 def _begun(text: str, is_name: Callable[[str], bool]) -> str:

@@ -56,7 +56,7 @@ _BARE = re.compile(r"[^-+/−–\s]+")  # the names of a line with no other sign
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
 _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # at the start of a continued line
-_VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
+_VANISHED = re.compile(r"(?:[=≡]|\\equiv)\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _MEASURED, _CHECKED = re.compile(r"\d[.,]\d\d"), re.compile(r"[=≈]\s*[-+−]?\d+[.,]\d\d+(?:\s+[^\s\d]\S{0,7})?[.,;]?\s*$")
 _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # the number of a line; a comment starts with # alone
@@ -115,7 +115,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         names,
         own=own,
         spellings=replace(names.spellings, own=frozenset(own)),
-        listed=sign_of_list([line for _, line in lines if "=" in line], names.spellings.canonical),
+        listed=sign_of_list([line for _, line in lines if relates_two_sides(line[:MAX_CHARACTERS])], names.spellings.canonical),
     )
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0

@@ -42,6 +42,7 @@ _DERIVATIVES = (
     re.compile(rf"\bd_?{_NAME}_?dt\b"),
     re.compile(rf"\bD_?{_NAME}"),
 )
+_GLUED = re.compile(r"(|.*[\w}])((?:[φϕθ]|phi|theta)\u0307?_?\d{1,2})(|sin|cos|tg|tan)")
 # As programs name derivatives, unless it is a name of the variant: dphi3, phi3p, thd3, phi3_t.
 _SHORT_DERIVATIVES = (
     re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dp]\b"),
@@ -235,4 +236,8 @@ def _of_time(found: re.Match[str], spellings: Spellings) -> str:
 def _rate(found: re.Match[str], spellings: Spellings) -> str:
     """Return the name of a coordinate's rate for a derivative; leave it unchanged if it is not of a coordinate."""
     name = spellings.angle(re.sub("[{}\u0307]|_?dot", "", "".join(found.groups())))
-    return f" {spellings.rates[name]} " if name in spellings.rates else found[0]
+    if name in spellings.rates:
+        return f" {spellings.rates[name]} "
+    glued = _GLUED.fullmatch(found[1]) if len(found.groups()) == 1 else None  # r2φ2' and, before a function, φ̇2sin
+    name = spellings.angle(re.sub("\u0307", "", glued[2])) if glued else None
+    return f"{glued[1]} {spellings.rates[name]} {glued[3]}" if glued and name in spellings.rates else found[0]

@@ -56,7 +56,7 @@ def sides_of(text: str, spellings: Spellings, *, closely: bool = False) -> Sides
     >>> sides_of("2l1 sin φ3 + 0,5", Spellings(frozenset({"l1", "phi3"}), {}, {}))
     Sides(texts=('2 * l1 * sin(phi3) + 0.5', '0'), is_whole=False)
     """
-    if any(name.lower() not in _FUNCTIONS for name in _SUBSCRIPT.findall(text)):
+    if not all(name.lower().endswith(_FUNCTIONS) for name in _SUBSCRIPT.findall(text)):
         return Sides(tuple(text.split("=")))
     typed = _NAMED.sub(r"\1 = ", text.replace("$", " ").translate(_SIGNS).rstrip(_TAIL))
     typed = typed.replace("\\", " ").strip()

@@ -30,10 +30,9 @@ ARROWS = re.compile(
     rf"<?={{1,3}}>|-{{1,3}}>|<->|[→⟶⟹⇔⟺↔⟷➔➜➡∴{ARROW}]"
     r"|\\(?:Rightarrow|Longrightarrow|implies|rightarrow|longrightarrow|to|Leftrightarrow|iff|therefore|leadsto)(?![A-Za-z])"
 )
-_RELATION = re.compile(
-    r"[=≡≈≅≃≐≔≝⩴⩵⩶＝]|\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])|\bEq\s*\(|(?<=[\w\])])\s*<-\s"
-)
-_EQUALS = re.compile(r"(?<![<>!]):=|={2,}|(?<=[\w\])])\s*<-(?=\s)")  # <- in R
+_IN_TEX = r"\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])"
+_RELATION = re.compile(rf"[=≡≈≅≃≐≔≝⩴⩵⩶＝]|{_IN_TEX}|\bEq\s*\(|(?<=[\w\])])\s*<-\s")
+_EQUALS = re.compile(rf"(?<![<>!]):=|={{2,}}|{_IN_TEX}|(?<=[\w\])])\s*<-(?=\s)")  # <- in R
 _WORDS = re.compile(
     r"\b(?:is\s+equal\s+to|equals|равно|равна|равен|дорівнює|ist\s+gleich|gleich|est\s+égale?\s+à|es\s+igual\s+a)\b|等于|等於",
     re.I,

@@ -190,8 +190,8 @@ def explanations(
 
 
 def is_one_thing(code: str, names: Sequence[str]) -> bool:
-    """Return whether a cause is a single fault; slips in several equations are several."""
-    return len(names) < 2 or not code.startswith("equation_")
+    """Return whether a cause is a single fault; slips in several equations are several, and so are several starts."""
+    return len(names) < 2 or not code.startswith(("equation_", "start_"))
 
 
 def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import html
 import re
+from itertools import islice
 
 from coursework.grading.reading.documents.formulas.formula_tree import FormulaTree
 from coursework.grading.reading.documents.formulas.mathml import text_of_mathml
@@ -19,7 +20,7 @@ _SOURCE = re.compile(r"<annotation\b[^<>]{0,200}x-tex[^<>]{0,200}>([^<]{1,4000})
 _ENTITY = re.compile(r"&(?!(?:lt|gt|amp|quot|apos);)([A-Za-z]\w{1,30});")
 _HIDDEN = re.compile(r"(?:\s|</span>)*(?=<span\b[^<>]{0,300}(?:katex-html|aria-hidden)[^<>]{0,300}>)", re.IGNORECASE)
 _SPAN = re.compile(r"<(/?)span\b[^<>]{0,2000}>", re.IGNORECASE)
-_MOST = 400  # formulas of a page
+_MOST, _MOST_SPANS = 400, 2000  # formulas of a page, spans that draw one
 
 
 def with_formulas(page: str) -> str:
@@ -55,7 +56,7 @@ def _behind_drawing(page: str, end: int) -> int:
     """Return the place behind the drawing of a formula, which KaTeX sets beside it in a span that is hidden from readers."""
     begun = _HIDDEN.match(page, end)
     depth = 0
-    for span in _SPAN.finditer(page, begun.end()) if begun else ():
+    for span in islice(_SPAN.finditer(page, begun.end()), _MOST_SPANS) if begun else ():
         depth += -1 if span[1] else 1
         if depth == 0:
             return span.end()

@@ -91,7 +91,9 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
 def _returned_as_named(text: str) -> str:
     """Return a text in which functions that return a matrix or a right side, solve(A(q), b(t)), are such matrices: A = …"""
     begun = _FUNCTION.search(text) if _OF_CALLS.search(text) else None
-    while begun and (returned := _RETURNED.search(text, begun.end())):
+    for _ in range(_MOST):
+        if begun is None or (returned := _RETURNED.search(text, begun.end())) is None:
+            break
         function, begun = begun, _FUNCTION.search(text, begun.end())
         called = re.compile(rf"(?<=[(,\s]){re.escape(function[1])}\s*\([\w\s,.*\[\]]{{0,60}}\)(?=\s*[,)])")
         if (begun is None or returned.start() < begun.start()) and called.search(text, returned.end()):

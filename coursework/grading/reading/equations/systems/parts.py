@@ -30,7 +30,7 @@ _BETWEEN_MATRICES = [
 _GROUPS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]")  # around a matrix that has brackets of its own
 _BLANK = re.compile(r"(?<![-+*/,\s])\s+(?![*/\s]|[-+]\s)")  # between two cells without a comma
 _NEXT_LINE = re.compile(r"\.{3}[^\n]*\n?")  # in MATLAB: the row continues, or ends with a semicolon
-_COMMA = re.compile(",")
+_COMMA = re.compile(r"(?<!\\),")
 LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*|[^\W\d]\w{0,20}:\s*)?([A-Za-z.]{1,20}\s*[(\[]\s*)?(?:\\left)?\s*\\?[\[{]")
 _ENCLOSED = re.compile(r"\s*()\(")
 # A call that solves equations for unknowns, as on a TI calculator or in Mathematica.
@@ -79,7 +79,7 @@ def _cuts(line: str) -> list[tuple[int, int]]:
     found += [(found.start(1), found.end()) for found in _VANISHED.finditer(line)]
     for place, (sign, depth) in enumerate(zip(line, depths(line), strict=True)):
         is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
-        if sign in ",;，；" and depth <= 0 and not is_decimal:
+        if sign in ",;，；" and depth <= 0 and not is_decimal and line[place - 1 : place] != "\\":  # \, and \; are blanks in TeX
             found.append((place, place + 1))
     return sorted(found, key=lambda cut: (cut[0], -cut[1]))  # the longer cut first: at "= 0 and", the word is cut away too
 

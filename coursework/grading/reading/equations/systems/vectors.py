@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Sequence
+from itertools import islice
 
 from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.signs import depths
@@ -16,7 +17,10 @@ from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.record.variant import Variant
 
 _ROW = r"(?:([ijkn](?:\s*[-+]\s*1)?)\s*(?:,|\]\s*\[)\s*)?"  # the row in Y[k, 0] and Y[k][0]
-_ENTRY = re.compile(rf"(?<![\w.\\'])([^\W\d]\w{{0,20}}) ?([\[(])\s*{_ROW}(\d{{1,2}})\s*[\])]")
+# An entry; a number in brackets that is set apart at the end of a line, "= VMx [11]", is the line's label.
+_ENTRY = re.compile(
+    rf"(?<![\w.\\'])([^\W\d]\w{{0,20}})(?! \[\d{{1,2}}\][ \t.;]*$) ?([\[(])\s*{_ROW}(\d{{1,2}})\s*[\])]", re.MULTILINE
+)
 _NAMES = r"((?:[^\W\d]\w{0,20}\s*[,;]\s*)+[^\W\d]\w{0,20})"
 _LIST = re.compile(rf"(?:[\[({{]|\breturn )\s*{_NAMES}\s*(?:[\])}}]|$)", re.MULTILINE)
 _UNPACKED = re.compile(
@@ -34,7 +38,7 @@ _SINES = re.compile(
 )
 _SAME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?::?=|<-)\s*\1\s*(?=[;,}\n#%]|//|$)")  # phi1 = phi1
 _DERIVATIVE = re.compile(r"d[a-z]\w*|\w+_?dot|(?:w|v|om|omega|ω)", re.IGNORECASE)
-_MOST_CHARACTERS = 200_000
+_MOST_CHARACTERS, _MOST_SINES = 200_000, 20
 
 
 def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str:
@@ -77,12 +81,14 @@ def _of_whole_vectors(text: str) -> str:
     >>> _of_whole_vectors("s, c = np.sin(q), np.cos(q)\nw = s[0]*c[1]")
     's, c = np.sin(q), np.cos(q)\nw = sin(q[0])*cos(q[1])'
     """
-    for line in _SINES.finditer(text):
-        names = re.findall(r"\w+", line[1])
+    meant: dict[str, tuple[str, str]] = {}
+    for line in islice(_SINES.finditer(text), _MOST_SINES):
         calls = re.findall(r"(sin|cos)\(\s*(\w+)\s*\)", line[2])
-        for name, (function, vector) in zip(names, calls, strict=False) if len(names) == len(calls) else ():
-            text = re.sub(rf"(?<![\w.]){name} ?([\[(]\s*\d{{1,2}}\s*[\])])", rf"{function}({vector}\1)", text)
-    return text
+        meant |= dict(zip(re.findall(r"\w+", line[1]), calls, strict=False))
+    if not meant:
+        return text
+    entry = re.compile(rf"(?<![\w.])({'|'.join(meant)}) ?([\[(]\s*\d{{1,2}}\s*[\])])")
+    return entry.sub(lambda found: f"{meant[found[1]][0]}({meant[found[1]][1]}{found[2]})", text)
 
 
 def _named(entry: re.Match[str], meant: dict[str, dict[int, str]]) -> str:
