@@ -129,7 +129,7 @@ def outcome(work: StudentWork) -> str:
             for value, step, flag in zip(column.values, column.last_place, column.flags, strict=True):
                 assert (value == value and abs(value) < float("inf")) is (flag == "")
                 assert step > 0
-        return "table"
+        return "needs-review two_rows" if work.table.unsure else "table"
     assert work.trouble is not None
     return f"{work.trouble.state} {work.trouble.code}"
 
