@@ -12,12 +12,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names, with_sliders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure_record import AssurGroup, KinematicPair, Member, Structure
+from coursework.system.frozen import changing
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.held import velocities_of_points
 from coursework.variant.record.variant import Variant
@@ -72,7 +73,7 @@ def in_order(names: Iterable[str]) -> list[str]:
     return sorted(names, key=lambda name: (not name.isdigit(), int(name) if name.isdigit() else 0, name))
 
 
-@dataclass(slots=True)
+@changing
 class Bodies:
     """The bodies of one linkage and their names on a page."""
 

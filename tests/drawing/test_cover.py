@@ -67,4 +67,5 @@ def test_what_a_way_crosses_by_hand() -> None:
     lines = Lines([(0 + 5j, 9 + 5j), (0 + 7j, 2 + 7j), (5 + 0j, 5 + 9j)])
     begin, step = np.array([[3.0, 0.0], [1.0, 0.0]]), np.array([[0.0, 9.0], [8.0, 9.0]])
     assert lines.crossed(begin, step).tolist() == [1, 2]
-    assert through(begin, step, [(2.0, 3.0, 4.0, 4.0), (6.0, 0.0, 9.0, 2.0)]).tolist() == [1, 1]
+    boxes = np.array([(2.0, 3.0, 4.0, 4.0), (6.0, 0.0, 9.0, 2.0)])
+    assert through(begin, step, boxes).sum(axis=0).tolist() == [1, 1]

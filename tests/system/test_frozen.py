@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import pytest
 
-from coursework.system.frozen import caching, changing, frozen
+from coursework.system.frozen import caching, changing, frozen, single
 
 
 def family(decorate):
@@ -107,6 +107,14 @@ def test_the_same_answers(call, ours, theirs):
 def test_records_of_two_classes_differ():
     assert OURS["One"](1) != PAIRS[0][1]["One"](1)
     assert OURS["Several"](1.0, "y") != OURS["Heir"](1.0)
+
+
+def test_a_single_record_equals_only_itself():
+    ours, theirs = family(single), family(dataclass(frozen=True, slots=True, eq=False))
+    for kinds in (ours, theirs):
+        one, twin = kinds["Heir"](1.0), kinds["Heir"](1.0)
+        assert (one == one, one == twin, hash(one) == hash(twin)) == (True, False, False)
+        assert (repr(one), kinds["OwnWays"](0.5)) == (repr(twin), kinds["OwnWays"](0.6))
 
 
 def test_what_is_frozen_stays():

@@ -94,10 +94,15 @@ def _across_loops(mechanism: Mechanism) -> Iterator[tuple[frozenset[str], Formul
     """Yield the lengths of vectors between two points, of a loop too: c in A + a @ q1 + b @ q2 = D + f @ q4 + c @ q3."""
     ways = _ways(mechanism)
     loops = [Formula("-", one.sides) for one in mechanism.constraints if one.is_closure]
-    for whole in [Counter(), *(_steps(one, ways) for one in (*loops, *held_vectors(mechanism.variant)))]:
-        for (first, one), (last, other) in permutations(ways.items(), 2):
-            rest = [(step, times) for step in {*whole, *one, *other} if (times := whole[step] - one[step] + other[step])]
-            if len(rest) == 1 and abs(rest[0][1]) == 1 and (length := _length(rest[0][0])) is not None:
+    wholes = [Counter(), *(_steps(one, ways) for one in (*loops, *held_vectors(mechanism.variant)))]
+    vectors = [*dict.fromkeys(step for steps in (*wholes, *ways.values()) for step in steps)]
+    # Counted in the order of `vectors`: to ask a formula its hash takes as long as all the rest.
+    counts = {name: [way[step] for step in vectors] for name, way in ways.items()}
+    for around in [[whole[step] for step in vectors] for whole in wholes]:
+        for (first, one), (last, other) in permutations(counts.items(), 2):
+            left = [whole - before + behind for whole, before, behind in zip(around, one, other, strict=True)]
+            rest = [place for place, times in enumerate(left) if times]
+            if len(rest) == 1 and abs(left[rest[0]]) == 1 and (length := _length(vectors[rest[0]])) is not None:
                 yield frozenset((first, last)), length
 
 

@@ -40,11 +40,9 @@ def clipped(low: Array, high: Array, begin: Array, step: Array, free: Array | fl
     return np.asarray(np.maximum(np.minimum(np.minimum(leaves[..., 0], leaves[..., 1]), 1.0) - begins, 0.0))
 
 
-def through(begin: Array, step: Array, boxes: Sequence[Rectangle]) -> Array:
-    """Return how many rectangles (left, top, right, bottom) each line from `begin` (n, 2) by `step` (n, 2) goes through."""
-    corners, moved = np.array(boxes).reshape(-1, 4), np.where(step == 0, STILL, step)
-    parts = clipped(corners[:, :2], corners[:, 2:], begin, moved)
-    return np.asarray(np.count_nonzero(parts > 0, axis=0))
+def through(begin: Array, step: Array, boxes: Array) -> Flags:
+    """Return whether each line from `begin` (n, 2) by `step` (n, 2) goes through each of the `boxes` (m, 4), as (m, n)."""
+    return np.asarray(clipped(boxes[:, :2], boxes[:, 2:], begin, np.where(step == 0, STILL, step)) > 0)
 
 
 class Lines:
@@ -60,20 +58,20 @@ class Lines:
         self.step[self.step == 0] = STILL
         self.plain = self.count if plain is None else plain
         self.free: Array = np.where(np.arange(self.count) < self.plain, 0.0, free)[:, None]
+        self.reach = (self.low - self.free).T, (self.high + self.free).T
 
     def within(self, low: Array, high: Array) -> tuple[Array, Array, Array]:
         """Return for each rectangle (n,) how many plain segments it meets, their length in it, and how many others it meets."""
         (left, top), (right, bottom) = (low - CLOSE).T[:, :, None], (high + CLOSE).T[:, :, None]
-        (begins, starts), (ends, stops) = (self.low - self.free).T, (self.high + self.free).T
+        (begins, starts), (ends, stops) = self.reach
         # Most lines are far from most rectangles: only those that may meet are clipped.
         one, line = np.nonzero((begins <= right) & (ends >= left) & (starts <= bottom) & (stops >= top))
         part = clipped(low[one, None], high[one, None], self.begin[line, None], self.step[line, None], self.free[line, None])
-        part, plain = part.ravel(), line < self.plain
-
-        def each(values: Array | Flags) -> Array:
-            return np.bincount(one, values, len(low)).astype(np.float64)
-
-        return each((part > 0) & plain), each(np.where(plain, part * self.length[line], 0.0)), each((part > 0) & ~plain)
+        part, heavy, count = part.ravel(), line >= self.plain, len(low)
+        length = np.bincount(one, np.where(heavy, 0.0, part * self.length[line]), count)
+        # Both kinds are counted at once, the heavy ones behind the plain ones.
+        met = np.bincount((one + count * heavy)[part > 0], minlength=2 * count).astype(np.float64)
+        return met[:count], length.astype(np.float64), met[count:]
 
     def feet(self, points: Array) -> Array:
         """Return the point (n, m, 2) of each segment nearest to each point (n, 2)."""

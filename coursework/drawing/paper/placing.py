@@ -19,7 +19,7 @@ from coursework.system.frozen import changing, frozen
 Place = tuple[complex, complex, float]  # beside this point, preferably in this direction, at this distance (mm)
 DIRECTIONS = 16  # directions that are tried
 RINGS = (0.0, 1.0, 2.0, 3.2, 4.5, 6.0, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last only if words would meet
-FIRST, FURTHER = 32, 4  # places rated together, ranked by their least cost; then this many times more
+FIRST, FURTHER = 24, 4  # places rated together, ranked by their least cost; then this many times more
 FARTHER = 0.5  # price of standing 1 mm farther off; all prices are in mm of thin lines covered instead
 TURNED = 0.6  # price of a quarter turn away from the preferred direction
 NEXT = 0.6  # price of each place after the first
@@ -37,7 +37,7 @@ LOST = 5.0  # mm: farther from its owner a word seems to belong to nothing, and 
 LEADER, LEADER_CROSSES = 4.0, (15.0, 100.0, 3.0)  # price of a leader line, and of each heavy line, word, symbol crossed
 STEP_OFF = 0.6  # mm: a leader is examined from this far off the line that it leads to
 ALONG = (0.35, 0.6, 0.85)  # parts of a leader's length at which it is not to lie on a heavy line
-CHEAPEST = 12  # places whose rivals are examined together, the cheapest first
+CHEAPEST = 6  # places whose rivals are examined together, the cheapest first
 TOUCH = 1.2  # mm: a place this near is beside a point or a line; a place farther off is beside a rim or a block
 
 
@@ -70,6 +70,7 @@ class Taken:
     boxes: list[Rectangle]
     words: list[Rectangle]
     _lines: dict[str, Lines] = field(default_factory=dict)
+    _rectangles: Array = field(default_factory=lambda: np.empty((0, 4)))
 
     def lines(self, name: str) -> Lines:
         """Return the "heavy" segments as arrays, or "all": the segments, then the heavy ones again with the room around them."""
@@ -78,13 +79,19 @@ class Taken:
             self._lines[name] = Lines(listed, None if name == "heavy" else len(self.segments), CLEAR)
         return self._lines[name]
 
+    def rectangles(self) -> Array:
+        """Return boxes and words as an array (n, 4)."""
+        if len(self._rectangles) != len(self.boxes) + len(self.words):
+            self._rectangles = np.array([*self.boxes, *self.words])
+        return self._rectangles
+
     def covered(self, middles: Array, width: float, height: float, room: Rectangle, leading: float = LEADING) -> Array:
         """Return the cost of equal rectangles: mm of lines, more for heavy lines, words, symbols and what is outside `room`."""
         half = np.array([width / 2 + MARGIN, height / 2 + MARGIN])
         low, high = middles - half, middles + half
         edge = np.array(room)
         beyond = np.maximum(edge[:2] - low, 0.0) + np.maximum(high - edge[2:], 0.0)
-        symbols, words = np.split(shared(low, high, [*self.boxes, *self.words]), [len(self.boxes)], axis=1)
+        symbols, words = np.split(shared(low, high, self.rectangles()), [len(self.boxes)], axis=1)
         areas = np.multiply.reduce(np.maximum(symbols, 0.0), axis=2)
         level = words[..., 1] > 0
         over, beside = level & (words[..., 0] > 0), level & (words[..., 0] > -GAP)
@@ -103,24 +110,24 @@ class Taken:
         toward = np.array([np.angle(away) if away else -math.pi / 4 for _, away, _ in places])
         units = np.exp(1j * (toward[:, None] + turns))
         reach = np.minimum(half[0] / np.maximum(np.abs(units.real), 1e-9), half[1] / np.maximum(np.abs(units.imag), 1e-9))
-        near, gaps = (np.array([place[k] for place in places])[:, None] for k in (0, 2))
+        near, gaps = (np.array([place[k] for place in places]) for k in (0, 2))
         fixed = TURNED * (1 - np.cos(turns)) + NEXT * np.arange(len(places))[:, None]
         best, found = math.inf, Stand(places[0][0], places[0], None)
-        rings = np.array(RINGS)[:, None, None]
-        leasts = (FARTHER * rings + fixed).ravel()
-        # Each rectangle touches the circle of radius `gap + ring` about its point.
-        ats = (near + units * (gaps + rings + reach)).ravel()
-        begins = np.broadcast_to(near + units * np.maximum(gaps - TOUCH, 0.0), (len(RINGS), *units.shape)).ravel()
+        rings = np.array(RINGS)
+        leasts = (FARTHER * rings[:, None, None] + fixed).ravel()
         ranked = np.argsort(leasts, kind="stable")  # if the first ones are good, the others need not be rated
         for begin, end in _growing(len(ranked)):
             kept = np.sort(ranked[begin:end][leasts[ranked[begin:end]] < best])
             if not kept.size:
                 break
-            least, at = leasts[kept], ats[kept]
+            ring, place, turn = np.unravel_index(kept, (len(rings), *units.shape))
+            unit, gap = units[place, turn], gaps[place]
+            # Each rectangle touches the circle of radius `gap + ring` about its point.
+            at = near[place] + unit * (gap + rings[ring] + reach[place, turn])
             middles = np.column_stack([at.real, at.imag])
             low, high = middles - half, middles + half
-            cost = least + self.covered(middles, width, height, room, owner.leading)
-            feet = begins[kept]
+            cost = leasts[kept] + self.covered(middles, width, height, room, owner.leading)
+            feet = near[place] + unit * np.maximum(gap - TOUCH, 0.0)
             # Rivals only add to the cost, so they are examined only where the other costs are low.
             order = np.argsort(np.round(cost, 6), kind="stable")
             for some in (order[k : k + CHEAPEST] for k in range(0, len(order), CHEAPEST)):
@@ -138,7 +145,7 @@ class Taken:
                 if whole[k] < best - 1e-9:
                     best, chosen = float(whole[k]), int(some[k])
                     leader = complex(feet[chosen]) if led[k] else None
-                    found = Stand(complex(at[chosen]), places[int(kept[chosen]) % units.size // DIRECTIONS], leader)
+                    found = Stand(complex(at[chosen]), places[int(place[chosen])], leader)
         return found
 
     def _in_the_way(self, feet: Array, middles: Array) -> Array:
@@ -153,9 +160,8 @@ class Taken:
             off = self.lines("heavy").feet(at) - at[:, None]
             lies = np.hypot(off[..., 0], off[..., 1]).min(axis=1) < STEP_OFF
             price = price + LEADER_CROSSES[0] * np.count_nonzero(lies.reshape(len(ALONG), -1), axis=0)
-        for boxes, worth in ((self.words, LEADER_CROSSES[1]), (self.boxes, LEADER_CROSSES[2])):
-            price = price + worth * through(begin, step, boxes)
-        return price
+        worth = [LEADER_CROSSES[2]] * len(self.boxes) + [LEADER_CROSSES[1]] * len(self.words)
+        return np.asarray(price + np.array(worth) @ through(begin, step, self.rectangles()))
 
 
 def _growing(count: int) -> Iterator[tuple[int, int]]:

@@ -9,7 +9,9 @@ product of only a number and a sum is multiplied out.
 
 from __future__ import annotations
 
+import functools
 import math
+import operator
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
@@ -181,13 +183,14 @@ def _joined(op: str, parts: list[Expression], nothing: Expression) -> Expression
 
 def multiply(*factors: Expression) -> Expression:
     """Return a product in canonical form."""
-    total, powers = _ONE, dict[Expression, Fraction]()
+    numbers, powers = list[Fraction](), dict[Expression, Fraction]()
     for factor in [part for one in factors for part in one.factors]:
         base, by = factor.base_and_power
         if factor.op == "number":
-            total *= factor.value
+            numbers.append(factor.value)
         else:
             powers[base] = powers[base] + by if base in powers else by
+    total = functools.reduce(operator.mul, numbers) if numbers else _ONE
     if not total:
         return ZERO
     parts = [base if by == 1 else power(base, by) for base, by in powers.items()]

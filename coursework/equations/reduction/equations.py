@@ -18,7 +18,7 @@ from coursework.equations.reduction.bound import STILL, Geometry, Speed, rate_of
 from coursework.equations.reduction.symbolic import Symbols, placed, symbol
 from coursework.equations.reduction.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
-from coursework.system.frozen import frozen
+from coursework.system.frozen import frozen, single
 from coursework.variant.formula.tree import Formula, FormulaFault, on_axes, spelled
 from coursework.variant.record.held import closed_loops, followed, unit_of
 from coursework.variant.record.variant import Constraint, Variant
@@ -29,7 +29,7 @@ Fact = TypeVar("Fact")
 _LONGEST_WRITTEN = 60  # characters of the longest expression inside a sentence
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@single
 class VelocityEquation:
     """`sum coefficients[u] u = right_side`; `written` holds both sides as in the file, None if derived from positions."""
 

@@ -8,13 +8,11 @@ To add a kind: write its record here, and make it in a group or from a link; mob
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class JointKind:
     """A kind of joint.
 

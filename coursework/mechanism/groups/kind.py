@@ -7,12 +7,11 @@ Used by the files of the kinds and `motion/geometry/chain.py`; other code meets 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import frozen, single
 from coursework.variant.formula.made import summed
 from coursework.variant.formula.tree import Formula, named, number
 from coursework.variant.record.variant import Group
@@ -38,7 +37,7 @@ class Known:
 Joints = Callable[["Group", Sequence[str], Sequence[str], Sequence[str]], tuple[Joint, ...]]
 
 
-@dataclass(frozen=True, slots=True, repr=False, eq=False)
+@single
 class GroupKind:
     """A kind of group.
 

@@ -6,7 +6,6 @@ Used by every group and by all code that calls one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -15,6 +14,7 @@ from numpy.typing import ArrayLike
 from coursework.mechanism.groups.assembly import numbers
 from coursework.mechanism.groups.plane import Vectors, rows_of, vectors
 from coursework.system.arrays import Array, as_columns
+from coursework.system.frozen import single
 
 STILL = (0.0, 0.0)
 
@@ -47,7 +47,7 @@ def count_rows(owner: str, **sizes: int) -> int:
     return next(iter(several.values()), 1)
 
 
-@dataclass(frozen=True, slots=True, init=False, eq=False)
+@single
 class Pair:
     """A joint, or any point, whose motion is known: the external pair of the textbook.
 
@@ -85,7 +85,7 @@ class Pair:
         return vectors(self.velocity), vectors(self.acceleration)
 
 
-@dataclass(frozen=True, slots=True, init=False, eq=False)
+@single
 class Guide:
     """A straight guide that may travel and turn.
 
@@ -127,7 +127,7 @@ class Guide:
         return count_rows("guide", **{name: len(getattr(self, name)) for name in turning}, K=self.through.rows)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@single
 class GroupMotion:
     """The motion of one group, with as many rows as the input.
 

@@ -8,13 +8,12 @@ cannot.  Source: R. E. Moore, Interval Analysis (1966); discs: I. Gargantini, P.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.system.arrays import Array, Flags
-from coursework.system.frozen import caching
+from coursework.system.frozen import caching, single
 from coursework.variant.formula.made import product_of
 from coursework.variant.formula.tree import Formula, factors
 from coursework.variant.record.variant import Law
@@ -26,7 +25,7 @@ _TOLD = 1e-18
 _LEAST = float(np.finfo(float).tiny)  # smallest `rest` of a law bounded by its values alone, so that it is not taken for 0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@single
 class Enclosure:
     """Bounds of a law on n stretches of time, each an array (n,).
 

@@ -161,11 +161,8 @@ def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
     order = sorted(range(len(named)), key=lambda k: (stands[k][0].cost, -width(named[k][0])))
     best = settle({}, order)
     least = cost(best)
-    free = sum(one[0].cost for one in stands)  # what all would cost if none met another
     everywhere = [(name, place) for name in order for place in range(len(stands[name]))]
     for k, place in 2 * everywhere:
-        if free - stands[k][0].cost + stands[k][place].cost >= least:
-            continue  # however the others stand
         met = masks[begins[k] + place]
         kept = {other: own for other, own in best.items() if other != k and not met >> begins[other] + own & 1}
         other = settle(kept | {k: place}, [name for name in order if name != k and name not in kept])

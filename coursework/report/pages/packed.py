@@ -53,6 +53,6 @@ def packed(content: bytes) -> bytes:
 
 
 def _stream(number: int, entries: bytes, content: bytes) -> bytes:
-    data = zlib.compress(content)  # the highest level would take 10 ms more to save a hundredth of the bytes
+    data = zlib.compress(content, 5)  # the next level takes half as long again to save four thousandths of the bytes
     head = b"%d 0 obj\n<<%s/Filter/FlateDecode/Length %d>>\nstream\n" % (number, entries, len(data))
     return head + data + b"\nendstream\nendobj\n\n"

@@ -71,7 +71,7 @@ class Words:
 
 def with_own_letters(text: str) -> str:
     """Return a sentence of the words file in which *h* is marked as a letter to be set italic."""
-    return _OWN_LETTER.sub(rf"{ITALIC[0]}\1{ITALIC[1]}", text)
+    return _OWN_LETTER.sub(rf"{ITALIC[0]}\1{ITALIC[1]}", text) if "*" in text else text
 
 
 def load_words(language: str = ENGLISH) -> Words:

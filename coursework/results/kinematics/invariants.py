@@ -15,7 +15,6 @@ functions ask for the stroke.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,10 +26,10 @@ from coursework.results.kinematics.analogs import (
     velocity_analog,
 )
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
+from coursework.system.frozen import frozen, single
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@single
 class Invariants:
     """a_k, b_k, c_k, each (n,) and without a unit, with the `stroke` S and the crank `angle` Phi (rad).
 

@@ -12,6 +12,7 @@ import operator
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import field
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from coursework.system.frozen import frozen
@@ -61,9 +62,13 @@ class Formula:
     @property
     def value(self) -> Fraction:
         """Return the exact value of a number node."""
-        return Fraction(self.name)
+        return _exact(self.name)
 
 
+_exact = lru_cache(maxsize=1024)(Fraction)  # a page asks for the values of a few numbers again and again
+
+
+@lru_cache(maxsize=1024)
 def number(value: Fraction | int) -> Formula:
     """Return the node of an exact number: a decimal if it has one that a double prints, else a quotient."""
     value = Fraction(value)

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.motion.singular import passing, walk
+from coursework.motion.singular import change_point, passing
 from coursework.motion.singular.event import GivenUp
 from coursework.motion.singular.explain import _away
 from coursework.motion.singular.peaks import Peaks, _highest
@@ -139,7 +139,7 @@ def test_a_start_that_is_singular_is_so_at_once(time, told):
 def test_a_change_point_may_be_missed_by_so_much(miss, tolerance, found, monkeypatch):
     looked = []
     crossing = 0.5, np.zeros(1), miss
-    monkeypatch.setattr(walk, "nearest_change_point", lambda *values: looked.append(values[-1]) or crossing)
+    monkeypatch.setattr(change_point, "nearest_change_point", lambda *values: looked.append(values[-1]) or crossing)
     flow = SimpleNamespace(slopes=lambda t, q, block: [1.0, 1.0])
     stand = SimpleNamespace(
         flow=flow, tolerance=tolerance, near=100 * tolerance**0.5, _determinants=lambda state: [0.0], _named=lambda kind, *_: kind
