@@ -15,7 +15,7 @@ from coursework.drawing.check_sheet.graph_words import centre_letter, lowered, o
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.layout import Layout
 from coursework.drawing.check_sheet.sketch import Body, Sketch
-from coursework.drawing.paper.symbols import decimal
+from coursework.drawing.paper.symbols import decimal, image
 from coursework.drawing.plans.plan_scale import READ, read_length
 from coursework.system.frozen import changing, frozen
 from coursework.words.sentence import Sentence
@@ -241,8 +241,6 @@ class _Ruler:
             size = abs(drawn[end] - drawn.get(start, 0j))
             length, scale = self.plan.scale.length(size, self.plan.has(start, end))
             read = read_length(length)
-            from coursework.drawing.plans.steps import image
-
             images = f"{image(start)}{image(end)}"
             name = images if start else f"p_v\u00a0{images}"
             relation = say("drawing.read.scaled", length=name, scale=decimal(scale))

@@ -61,6 +61,11 @@ def lowered_name(name: str) -> str:
     return (short(lettered(plain)) if _INDEXED.fullmatch(plain) else short(plain)) + prime
 
 
+def image(name: str) -> str:
+    """Return the letter of a point's image in a plan: the name in small letters, its digits as subscripts."""
+    return lowered_name(name).lower()
+
+
 def angle_word(name: str) -> tuple[str, str, str]:
     """Return the name of an angle as (text, subscript, ""): "phi1" is φ with 1, "phib" φ with b, "beta" β.
 

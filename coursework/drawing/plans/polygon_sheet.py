@@ -14,10 +14,10 @@ from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet
 from coursework.drawing.paper.sheet import width as width_of
-from coursework.drawing.paper.symbols import decimal, name_word, short
+from coursework.drawing.paper.symbols import decimal, image, name_word, short
 from coursework.drawing.plans.foot import FOOT, draw_foot
 from coursework.drawing.plans.plan_scale import LONGEST, SEEN, SMALL, arrows_of, scale_of, short_ones
-from coursework.drawing.plans.steps import image, steps
+from coursework.drawing.plans.steps import steps
 from coursework.drawing.plans.vectors import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say

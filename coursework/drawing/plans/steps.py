@@ -1,23 +1,18 @@
 """How a plan is drawn, step by step, as one writes it beside the drawing: lines, lengths in mm, values read off.
 
 Enters: `Polygons`, a plan, a row and its scale.  Leaves: sentences.
-Used by `polygon_sheet.py`, `readings.py` and `graph_words.py`.
+Used by `polygon_sheet.py` and `graph_words.py`.
 """
 
 from __future__ import annotations
 
-from coursework.drawing.paper.symbols import lowered_name
+from coursework.drawing.paper.symbols import image, lowered_name
 from coursework.drawing.plans.plan_scale import PlanScale, read_length
 from coursework.drawing.plans.vectors import ACCELERATION, POLE, VELOCITY, Found, Line, Polygons
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 READ_OFF = {"lines", "slide", "similar", "translates", "special"}  # rules after which a length is read off the plan
-
-
-def image(name: str) -> str:
-    """Return the letter of a point's image: the name in small letters, its digits as subscripts."""
-    return lowered_name(name).lower()
 
 
 def steps(found: Polygons, plan: str, row: int, scale: PlanScale) -> tuple[Sentence, ...]:

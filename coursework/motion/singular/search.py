@@ -44,13 +44,17 @@ class Search:
     repeats: bool = False
     goes_round: bool = False
 
+    @property
+    def goes_on(self) -> bool:
+        """Return whether the motion is known to go on to the end."""
+        return self.event is None and self.given_up is None
+
     def fastest(self, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
         """Return per coordinate the largest |rate| and its time (s), None for a constant rate; empty for a motion that stops.
 
         `turning` are the coordinates among which the fastest is wanted exactly.
         """
-        known = self.peaks is not None and self.event is None and self.given_up is None
-        return self.peaks.found(self.end, turning) if known and self.peaks is not None else ()
+        return self.peaks.found(self.end, turning) if self.goes_on and self.peaks is not None else ()
 
     def way_within(self, coordinate: int) -> Callable[[float], float]:
         """Return a function of a step (s): the longest path (rad) of a coordinate within it."""
