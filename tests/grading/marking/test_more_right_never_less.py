@@ -18,7 +18,7 @@ from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import Formula, spelled
 from tests.grading.marking import students
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import sign_faults, variants
+from tests.grading.marking.table.desks import sign_faults, variants
 from tests.grading.marking.told import found_in
 from tests.sample import first
 

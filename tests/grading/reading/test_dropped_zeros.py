@@ -13,7 +13,7 @@ from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.grading.reading.table.digits import FINEST, last_places
 from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.machines import SLIDER_CRANK
-from tests.grading.marking.table.test_equal_faults import Desk
+from tests.grading.marking.table.desks import Desk
 
 STEADY = SLIDER_CRANK.replace(b"w0 + eps*sin(3*t)", b"w0 + 0*eps")
 

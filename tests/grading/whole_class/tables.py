@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import sign_faults
+from tests.grading.marking.table.desks import sign_faults
 
 Make = Callable[[], np.ndarray]
 

@@ -160,33 +160,29 @@ class Judge:
         return max(senses, key=lambda marks: (marks.share, sum(mark.verdict in COUNTED for mark in marks.marks)))
 
     def _summed(self, found: Sequence[EquationMark], *, turned: bool = False) -> EquationMarks:
+        variant = self.key.variant
         marks = tuple(mark for mark in found if mark.verdict in COUNTED or not mark.line.may_be_datum)
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, any(mark is other for other in dependent)) for mark in marks)
-        if independent == len(self.key.variant.sought):  # all equations are there: other lines are none, but a drive is told
-            marks = tuple(mark for mark in marks if mark.verdict != "wrong" or self._names_any(mark.line) or self._law_of(mark))
-        wrong = [mark for mark in marks if mark.verdict == "wrong" and self._names_any(mark.line)]
+        if independent == len(variant.sought):  # all equations are there: other lines are none, but a drive is told
+            marks = tuple(m for m in marks if m.verdict != "wrong" or self._names_any(m) or law_of(m.line.difference, variant))
+        wrong = [mark for mark in marks if mark.verdict == "wrong" and self._names_any(mark)]
         different = differing(_trees(wrong), self.off_closure)
-        if different == len(wrong) == 2 and is_one_slip(_trees(wrong), _trees(counted), self.key.variant, self.off_closure):
+        if different == len(wrong) == 2 and is_one_slip(_trees(wrong), _trees(counted), variant, self.off_closure):
             marks = tuple(replace(mark, lack=say("feedback.lack.one_slip")) if mark is wrong[1] else mark for mark in marks)
-            independent, different = max(independent, len(self.key.variant.sought) - 1), 1
+            independent, different = max(independent, len(variant.sought) - 1), 1
         numbers = tuple(sorted(mark.line.line for mark in dependent))
-        return EquationMarks(marks, independent, len(self.key.variant.sought), numbers, different, turned=turned)
+        return EquationMarks(marks, independent, len(variant.sought), numbers, different, turned=turned)
 
-    def _names_any(self, line: EquationLine) -> bool:
+    def _names_any(self, mark: EquationMark) -> bool:
         """Return whether a line names a sought velocity; one that does not, as T = 2*pi/p, is none of the equations needed."""
-        return not {*self.key.variant.sought}.isdisjoint(line.difference.names())
-
-    def _law_of(self, mark: EquationMark) -> str:
-        return law_of({*mark.line.difference.names()}, self.key.variant)
+        return not {*self.key.variant.sought}.isdisjoint(mark.line.difference.names())
 
     def _turned_back(self, marks: Sequence[EquationMark]) -> tuple[EquationMark, ...] | None:
         """Return the marks with the sign of all angular velocities turned, None if that corrects no line."""
-        variant = self.key.variant
-        angular = frozenset(name for name in self.key.velocities if variant.unit_of(name) == "rad/s")
-        back = (self._mark(with_other_sign(mark.line, angular)) if mark.verdict in JUDGED else mark for mark in marks)
-        both = [*zip(marks, back, strict=True)]
+        angular = frozenset(name for name in self.key.velocities if self.key.variant.unit_of(name) == "rad/s")
+        both = [(mark, self._mark(with_other_sign(mark.line, angular)) if mark.verdict in JUDGED else mark) for mark in marks]
         if not any(before.verdict == "wrong" and after.verdict in COUNTED for before, after in both):
             return None
         return tuple(before if before.verdict == "wrong" == after.verdict else after for before, after in both)

@@ -5,7 +5,7 @@ Enters: marked lines, a `Probe`.  Leaves: a `Sentence` for each line.  Used by `
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -32,7 +32,7 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Varia
         if not named & {*variant.sought}:
             if verdict == "right" and not named & driven:
                 return say("feedback.lack.any_motion")
-            if verdict == "wrong" and (law := law_of(named, variant)):
+            if verdict == "wrong" and (law := law_of(tree, variant)):
                 return say("feedback.lack.drive", law=law)
             key = "position" if verdict == ON_CLOSURE else "no_velocity"
             return say(f"feedback.lack.{key}", names=tuple(variant.sought))
@@ -49,8 +49,9 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Varia
     return say("feedback.lack.repeats", place=same[0]) if same else say("feedback.lack.follows")
 
 
-def law_of(named: Set[str], variant: Variant) -> str:
+def law_of(tree: Formula, variant: Variant) -> str:
     """Return the law of the task for what a line gives as a function of time, "" if it gives no velocity that is driven."""
+    named = {*tree.names()}
     rest = {"t", *(one.name for one in variant.given)}
     laws = [law for law in variant.drive if law.formula is not None and law.name in named and named <= {law.name, *rest}]
     return f"{laws[0].name} = {spelled(laws[0].formula)}" if laws and laws[0].formula is not None else ""

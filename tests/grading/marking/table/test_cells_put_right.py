@@ -6,7 +6,7 @@ import pytest
 import coursework
 from coursework.grading.marking.table.ways import KEY
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import Desk, variants
+from tests.grading.marking.table.desks import Desk, variants
 from tests.grading.marking.test_more_right_never_less import earned
 
 PAIRS, MANY = 40, 60

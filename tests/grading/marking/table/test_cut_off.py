@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import NEAR, codes, variants, with_a_steady_drive
+from tests.grading.marking.table.desks import NEAR, codes, variants, with_a_steady_drive
 
 CUT = {"toward zero": np.trunc, "downwards": np.floor}
 LESS = np.arange(6, 20, 3)

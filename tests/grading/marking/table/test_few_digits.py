@@ -10,7 +10,7 @@ from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.earning import ROUNDED
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import Desk, close, codes
+from tests.grading.marking.table.desks import Desk, close, codes
 from tests.grading.marking.table.test_twelve_variants import desk_of
 from tests.grading.whole_class.tables import from_rows_before, slopes
 from tests.sample import first

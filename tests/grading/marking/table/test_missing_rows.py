@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.grading.marking.table.test_equal_faults import variants
+from tests.grading.marking.table.desks import variants
 from tests.grading.marking.table.test_no_work import MOST, NAMES, marker, share, without_work
 
 

@@ -12,7 +12,7 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.points import following, stands_still, table_points
 from coursework.variant.reading.reader import parse_variant
-from tests.grading.marking.table.test_equal_faults import Desk
+from tests.grading.marking.table.desks import Desk
 from tests.mechanisms.library import mechanism
 from tests.sample import first
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import NEAR, codes, variants
+from tests.grading.marking.table.desks import NEAR, codes, variants
 
 
 def _faults(machine):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.grading.marking.table.test_equal_faults import codes, variants
+from tests.grading.marking.table.desks import codes, variants
 
 
 def slip(t):

@@ -7,7 +7,7 @@ import mpmath as mp
 import pytest
 
 from coursework.variant.reading.reader import parse_variant
-from tests.grading.marking.table.test_equal_faults import Desk, codes
+from tests.grading.marking.table.desks import Desk, codes
 from tests.hard.drives import drawn, four_bar
 from tests.hard.edges import as_equations, of_four_bar, rate_of
 

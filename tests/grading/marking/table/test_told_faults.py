@@ -12,7 +12,7 @@ from coursework.grading.marking.table.causes.other_data import _values_read_off
 from coursework.grading.marking.table.ways import StudentTable
 from coursework.variant.formula.tree import spelled
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import Desk, close, codes, variants
+from tests.grading.marking.table.desks import Desk, close, codes, variants
 from tests.grading.scenes import variant_of
 
 

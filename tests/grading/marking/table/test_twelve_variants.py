@@ -10,7 +10,7 @@ import coursework
 from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.reading.equations.lines import read_lines
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import NEAR, Desk, close, sign_faults
+from tests.grading.marking.table.desks import NEAR, Desk, close, sign_faults
 from tests.grading.reading.notations import NOTATIONS, PLAIN, slips
 
 OF_EQUATIONS = 40

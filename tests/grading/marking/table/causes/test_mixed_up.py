@@ -12,8 +12,8 @@ from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.sentences import load_phrases
-from tests.grading.marking.machines import DEGREE, Machine
-from tests.grading.marking.table.test_equal_faults import SLIDER_CRANK, Desk, close, codes, of_each, variants
+from tests.grading.marking.machines import DEGREE, SLIDER_CRANK, Machine
+from tests.grading.marking.table.desks import Desk, close, codes, of_each, variants
 from tests.sample import diagonal
 
 

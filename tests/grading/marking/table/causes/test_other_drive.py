@@ -6,7 +6,7 @@ import pytest
 from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.machines import SLIDER_CRANK, Machine
 from tests.grading.marking.table.causes.test_clockwise import GEARED
-from tests.grading.marking.table.test_equal_faults import Desk, codes, with_a_steady_drive
+from tests.grading.marking.table.desks import Desk, codes, with_a_steady_drive
 
 LAWS = ["1.2*({})", "({})*(1 + 0.3*sin(5*t))", "({})**2", "({}) + 2*t", "0.7*({}) - 1"]
 

@@ -8,7 +8,7 @@ from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
 from coursework.words.sentences import load_phrases
 from tests.grading.marking.machines import Machine
-from tests.grading.marking.table.test_equal_faults import codes, variants
+from tests.grading.marking.table.desks import codes, variants
 
 
 @pytest.mark.parametrize(("mine", "other"), [(0, 1), (1, 0), (2, 3), (3, 2)])

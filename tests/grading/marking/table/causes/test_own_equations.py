@@ -12,8 +12,8 @@ from coursework.grading.marking.table.causes.own_equations import _independent, 
 from coursework.variant.formula.reader import parse
 from tests.grading.marking import students
 from tests.grading.marking.machines import Machine
+from tests.grading.marking.table.desks import Desk, codes
 from tests.grading.marking.table.test_cells import printed
-from tests.grading.marking.table.test_equal_faults import Desk, codes
 
 LINES = {  # of variant 31, left - right
     "11": "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)", "12": "2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4",
