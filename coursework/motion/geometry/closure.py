@@ -108,7 +108,7 @@ class Closure:
         times, positions = self.configurations
         kept, known = (part.copy() for part in self.targets(times))
         for values, is_driven in (
-            (kept, np.array([bool(name) for name in self.drives])),
+            (kept, np.array([bool(name) for name in self.drives], dtype=bool)),
             (known, np.ones(len(self.driven), bool)),
         ):
             waits = is_driven & (np.ptp(values, axis=0) <= _WAITING * self.scale)
