@@ -8,6 +8,8 @@ from tests.mechanisms.library import changed, mechanism
 
 # A four-bar whose angles are counted clockwise.
 CLOCKWISE = mechanism("clockwise-four-bar")
+# A link to the slider, which starts from rest: an arm that grows, and turns no more than two points that stand still.
+TO_SLIDER = "[[group]]", 'S = "(x, 0)"\n[[group]]'
 MASSES = '[masses]\n2 = { mass = "1 kg", inertia = "rod" }\n'
 
 
@@ -21,6 +23,9 @@ def closure(text, *slips):
         (mechanism("chebyshev"), "2", [('"P"], rate = "w2"', '"P"], rate = "w3"')]),
         (CLOCKWISE, "3", [('["D", "C"], rate = "w3"', '["D", "C"], rate = "w1"')]),
         (CLOCKWISE, "2", [("[ask]", f"{MASSES}[ask]")]),  # forces count a rate as vectors do
+        (CLOCKWISE, "1", [('D = "(d, 0)"', 'D = "(0.32, 0)"'), ('["A", "B"]', '["A", "D"]')]),
+        (mechanism("driven-slider"), "1", [TO_SLIDER, ("[frame]", '[links]\n1 = { points = ["A", "S"], rate = "w2" }\n[frame]')]),
+        (mechanism("robot-arm"), "2", [('["A", "M"], rate = "w2"', '["A", "M"], rate = "w1"')]),
         # The wheel would roll the wrong way: equation and position equation agree, its pin does not.
         (
             mechanism("epicyclic"),
