@@ -1,8 +1,9 @@
 """Whether each link turns at its stated rate: its points, its rolling contact and the bar it slides on must agree with it.
 
-Enters: velocity equations and their closure.  Leaves: nothing.  Raises `InputError` naming each link whose `rate` is another's.
-Used by `unseen_signs.py`.  A rate named for the wrong link or a wheel that would slip, if no position equation uses it, changes
-no column of the table, but it changes the velocity plan and the forces.
+Enters: velocity equations and their closure, or rows of a motion.  Leaves: what [points] say otherwise than written equations and
+drives.  Raises `InputError` naming each link whose `rate` is another's.  Used by `unseen_signs.py`, `equations.py`.
+A rate named for the wrong link or a wheel that would slip, if no position equation uses it, changes no column of the table, but
+it changes the velocity plan and the forces.
 
 An angle may be counted clockwise; its whole link then turns at minus the rate.  Where a rate meets other links or forces, it
 counts as vectors do: counter-clockwise.
@@ -14,17 +15,21 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.equations.reduction.bound import Turn
+from coursework.equations.reduction.bound import Speed, Turn, rate_of, speed_of
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.agreement import given_by_geometry, gives, looked_at
-from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.closure import Closure, largest_length
 from coursework.motion.geometry.misfits import row_of
 from coursework.system.arrays import Array
+from coursework.variant.record.held import velocities_of_points
 from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _TOLERANCE = 1e-6  # share of the largest rate: far above round-off, far below the difference from another link's rate
+# Without position equations the start may be rounded: share of a velocity that tells apart, and of its largest value that moves.
+_APART, _MOVING = 0.05, 0.05
 
 
 def require_turning(equations: VelocityEquations, closure: Closure, rigid: bool) -> None:
@@ -57,6 +62,48 @@ def require_turning(equations: VelocityEquations, closure: Closure, rigid: bool)
             faults.append(fault)
     if faults:
         raise InputError(faults)
+
+
+def said_otherwise(equations: VelocityEquations, times: Array, positions: Array) -> list[Sentence]:
+    """Return which links turn, or else which driven points move, by [points] otherwise than the file says, in rows (n, m).
+
+    For files without position equations: the velocities are those of the written equations.  Links are judged whose points
+    keep their distance wherever the coordinates are.
+    """
+    variant, vectors = equations.variant, equations.symbols.vectors
+    turns = equations.geometry.turns()
+    pairs: list[tuple[Speed, Speed]] = [(turn.found, turn.named) for turn in turns]
+    driven = velocities_of_points(variant)
+    pairs += [
+        (rate_of(vectors[point]["xy".index(axis)], variant, equations.symbols), speed_of(law, variant.sought))
+        for law, (point, axis) in driven.items()
+    ]
+    if not pairs:
+        return []
+    every = [*given_by_geometry(equations), *equations.equations]
+    rows = [row_of(speed) for speed in (*(turn.grows for turn in turns), *(speed for pair in pairs for speed in pair))]
+    matrix, right, _ = compile_system(equations, [*every, *rows]).matrices(times, positions)
+    velocities = np.linalg.pinv(matrix[:, : len(every)]) @ right[:, : len(every), None]
+    grows = np.max(np.abs(np.concatenate([matrix, right[:, :, None]], axis=2)), axis=(0, 2), initial=0.0)[len(every) :]
+    first = len(every) + len(turns)
+    both = (matrix[:, first:] @ velocities)[:, :, 0] - right[:, first:]
+    terms = np.max((np.abs(matrix[:, first:]) @ np.abs(velocities))[:, :, 0] + np.abs(right[:, first:]), initial=0.0)
+    links, points = [], []
+    for place, (one, other) in enumerate(both.T.reshape(-1, 2, len(times))):
+        size = np.maximum(np.abs(one), np.abs(other))
+        row = int(np.argmax(size > _MOVING * np.max(size)))  # the first in which it moves: later ones drift
+        senses = (-1, 1) if place < len(turns) and not _counted_as_vectors(turns[place].link, equations) else (1,)
+        least = max(_APART * size[row], _TOLERANCE * terms)
+        apart = all(abs(one[row] - sense * other[row]) > least for sense in senses)
+        if not apart or (place < len(turns) and grows[place] > _TOLERANCE * largest_length(variant) ** 2):
+            continue
+        known = {"found": float(one[row]), "named": float(other[row]), "time": float(times[row])}
+        if place < len(turns):
+            links.append(say("check.AGREEMENT.turns", link=turns[place].link, rate=turns[place].rate, **known))
+        else:
+            law, (point, axis) = [*driven.items()][place - len(turns)]
+            points.append(say("check.AGREEMENT.moves", point=point, axis=axis, rate=law, **known))
+    return links or points
 
 
 def _of_link(

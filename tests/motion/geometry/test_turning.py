@@ -1,5 +1,7 @@
 """A link whose rate is another's, or whose wheel would slip, is told by name; a sense counted clockwise is none of that."""
 
+import re
+
 import pytest
 
 import coursework
@@ -62,3 +64,17 @@ def test_other_data_of_one_template_are_judged_too():
 
 def test_points_in_one_place_do_not_tell_how_their_link_turns():
     assert closure(CLOCKWISE, ("[links]", 'E = "C + 0*(C - D)"\n[links]\n9 = { points = ["C", "E"], rate = "w2" }')) is not None
+
+
+@pytest.mark.parametrize(
+    ("slips", "told"),
+    [
+        ([], r"Link 2 turns at \S+ rad/s at t = 0\.025 s .* its rate w2 is"),
+        ([('2 = { points = ["A", "M"], rate = "w2" }\n', "")], "M moves along x at"),
+        ([("VMx + r2*w2", "VMx - r2*w2")], "Link 2 turns at"),
+    ],
+)
+def test_points_that_move_otherwise_than_the_file_says_are_told_where_no_position_is_held(slips, told):
+    """The hand stands still at the start.  As no point depends on phi2, the drive cannot hold the hand."""
+    text = mechanism("robot-arm", ('[closure]\ndriven = "M"\n', ""), ('M = "A + r2 @ phi2"', 'M = "A + r2 @ phi1"'), *slips)
+    assert re.match(told, str(coursework.solve(parse_variant(text, "mine")).summary))
