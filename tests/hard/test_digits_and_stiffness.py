@@ -126,10 +126,36 @@ def test_a_refinement_that_jumps_about_is_noticed(place):
 
 
 @pytest.mark.parametrize(
-    ("share", "told"), [(9.99, "999.0\xa0%"), (10, "10 × 100 %"), (9e5, "9e+05 × 100 %"), (1e6, "more than 1,000,000 × 100 %")]
+    ("share", "told"),
+    [(9.99, "999.0 %"), (10, "1,000 %"), (99.9, "9,990 %"), (100, "more than 10,000 %"), (5170, "more than 10,000 %")],
 )
 def test_an_error_is_no_number_of_a_hundred_digits(share, told):
     assert percent(share).replace("\xa0", " ") == told.replace("\xa0", " ")
+
+
+@pytest.mark.parametrize(
+    ("step", "verdict", "told"),
+    [
+        (
+            0.1,
+            "PASS",
+            r"Equation 1 divides by cos\(a\), which passes zero at t = 1\.57\d* s, between rows 16 and 17: .* Write it without",
+        ),
+        (math.pi / 20, "FAIL", r"Equation 1 divides by cos\(a\), which is zero in row 11 \(t = 1\.5708 s\): there it says 0/0"),
+    ],
+)
+def test_an_equation_that_is_nothing_by_nothing_is_told_with_its_time(step, verdict, told):
+    """A universal joint: both shafts stand at 90 degrees at once, and the square of a cosine shows no side."""
+    shafts = 'a = { start = "0 rad", rate = "wa" }\nb = { start = "0 rad", rate = "wb" }'
+    text = scene(
+        shafts, given='k = "0.5 rad"', drive='wa = "1 rad/s"', step=step, end=3.0, equations=["wb = wa*cos(k)*(cos(b)/cos(a))^2"]
+    )
+    found = check(solve(text), "CONDITION")
+    assert found.verdict == verdict
+    assert re.search(told, found.sentence)
+    assert re.match(told, found.headline)
+    plain = solve(text.replace("wb = wa*cos(k)*(cos(b)/cos(a))^2", "wb*(1 - sin(k)^2*sin(a)^2) = wa*cos(k)"))
+    assert "divides" not in check(plain, "CONDITION").sentence
 
 
 @pytest.mark.parametrize(("end", "is_known"), [(10.0, True), (25.0, False)])

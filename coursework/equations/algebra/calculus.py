@@ -155,6 +155,16 @@ def without_denominators(parts: Sequence[Expression], about: frozenset[Expressio
     ]
 
 
+def divisors(part: Expression) -> list[Expression]:
+    """Return by what an expression divides, in any part of it; a tangent divides by its cosine."""
+    found = (cosine(one.args[0]) if one.op == "tan" else one.args[0] for one in part.walk() if one.op == "tan" or _divides(one))
+    return [*dict.fromkeys(found)]
+
+
+def _divides(part: Expression) -> bool:
+    return part.op == "^" and part.args[1].is_negative
+
+
 def _by_sines(part: Expression, about: frozenset[Expression]) -> Expression:
     """Return an expression in which no tangent depends on `about`."""
     if about.isdisjoint(part.free_symbols) or not part.args:

@@ -184,7 +184,7 @@ class Geometry:
         points = [*link.points, *([link.wheel] if link.wheel else [])]
         for other in points[1:]:
             arm = vectors[other][0] - vectors[points[0]][0], vectors[other][1] - vectors[points[0]][1]
-            if any(part.free_symbols for part in arm):
+            if arm != (ZERO, ZERO):
                 gap = _minus(self._moved(vectors[other]), self._moved(vectors[points[0]]))
                 zero = STILL.plus(gap[1], arm[0]).plus(gap[0], -arm[1]).plus(rate, -(arm[0] ** 2 + arm[1] ** 2))
                 yield zero, STILL.plus(gap[0], arm[0]).plus(gap[1], arm[1])

@@ -59,21 +59,22 @@ def require_agreement(equations: VelocityEquations, closure: Closure) -> Agreeme
         return Agreement()
     zeros = tuple(given.name for given in equations.variant.given if not given.value)
     always = equations.once(("agreed", zeros), lambda: _whatever_the_data(equations, closure))
-    return _judged(equations, *_looked_at(equations, closure)) if always is None else always
+    return _judged(equations, *looked_at(equations, closure)) if always is None else always
 
 
 def agrees(equations: VelocityEquations, closure: Closure) -> bool:
     """Return whether the geometry confirms every written equation for the given data.  Raises `InputError` as above."""
-    return not _judged(equations, *_looked_at(equations, closure)).unjudged
+    return not _judged(equations, *looked_at(equations, closure)).unjudged
 
 
-def _looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Array]:
-    """Return times and closed positions at which equations are compared; positions of no time only if none depends on it."""
-    near = closure.configurations
-    if len(closure.driven) + sum(map(bool, closure.drives)) < 2 or _depends_on_time(equations):
-        return near
-    times, positions = closure.stirred
-    return np.concatenate([near[0], times]), np.concatenate([near[1], positions])
+def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Array]:
+    """Return times and closed positions at which velocities are compared; positions of no time only if none depends on it."""
+    times, positions = closure.configurations
+    if _depends_on_time(equations):
+        return times, positions
+    if len(closure.driven) + sum(map(bool, closure.drives)) > 1:
+        times, positions = (np.concatenate(pair) for pair in zip((times, positions), closure.stirred, strict=True))
+    return _with_drives_on(equations, times, positions)
 
 
 def _depends_on_time(equations: VelocityEquations) -> bool:
@@ -101,7 +102,7 @@ def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreem
         others = replace(equations, variant=replace(variant, given=given))
         near = compile_closure(others, closure.start.tolist())
         if near is not None and len(near.configurations[0]) == CONFIGURATIONS:
-            return _judged(others, *_looked_at(others, near))
+            return _judged(others, *looked_at(others, near))
     return None
 
 
@@ -124,7 +125,6 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     written = [equation for equation in equations.equations if equation.written and equation.coefficients]
     derived = given_by_geometry(equations)
     first = len(derived)
-    times, positions = _with_drives_on(equations, times, positions)
     matrix, right, _ = compile_system(equations, [*derived, *written]).matrices(times, positions)
     every = np.concatenate([matrix, right[:, :, None]], axis=2)
     scale = np.max(np.abs(every), axis=1, keepdims=True, initial=0.0)
@@ -162,7 +162,7 @@ def _with_drives_on(equations: VelocityEquations, times: Array, positions: Array
     nothing else depends on time.
     """
     variant, laws = equations.variant, [law.name for law in equations.variant.drive]
-    if not laws or _depends_on_time(equations):
+    if not laws:
         return times, positions
     changes = np.array([0.0, *(time for time in breaks(variant) if time < variant.time.end), variant.time.end])
     looked = np.concatenate([np.linspace(0.0, variant.time.end, _LOOKS), (changes[1:] + changes[:-1]) / 2])

@@ -33,7 +33,7 @@ MAX_NEWTON = 25
 FARTHEST, SETTLED, SHRINKING, CLOSED = 10.0, 1e-15, 1e-11, 1e-9
 _REMEMBERED = 4  # grids of times kept in the cache: a table, its exact rows and its checks ask for the same grid
 # Number of times at which a drive that waits is looked at, and the share of the largest length (or rad) that counts as waiting.
-_LATER, _WAITING = 201, 1e-6
+_LATER, _WAITING = 201, 1e-3
 _STIRRED = 1e-2  # rad or m from one configuration to the next
 CONFIGURATIONS = 5  # number of positions near the start at which equations and links are judged
 MOST_COMBINED = 12  # largest number of equations for which sums and differences of pairs are tried
@@ -108,7 +108,7 @@ class Closure:
         times, positions = self.configurations
         kept, known = (part.copy() for part in self.targets(times))
         for values, is_driven in (
-            (kept, np.array([bool(name) for name in self.drives])),
+            (kept, np.array([bool(name) for name in self.drives], dtype=bool)),
             (known, np.ones(len(self.driven), bool)),
         ):
             waits = is_driven & (np.ptp(values, axis=0) <= _WAITING * self.scale)

@@ -38,18 +38,23 @@ _TOLERANCE = 1e-6  # share of the largest length, or of a distance moved: far ab
 _ROUND_OFF = 1e-9  # share of the largest length
 
 
-def require_rigid(equations: VelocityEquations, closure: Closure) -> None:
-    """Raise `InputError` if links or the frame contradict the points; with other data or another start they may do so."""
+def require_rigid(equations: VelocityEquations, closure: Closure) -> bool:
+    """Return whether links keep their shape, growing arms apart; with other data or another start they may not.
+
+    Raises `InputError` if links or the frame contradict the points.
+    """
     variant = equations.variant
     if _contradictory(closure) or not (
         variant.links or variant.frame.rails or any(_may_move(name, variant) for name in variant.frame.hinges)
     ):
-        return
-    if faults := _faults(equations, closure):
+        return False
+    faults = _faults(equations, closure)
+    if faults:
         # Residuals of the start are kept and may change distances: a fault counts only if it remains once the start closes.
         near = with_closed_loops(closure)[0] or with_closed_loops(closure, OPEN * closure.scale)[0]
         if near is not None and _faults(equations, near):
             raise InputError(faults)
+    return not faults
 
 
 def _contradictory(closure: Closure) -> bool:
@@ -267,7 +272,9 @@ class _Seen:
 
     def _grows(self, one: str, other: str) -> bool:
         """Return whether two points are the ends of a growing arm: one vector in [points], or as long as a coordinate."""
-        if any(self._keeps(self.apart(one, other) + sign * length) for length in self.growing for sign in (-1, 1)):
+        apart = self.apart(one, other)
+        least = _TOLERANCE * np.ptp(apart) + _ROUND_OFF * self.scale
+        if any(np.ptp(apart + sign * length) <= least for length in self.growing for sign in (-1, 1)):
             return True
         placed = dict(self.variant.points)
         return any(

@@ -39,8 +39,8 @@ def judged(equations: VelocityEquations, closure: Closure | None) -> Closure | N
         require_loops_closed(equations, closure)
         require_rigid(equations, closure)
         raise
-    require_rigid(equations, closure)
-    require_turning(equations, closure)
+    rigid = require_rigid(equations, closure)
+    require_turning(equations, closure, rigid)
     closure = replace(closure, agreed=found.agreed, unjudged=found.unjudged)
     return replace(closure, unseen=_unseen_signs(equations, closure))
 

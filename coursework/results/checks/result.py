@@ -22,8 +22,8 @@ Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
 OF_THE_SCALE = "unit.of_the_scale"
 OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
 _DECIMALS = {OF_POWER: 3, DIGITS_LEFT: 1}
-# From `_MANY` percent on a share is shown as a multiple, from `_MOST` on as "more than": nobody compares such numbers.
-_MANY, _MOST = 1000.0, 1e6
+# From `_MANY` percent on a share is shown without decimals, from `_MOST` on as "more than": nobody compares such numbers.
+_MANY, _MOST = 1000.0, 1e4
 # The order in which verdicts are counted and shown.
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
@@ -140,12 +140,12 @@ def beside(unit: str, value: float) -> str:
 
 
 def percent(share: float) -> Sentence:
-    """Return a share in percent: with one decimal, small ones with two digits; as a multiple from a thousand percent on."""
+    """Return a share in percent: with one decimal, small ones with two digits, large ones with no decimals."""
     value = 100 * share
-    if share >= _MOST:
+    if value >= _MOST:
         return say("amount.share_beyond", value=_MOST)
     if value >= _MANY:
-        return say("amount.share_times", value=share)
+        return say("amount.share_many", value=value)
     if 0 < value < 1e-4:
         return say("amount.share_below", value=1e-4)
     return say("amount.share" if value >= 0.05 else "amount.share_two", value=value)

@@ -14,6 +14,8 @@ CYLINDER = mechanism(
     "boom", ('points = ["B"], rate = "w2"', 'points = ["B", "C"], rate = "w2"'),
     ('3 = { points = ["C"], slides = 2, rate = "w2" }\n', ""),
 )  # fmt: skip
+# A slider that starts from rest, almost as far from a hinge as its coordinate says.
+BESIDE = ("[[group]]", 'S = "(x, 0)"\n[[group]]'), ('A = "(0, 0)"', 'A = "(0, 0.001)"')
 
 
 @pytest.mark.parametrize("text", [TRAMMEL, CYLINDER], ids=["trammel", "cylinder"])
@@ -56,13 +58,28 @@ def test_wheels_that_roll_on_each_other_need_no_circle():
             ('"A", angle = "0", offset', '"A", angle = "0.5", offset'),
             r"V316 .*through C lies at 0°, and C moves along (28\.6479|-151\.352)°",
         ),
+        (
+            mechanism("driven-slider", *BESIDE),
+            ("[frame]", '[links]\n1 = { points = ["A", "S"] }\n[frame]'),
+            r"V314 .*A and S of link 1 are .* keep their distance\.",
+        ),
         (TRAMMEL, ('through = "B", angle = "90 deg"', 'through = "E", angle = "90 deg"'), "V316 .*E leaves that line"),
         (mechanism("epicyclic"), ('radius = "R0"', 'radius = "1.01*R0"'), "V317 .*radius of 0.1.* contact P is 0.1"),
         (mechanism("31"), ('P = "C - (0, r3/2)"', 'P = "C - (r3/20, r3/2)"'), "V318 .*wheel 4 .*from C to P"),
         (mechanism("31"), ('hinges = ["D"]', 'hinges = ["D", "A"]'), "V319 .*A moves: at t = .*Take it out of hinges"),
         (mechanism("epicyclic"), ('P = "O + R0 @ phi1"', 'P = "O + R0 @ (phi1 + 0.01)"'), "V318 .*wheel 2 .*from C to P"),
     ],
-    ids=["link", "rail", "slope", "curved", "circle", "contact on a rail", "moving hinge", "contact in a ring"],
+    ids=[
+        "link",
+        "rail",
+        "slope",
+        "almost as long as a coordinate",
+        "curved",
+        "circle",
+        "contact on a rail",
+        "moving hinge",
+        "contact in a ring",
+    ],
 )
 def test_a_link_or_frame_that_contradicts_the_points_is_told(text, slip, told):
     with pytest.raises(coursework.InputError, match=told):

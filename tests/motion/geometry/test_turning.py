@@ -1,5 +1,7 @@
 """A link whose rate is another's, or whose wheel would slip, is told by name; a sense counted clockwise is none of that."""
 
+import re
+
 import pytest
 
 import coursework
@@ -8,6 +10,8 @@ from tests.mechanisms.library import changed, mechanism
 
 # A four-bar whose angles are counted clockwise.
 CLOCKWISE = mechanism("clockwise-four-bar")
+# A link to the slider, which starts from rest: an arm that grows, and turns no more than two points that stand still.
+TO_SLIDER = "[[group]]", 'S = "(x, 0)"\n[[group]]'
 MASSES = '[masses]\n2 = { mass = "1 kg", inertia = "rod" }\n'
 
 
@@ -21,6 +25,9 @@ def closure(text, *slips):
         (mechanism("chebyshev"), "2", [('"P"], rate = "w2"', '"P"], rate = "w3"')]),
         (CLOCKWISE, "3", [('["D", "C"], rate = "w3"', '["D", "C"], rate = "w1"')]),
         (CLOCKWISE, "2", [("[ask]", f"{MASSES}[ask]")]),  # forces count a rate as vectors do
+        (CLOCKWISE, "1", [('D = "(d, 0)"', 'D = "(0.32, 0)"'), ('["A", "B"]', '["A", "D"]')]),
+        (mechanism("driven-slider"), "1", [TO_SLIDER, ("[frame]", '[links]\n1 = { points = ["A", "S"], rate = "w2" }\n[frame]')]),
+        (mechanism("robot-arm"), "2", [('["A", "M"], rate = "w2"', '["A", "M"], rate = "w1"')]),
         # The wheel would roll the wrong way: equation and position equation agree, its pin does not.
         (
             mechanism("epicyclic"),
@@ -57,3 +64,17 @@ def test_other_data_of_one_template_are_judged_too():
 
 def test_points_in_one_place_do_not_tell_how_their_link_turns():
     assert closure(CLOCKWISE, ("[links]", 'E = "C + 0*(C - D)"\n[links]\n9 = { points = ["C", "E"], rate = "w2" }')) is not None
+
+
+@pytest.mark.parametrize(
+    ("slips", "told"),
+    [
+        ([], r"Link 2 turns at \S+ rad/s at t = 0\.025 s .* its rate w2 is"),
+        ([('2 = { points = ["A", "M"], rate = "w2" }\n', "")], "M moves along x at"),
+        ([("VMx + r2*w2", "VMx - r2*w2")], "Link 2 turns at"),
+    ],
+)
+def test_points_that_move_otherwise_than_the_file_says_are_told_where_no_position_is_held(slips, told):
+    """The hand stands still at the start.  As no point depends on phi2, the drive cannot hold the hand."""
+    text = mechanism("robot-arm", ('[closure]\ndriven = "M"\n', ""), ('M = "A + r2 @ phi2"', 'M = "A + r2 @ phi1"'), *slips)
+    assert re.match(told, str(coursework.solve(parse_variant(text, "mine")).summary))

@@ -5,22 +5,24 @@ Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 
 from coursework.equations.algebra.expression import Expression
-from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.magnitude import largest
 from coursework.equations.reduction.system import compile_system
 from coursework.equations.reduction.tidy import as_formula
 from coursework.motion.integration.integrate import WIDEST_STEP
-from coursework.results.checks.evidence import Evidence
+from coursework.results.checks.computed_right.divided import DIGITS, FEWEST, division
+from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, floored, skipped
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 from coursework.words.sentences import joined, say
 
-# A double has sixteen digits; six are more than any table of the coursework shows.
-DIGITS, FEWEST = 16.0, 6.0
 # Ruiz' scaling settles to a few percent after this many rounds, which is enough for a condition number.
 _ROUNDS = 8
 _ROUNDING = 1e-9
@@ -36,10 +38,23 @@ def condition(evidence: Evidence) -> Finding:
 
 
 def _condition(evidence: Evidence) -> Finding:
-    motion, variant = evidence.motion, evidence.variant
     used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
     if not used:
         return skipped(say("check.CONDITION.nothing"))
+    found, divided = _of_equations(evidence, used), division(evidence, used)
+    if divided is None:
+        return found
+    known = {"name": divided.equation, "by": divided.by, "row": divided.row, "time": divided.time}
+    if divided.digits < FEWEST:
+        told, unit = say("check.CONDITION.nothing_left", **known), say("unit.digits", number=divided.digits)
+        return Finding("FAIL", told, divided.digits, FEWEST, unit, None, divided.row, headline=told)
+    told = say("check.CONDITION.divided", after=divided.row + 1, **known)
+    is_close = evidence.compared and np.max(np.abs(evidence.errors), initial=0.0) <= LIMIT
+    return replace(found, sentence=joined([found.sentence, told]), headline="" if is_close else told)
+
+
+def _of_equations(evidence: Evidence, used: Sequence[VelocityEquation]) -> Finding:
+    motion, variant = evidence.motion, evidence.variant
     system = compile_system(evidence.equations, used)
     matrix, _, _ = system.matrices(motion.t, motion.coordinates)
     sizes = np.max(np.abs(matrix), axis=0)

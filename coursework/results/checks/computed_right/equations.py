@@ -16,6 +16,7 @@ from coursework.mechanism.proposal import proposals
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.misfits import misfits
 from coursework.motion.geometry.rigid import may_be_hinges
+from coursework.motion.geometry.turning import said_otherwise
 from coursework.results.checks.evidence import Evidence, worst
 from coursework.results.checks.result import Finding, skipped
 from coursework.words.sentence import Sentence
@@ -88,12 +89,16 @@ def agreement(evidence: Evidence) -> Finding:
 
 
 def _doubted(evidence: Evidence, found: Finding) -> Finding:
-    """Return the finding about equations that no position equation judges, with those first that do not fit the links."""
+    """Return the finding about equations that no position equation judges, with what does not fit the links first."""
     motion = evidence.motion
-    _, unfit = misfits(evidence.equations, motion.t, motion.coordinates) if len(motion.t) else ((), ())
-    if not unfit:
+    if not len(motion.t):
         return found
-    told = say_count("check.AGREEMENT.unfit", len(unfit), names=unfit)
+    if unfit := misfits(evidence.equations, motion.t, motion.coordinates)[1]:
+        told = say_count("check.AGREEMENT.unfit", len(unfit), names=unfit)
+    elif otherwise := said_otherwise(evidence.equations, motion.t, motion.coordinates):
+        told = joined(otherwise)
+    else:
+        return found
     return replace(found, sentence=joined([told, found.sentence]), headline=told)
 
 
