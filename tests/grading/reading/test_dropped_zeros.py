@@ -14,6 +14,7 @@ from coursework.grading.reading.table.digits import FINEST, last_places
 from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.machines import SLIDER_CRANK
 from tests.grading.marking.table.desks import Desk
+from tests.mechanisms.library import mechanism
 
 STEADY = SLIDER_CRANK.replace(b"w0 + eps*sin(3*t)", b"w0 + 0*eps")
 
@@ -76,6 +77,16 @@ def test_a_jump_in_a_steady_column_takes_no_digits_from_it(step):
     files = (submitted_file("table.csv", "\n".join(lines).encode()),)
     grade = Marker(desk.key, Rubric()).grade(read_submission(Submission("a", None, files), desk.expected))
     assert not grade.table.cells.too_coarse.any()
+
+
+def test_zeros_that_the_key_has_too_tell_nothing_of_how_coarse_a_column_is():
+    """Steps of exactly 1 rad from 0.01 instead of 0: a last mistyped cell put right left only zeros and took all cells along."""
+    desk = Desk(parse_variant(mechanism("crank").encode(), "own.toml", {}))
+    turned = [0.0, *(row + 0.01 for row in range(1, 10))]
+    tables = [np.column_stack([[*turned, last], np.full(11, 10.0)]) for last in (9.702, 10.0)]
+    worse, better = (desk.marked(table, equations=None, digits=3) for table in tables)
+    assert not better[1].cells.missing.any()
+    assert better[0] > worse[0] > 50
 
 
 def test_a_column_that_is_printed_coarser_than_those_beside_it_is_coarse():

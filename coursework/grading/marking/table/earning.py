@@ -14,9 +14,10 @@ from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
 from coursework.grading.marking.table.causes.hypotheses import NO_VELOCITIES, PI_ROUNDED, RADIAN_MODE
-from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Fit, Found
+from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
+from coursework.grading.marking.table.explained import Fit
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart
 from coursework.system.arrays import Array
@@ -63,18 +64,22 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
 
     Rounded velocities or a rounded π explain some of any steps, and another origin some of any angles; each counts only if it
     explains nearly all and no other cause explains more.
+    What explains no more than Euler's rules do counts as a wrong method, which is worth least: cells put right make these rules
+    explain more, and must not take what the cause was worth where the gates let the cells earn less.
     """
-    most = max((fit.share for fit in found.fits), default=0.0)
-    copied = max((fit.share for fit in found.fits if fit.code.startswith("variant_")), default=0.0)
+    beyond = [fit for fit in found.fits if fit.beyond_euler]
+    most = max((fit.share for fit in beyond), default=0.0)
+    copied = max((fit.share for fit in beyond if fit.code.startswith("variant_")), default=0.0)
     for fit in found.fits:
-        if fit.share < copied:
+        worth = _worth(rubric, fit)
+        if fit.share < copied or not (fit.beyond_euler or worth <= rubric.misconception_floor):
             continue
         if fit.code == OWN:
             yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
         elif not fit.code.startswith("variant_") and (
             fit.share >= max(NAMED, most - TIE) or not fit.code.startswith((*_COARSER, causes.ORIGIN))
         ):
-            yield _earned("misconception", points, fit.share, _worth(rubric, fit), fit.code)
+            yield _earned("misconception", points, fit.share, worth, fit.code)
 
 
 def _worth(rubric: Rubric, fit: Fit) -> float:

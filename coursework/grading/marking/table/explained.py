@@ -1,6 +1,7 @@
 """How much of a table something explains, behind the gates of the points.
 
-Enters: marked cells, where an explanation holds.  Leaves: a share of the cells.  Used by `misconceptions.py` and `whole.py`.
+Enters: marked cells, where an explanation holds.  Leaves: `Fit`, shares of the cells.
+Used by `misconceptions.py`, `earning.py`, `whole.py`.
 """
 
 from __future__ import annotations
@@ -23,10 +24,24 @@ from coursework.grading.marking.table.points import (
 from coursework.grading.marking.table.untold import but
 from coursework.grading.marking.table.ways import KEY, Places
 from coursework.system.arrays import Flags
-from coursework.system.frozen import caching
+from coursework.system.frozen import caching, frozen
 
 # Part of the velocities that must be explained before a row counts as one in which a cell was put right.
 _MOSTLY = 0.5
+
+
+@frozen
+class Fit:
+    """A hypothesis (`code`) and the share of the cells that it or the key explains, with the gates of the points.
+
+    For steps of another length only velocities count: the steps are wrong, whichever of their rows are on the grid.
+    `beyond_euler`: it explains more than Euler's rules do.
+    """
+
+    code: str
+    share: float
+    names: tuple[str, ...] = ()
+    beyond_euler: bool = True
 
 
 @caching

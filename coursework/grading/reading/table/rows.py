@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
+from statistics import fmean, median_low
 
 from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.numbers import PrintedNumber
@@ -18,6 +20,7 @@ from coursework.grading.reading.table.layout import Layout
 from coursework.system.frozen import frozen
 
 _FEWEST, _OTHER = 3, 0.05  # least number of rows that show a step; relative difference that makes it another than the grid's
+_SHORTEST = 1e-3  # of the grid's step: times nearer to one another are the same
 _NEAR = 0.3  # of a step: how far a printed time may be from the time of its row
 
 
@@ -59,8 +62,8 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
         unit = _time_unit(layout.heads[at].unit, cells, grid)
         times, recovered = _times(cells, PRINTED["s"][unit])
         own, step = _own_step(times, grid)
-        order = _order(times)
         targets = _by_time(times, _coarse(cells) * PRINTED["s"][unit], grid, step)
+        order = _order(times, targets, grid)
     elif INDEX in places.places and (numbers := _row_numbers(layout, places.places[INDEX].at)):
         targets = [number if 0 <= number < grid.rows else None for number in numbers]
     else:
@@ -85,18 +88,52 @@ def _off_grid(times: Sequence[float], targets: Sequence[int | None], order: Sequ
     return next(((place, times[row]) for place, row in found if math.isfinite(times[row])), None)
 
 
-def _order(times: Sequence[float]) -> tuple[int, ...]:
-    """Return the rows of a file in the order of even times, () if they stand in it or in the opposite one, or are uneven."""
-    order = sorted(range(len(times)), key=times.__getitem__)
-    if (
-        len(order) < _FEWEST
-        or not all(map(math.isfinite, times))
-        or order in ([*range(len(times))], [*reversed(range(len(times)))])
-    ):
+def _order(times: Sequence[float], targets: Sequence[int | None], grid: Grid) -> tuple[int, ...]:
+    """Return the rows of a file in the order of even times, () if they stand in it or in the opposite one, or are uneven.
+
+    A time that is none of the even ones may be the task's; else its row belongs where one is lacking. With such a row most others
+    must be moved: otherwise the order of the file is likelier.
+    """
+    count, known = len(times), sorted(filter(math.isfinite, times))
+    if len(known) < _FEWEST or all(target == place for place, target in enumerate(targets)):
         return ()
-    begin, step = times[order[0]], (times[order[-1]] - times[order[0]]) / (len(order) - 1)
-    even = all(abs(times[row] - begin - place * step) < _NEAR * step for place, row in enumerate(order))
-    return tuple(order) if even else ()
+    off = sorted(time for time, target in zip(times, targets, strict=True) if target is None and math.isfinite(time))
+    steps = [(known[-1] - known[0]) / (count - 1), *(_usual_step(some) for some in (known, off) if some[1:])]
+    tried = [
+        _put_in_places(_by_time([time - begin for time in times], 0.0, replace(grid, step=step, rows=count), step), targets)
+        for step in steps
+        if step > _SHORTEST * grid.step
+        for begin in (known[0], 0.0, step, known[-1] - (count - 1) * step)
+    ]
+    order, left = min(tried, key=lambda found: found[1], default=([], 0))
+    moved = sum(row != place for place, row in enumerate(order))
+    back = sum(row == count - 1 - place for place, row in enumerate(order))
+    return tuple(order) if moved and 2 * back <= count and (not left or 2 * moved > count) else ()
+
+
+def _usual_step(times: Sequence[float]) -> float:
+    """Return the mean of the steps that are near the median of all."""
+    steps = [later - earlier for earlier, later in pairwise(times)]
+    middle = median_low(steps)
+    return fmean(step for step in steps if abs(step - middle) <= 0.5 * middle)
+
+
+def _put_in_places(own: Sequence[int | None], targets: Sequence[int | None]) -> tuple[list[int], int]:
+    """Return the rows of a file in their `own` places, else in those by the task's times, and how many have neither.
+
+    Of several rows with one own place, that which the task's time puts where none is moves, above all if it stands there already.
+    """
+    places = range(len(own))
+    lacking = {*places} - {*own}
+    left = sorted(places, key=lambda row: (targets[row] in lacking, targets[row] == row))
+    rows: dict[int, int] = {}
+    for wanted in (own, targets):
+        for row in left:
+            if (place := wanted[row]) is not None and place in places:
+                rows.setdefault(place, row)
+        left = sorted({*left} - {*rows.values()})
+    rest = iter(left)
+    return [rows[place] if place in rows else next(rest) for place in places], len(left)
 
 
 def _own_step(times: Sequence[float], grid: Grid) -> tuple[tuple[int, ...], float]:

@@ -7,7 +7,7 @@ Used by `tables_of_file.py`, `read_document.py` and `read_submission.py`.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
@@ -93,7 +93,7 @@ def _placed(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
     layout, origin = part.layout, part.origin
     read = _columns(grid, places, layout, rows)
     read = sorted(map(partial(_like_others, read, layout), read), key=lambda column: column.at)
-    read, zeros = _without_zeros(read, layout)
+    read, zeros = _without_zeros(read, layout, grid)
     units: dict[str, dict[str, Any]] = {column.name: {"at": column.at, "by": column.by, "unit": column.unit} for column in read}
     if TIME in places.places:
         time = places.places[TIME]
@@ -200,20 +200,29 @@ def _like_others(columns: list[TableColumn], layout: Layout, column: TableColumn
     return replace(column, decimals=decimals, last_place=tuple(step * finer for step in column.last_place))
 
 
-def _without_zeros(columns: list[TableColumn], layout: Layout) -> tuple[list[TableColumn], int]:
+def _without_zeros(columns: list[TableColumn], layout: Layout, grid: Grid) -> tuple[list[TableColumn], int]:
     """Return the columns with fewer decimals if all their numbers end in zeros, and how many zeros: these show no accuracy.
 
     A student who rounds at each step but prints more decimals has such zeros below the start; a column in equal steps may have
-    them anyway.
+    them anyway, and so may one whose key has as many.
     """
-    uneven = [column for column in columns if not _is_steady(column)]
-    zeros = min((_zeros(_numbers(layout, column, first=1)) for column in uneven), default=0)
+    found = {column.name: _zeros(_numbers(layout, column, first=1)) for column in columns if not _is_steady(column)}
+    keys = {column.name: column for column in grid.columns}
+    uneven = [column for column in columns if (told := found.get(column.name)) is not None and not _ends_in(keys, column, told)]
+    zeros = min((found[column.name] for column in uneven), default=0)
     coarser = 10.0**zeros
     return [
         replace(column, decimals=column.decimals - zeros, last_place=tuple(step * coarser for step in column.last_place))
         if zeros and column in uneven else column
         for column in columns
     ], zeros  # fmt: skip
+
+
+def _ends_in(keys: Mapping[str, GridColumn], column: TableColumn, zeros: int) -> bool:
+    """Return whether the key's values below the start end in so many zeros (at least one) when printed as a column is."""
+    key = keys[column.name]
+    shown = (round(value / factor_of(key, column.unit) * 10.0**column.decimals) for value in key.values[1:])
+    return zeros > 0 and all(value % 10**zeros == 0 for value in shown)
 
 
 def _zeros(numbers: list[PrintedNumber]) -> int:

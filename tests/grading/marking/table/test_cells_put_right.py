@@ -181,3 +181,15 @@ def test_a_start_typed_wrong_costs_a_cell_beside_another_cause():
         typed[1:, place] += np.where(np.arange(1, len(table)) < 2, 0.1, 0.0)
         points = put_right_one_by_one(desk, typed, [(0, place)])
         assert points == sorted(points), place
+
+
+def test_a_cell_put_right_after_which_a_cause_explains_no_more_than_eulers_rules_takes_nothing():
+    """Other starts and a row that stands twice: the rest follows Euler's rules as well as velocities of the time before."""
+    desk = variants()[1]
+    chain = desk.machine.table(start=np.array([1.63, 3.33, 1.86]))
+    table = np.vstack([chain[:5], chain[4:-1]])
+    for cell in ((13, 5), (19, 5), (20, 1), (23, 4)):
+        table[cell] = desk.key.table[cell]
+    before = earned(desk, table)[0].share
+    table[6, 5] = desk.key.table[6, 5]
+    assert earned(desk, table)[0].share >= before > 0.3

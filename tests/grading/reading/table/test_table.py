@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -76,10 +77,13 @@ def test_zeros_are_taken_from_uneven_columns_alone_and_as_many_as_all_of_them_ha
         ["0.0000", "0.0200", "0.0400", "0.0600", "0.0800", "0.1000"],
     ]  # fmt: skip
     columns = [column(name, cells, at) for at, (name, cells) in enumerate(zip("abc", texts, strict=True), 1)]
-    found, zeros = _without_zeros(columns, layout(texts))
+    grid = Grid(0.1, 6, tuple(GridColumn(name, "rad", (0.0, *(0.1234 * row for row in range(1, 6)))) for name in "abc"))
+    found, zeros = _without_zeros(columns, layout(texts), grid)
     assert (zeros, [one.decimals for one in found]) == (2, [2, 2, 4])
     assert [one.last_place[3] for one in found] == pytest.approx([1e-2, 1e-2, 1e-4])
-    assert _without_zeros(columns[2:], layout(texts)) == (columns[2:], 0)
+    assert _without_zeros(columns[2:], layout(texts), grid) == (columns[2:], 0)
+    of_key = replace(grid, columns=(GridColumn("a", "rad", (0.5, 0.12, 0.34, 0.56, 0.78, 0.9)), *grid.columns[1:]))
+    assert [one.decimals for one in _without_zeros(columns, layout(texts), of_key)[0]] == [4, 1, 4]
 
 
 @pytest.mark.parametrize(("by", "heads", "above", "is_strange"), [

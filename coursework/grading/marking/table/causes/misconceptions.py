@@ -22,7 +22,7 @@ from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.causes.own_rows import on_own_rows
 from coursework.grading.marking.table.causes.step_lengths import told_step
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
-from coursework.grading.marking.table.explained import Explained, euler_cells, share_of
+from coursework.grading.marking.table.explained import Explained, Fit, euler_cells, share_of
 from coursework.grading.marking.table.points import stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.untold import FINEST, untold_cells
@@ -64,18 +64,6 @@ class Misconception:
 
 
 @frozen
-class Fit:
-    """A hypothesis (`code`) and the share of the cells that it or the key explains, with the gates of the points.
-
-    For steps of another length only velocities count: the steps are wrong, whichever of their rows are on the grid.
-    """
-
-    code: str
-    share: float
-    names: tuple[str, ...] = ()
-
-
-@frozen
 class Found:
     """What is `named` with good reason, and what explains anything at all, one `Fit` for each code.
 
@@ -91,7 +79,7 @@ class Found:
     @property
     def own_line(self) -> str:
         """Return the line of the student's own equations from which the table follows, "" if it follows from none."""
-        return next((fit.names[0] for fit in self.fits if fit.code == OWN and fit.share >= NAMED), "")
+        return next((fit.names[0] for fit in self.fits if fit.code == OWN and fit.share >= NAMED and fit.beyond_euler), "")
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
@@ -162,7 +150,12 @@ def explanations(
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
     untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
-    fits = {code: fit for code, fit in fits.items() if code.startswith((ROWS_SHIFTED, ORIGIN)) or fit.share > euler_fit + BETTER}
+    least = min(euler_fit, table_points(key, cells).share)
+    fits = {
+        code: replace(fit, beyond_euler=fit.share > euler_fit + BETTER or code.startswith((ROWS_SHIFTED, ORIGIN)))
+        for code, fit in fits.items()
+        if fit.share > least + BETTER or code.startswith((ROWS_SHIFTED, ORIGIN))
+    }
     if (own := cells.student.own) and (fitting := _other_step(key, cells)):
         share, fit = fitting
         if share >= NAMED:
