@@ -62,7 +62,7 @@ def test_a_worker_that_is_killed_is_replaced_and_counted(server: Server):
 
 
 def test_a_text_without_end_costs_its_budget_and_the_desk_goes_on(server: Server):
-    (fault,) = server.check(TEXT.replace('"0.48 s"', '"2000 s"'))["faults"]
+    (fault,) = server.check(TEXT.replace('"0.48 s"', '"3990 s"'))["faults"]
     assert (fault["code"], fault["line"]) == ("E001", None)
     assert server.check(TEXT)["faults"] == []
 
