@@ -29,7 +29,7 @@ NEW = {"If_None_Match": "*"}
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
-    with running("edit", "31", "--no-browser", "--budget", "3", "--memory", "300", folder=tmp_path_factory.mktemp("desk")) as one:
+    with running("edit", "31", "--no-browser", "--budget", "3", "--memory", "600", folder=tmp_path_factory.mktemp("desk")) as one:
         yield one
 
 
