@@ -9,8 +9,10 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator
+from itertools import chain, count
 
-from coursework.variant.formula.tree import Formula, evaluate, spelled
+from coursework.variant.formula.tree import Formula, evaluate, named, spelled
+from coursework.variant.reading.implied_closure import stays
 from coursework.variant.record.variant import Link, Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -60,9 +62,18 @@ def _of_link(variant: Variant, name: str) -> Sentence:
     if digits not in known and set(digits) <= known and len(digits) == 2:
         line = _line(name, "1/s", f"link {digits[0]}", relative=digits[1])
         return say("proposal.relative", name=name, link=digits[0], other=digits[1], line=line)
-    link = digits or next((link.name for link in variant.links if link.rate is None), "4")
+    unnamed = (link.name for link in variant.links if link.rate is None and not _only_shifted(link, variant))
+    free = (str(number) for number in count(1) if str(number) not in known | {link.name for link in variant.links})
+    link = digits or next(chain(unnamed, free))
     line = _line(name, "1/s", f"link {link}")
     return say("proposal.link" if link in known else "proposal.link_missing", name=name, link=link, line=line)
+
+
+def _only_shifted(link: Link, variant: Variant) -> bool:
+    """Return whether a link of several points is a rack or a block: its points keep their places beside each other."""
+    first, *others = [named(point) for point in link.points] or [named("")]
+    arms = [Formula("part", (Formula("-", (other, first)),), axis) for other in others for axis in "xy"]
+    return bool(arms) and not link.wheel and stays(arms, variant)
 
 
 def _line(name: str, unit: str, of: str, along: str = "", relative: str = "") -> str:

@@ -6,6 +6,8 @@ import pytest
 
 from coursework.mechanism.proposal import proposed
 from coursework.variant.formula.reader import parse
+from coursework.variant.reading.reader import parse_variant
+from tests.mechanisms.library import mechanism
 
 
 def variant(unknowns, **said):
@@ -53,3 +55,10 @@ BOUND = SimpleNamespace(point="C", name="v")
 ])  # fmt: skip
 def test_what_is_proposed(unknowns, name, said, told):
     assert told in str(proposed(variant(unknowns, **said), name))
+
+
+@pytest.mark.parametrize(("other", "link"), [("(x + a, 0)", "1"), ("E + a @ th", "5")])
+def test_a_rack_is_not_proposed_as_what_turns(other, link):
+    said = f'E = "(x, 0)"\nF = "{other}"\n[links]\n5 = {{ points = ["E", "F"] }}\n[[group]]'
+    text = mechanism("driven-slider", ("[time]", '[unknowns]\nom = "1/s"\n[time]'), ("[[group]]", said))
+    assert f'of = "link {link}"' in str(proposed(parse_variant(text), "om"))

@@ -232,6 +232,17 @@ def test_the_unit_advised_is_that_of_the_usual_length_and_not_of_the_least() -> 
     assert told == "r3 = 0.62 mm beside 0.05 m: 0.62 m?"
 
 
+@pytest.mark.parametrize(("travel", "told"), [
+    ("2 mm", []), ("0.5 m", []), ("50 m", ["a = 50 m beside 0.3 m: 50 mm?"]),
+])  # fmt: skip
+def test_a_travel_of_a_drive_may_be_short_beside_the_links(travel: str, told: list[str]) -> None:
+    """No link is short because a slider moves little; one that moves far past all links is a slip."""
+    text = mechanism("driven-slider", ("a*p*sin(p*t)", "a*p*sin(p*t) + b*p*cos(p*t)"), a=travel).replace(
+        "[drive]", 'b = "1 mm"\n[drive]'
+    )
+    assert [str(one.sentence) for one in parse_variant(text).plausibility if one.code == "LENGTH"] == told
+
+
 @pytest.mark.parametrize(("step", "told"), [
     ("0.02 s", []), ("0.0200000000005 s", []), ("0.03 s", []),
     ("0.05 s", [(34, "the last row is at t = 0.45 s: the step does not lead to the requested end, 0.48 s")]),

@@ -15,10 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.equations.reduction.symbolic import TIME
 from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.closure import CONFIGURATIONS, Closure, compile_closure
-from coursework.motion.geometry.drive import breaks, drive_values
+from coursework.motion.geometry.compared import looked_at
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Binding
@@ -32,8 +31,6 @@ TOLERANCE = 1e-8
 _CLASH = 1e-2
 # Pseudo-random data: each value is moved by up to half of `_SPREAD` of itself, each by a different share.
 _SPREAD, _GOLDEN = 0.02, 0.6180339887498949
-# Times at which drives are looked at, and the share of its largest value below which a drive is at rest.
-_LOOKS, _AT_REST = 200, 1e-4
 _SMOOTH = {"number", "symbol", "pi", "+", "*", "sin", "cos", "tan", "exp"}
 
 
@@ -65,25 +62,6 @@ def require_agreement(equations: VelocityEquations, closure: Closure) -> Agreeme
 def agrees(equations: VelocityEquations, closure: Closure) -> bool:
     """Return whether the geometry confirms every written equation for the given data.  Raises `InputError` as above."""
     return not _judged(equations, *looked_at(equations, closure)).unjudged
-
-
-def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Array]:
-    """Return times and closed positions at which velocities are compared; positions of no time only if none depends on it."""
-    times, positions = closure.configurations
-    if _depends_on_time(equations):
-        return times, positions
-    if len(closure.driven) + sum(map(bool, closure.drives)) > 1:
-        times, positions = (np.concatenate(pair) for pair in zip((times, positions), closure.stirred, strict=True))
-    return _with_drives_on(equations, times, positions)
-
-
-def _depends_on_time(equations: VelocityEquations) -> bool:
-    """Return whether written equations or positions depend on time otherwise than by a drive."""
-    parts = [part for one in equations.equations if one.written for part in (*one.coefficients.values(), one.right_side)]
-    timed = any(
-        law.pieces or law.of == "t" or any("t" in one.names() for one in law.formulas) for law in equations.variant.functions
-    )
-    return timed or any(TIME in part.free_symbols for part in (*parts, *(one.expression for one in equations.positions)))
 
 
 def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreement | None:
@@ -153,23 +131,6 @@ def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agr
     return Agreement(
         tuple(agreed), tuple((one.name, tuple(name for name in unknown if name in one.coefficients)) for one in rest)
     )
-
-
-def _with_drives_on(equations: VelocityEquations, times: Array, positions: Array) -> tuple[Array, Array]:
-    """Return the same, and the positions once more at times at which drives move that are at rest at all of `times`.
-
-    A velocity that is zero hides its sign.  At a position all velocities are possible, so those of another time will do where
-    nothing else depends on time.
-    """
-    variant, laws = equations.variant, [law.name for law in equations.variant.drive]
-    if not laws:
-        return times, positions
-    changes = np.array([0.0, *(time for time in breaks(variant) if time < variant.time.end), variant.time.end])
-    looked = np.concatenate([np.linspace(0.0, variant.time.end, _LOOKS), (changes[1:] + changes[:-1]) / 2])
-    sizes, here = (np.abs(np.nan_to_num(drive_values(equations, laws, at), posinf=0, neginf=0)) for at in (looked, times))
-    resting = np.max(here, axis=0) <= _AT_REST * np.max(sizes, axis=0)
-    later = np.array(sorted({float(looked[place]) for place in np.argmax(sizes[:, resting], axis=0)}))
-    return np.concatenate([times, np.repeat(later, len(times))]), np.concatenate([positions, np.tile(positions, (len(later), 1))])
 
 
 def given_by_geometry(equations: VelocityEquations) -> list[VelocityEquation]:

@@ -18,8 +18,9 @@ import numpy as np
 from coursework.equations.reduction.bound import Speed, Turn, rate_of, speed_of
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_system
-from coursework.motion.geometry.agreement import given_by_geometry, gives, looked_at
+from coursework.motion.geometry.agreement import given_by_geometry, gives
 from coursework.motion.geometry.closure import Closure, largest_length
+from coursework.motion.geometry.compared import looked_at
 from coursework.motion.geometry.misfits import row_of
 from coursework.system.arrays import Array
 from coursework.variant.record.held import velocities_of_points

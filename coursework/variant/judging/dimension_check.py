@@ -48,6 +48,13 @@ class Dimensions:
         """Return the SI unit of a name, "" if the file does not determine it."""
         return si_unit(self.known[name]) if name in self.known else ""
 
+    @property
+    def only_in_drives(self) -> set[str]:
+        """Return the names that stand in formulas of [drive] and of no other section."""
+        placed = [(place.path[0] == "drive", name) for place in self.places for one in place.formulas for name in one.names()]
+        inside, outside = ({name for is_drive, name in placed if is_drive is side} for side in (True, False))
+        return inside - outside
+
 
 @changing
 class _Outcome:

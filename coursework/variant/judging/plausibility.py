@@ -79,6 +79,7 @@ def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
     """Yield lengths far from all others (the side of a gap with fewer of them), and negative lengths of links.
 
     If the file has a geometry, it shows which lengths are links; in equations alone, a factor of a rate looks like one.
+    A length that only [drive] has is a travel, which may be short.
     """
     if not variant.points and not variant.groups:
         used = {name for _, formula in variant.formulas() for name in formula.names()}
@@ -86,6 +87,9 @@ def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
             if given.name in used and given.value < 0 and dimensions.known.get(given.name) == {LENGTH: 1}:
                 yield "LENGTH", ("given", given.name), say("remark.negative", name=given.name, text=_written(given))
     lengths = sorted((g for g in variant.given if g.value and dimensions.known.get(g.name) == {LENGTH: 1}), key=_size)
+    travels = dimensions.only_in_drives
+    longest = max((_size(given) for given in lengths if given.name not in travels), default=0.0)
+    lengths = [given for given in lengths if given.name not in travels or _size(given) > longest]
     named: dict[str, tuple[Given, Sequence[Given]]] = {}
     for place in range(1, len(lengths)):
         below, above = lengths[:place], lengths[place:]

@@ -1,6 +1,6 @@
 """What [frame] and [drive] hold beside [closure] or without it: hinges rest, points stay on rails, driven points move.
 
-Enters: a `Variant` as its file has it.  Leaves: the same, with what is held.  Used by `reader.py`, `rigid.py`.
+Enters: a `Variant` as its file has it.  Leaves: the same, with what is held.  Used by `reader.py`, `rigid.py`, `proposal.py`.
 """
 
 from __future__ import annotations
@@ -44,7 +44,8 @@ def with_implied_closure(variant: Variant) -> Variant:
     if not driven and not held:
         return variant
     free = [one.name for one in variant.coordinates if one.rate not in variant.known_rates]
-    derivatives = _derivatives(variant, rows, free)
+    start = {one.name: one.start_or_guess for one in variant.coordinates if one.start_or_guess is not None}
+    derivatives = _derivatives(variant, rows, free, start)
     points = dict(enumerate((point for point, _ in driven), start=len(written)))
     own = _independent(derivatives)
     idle = {point for place, point in points.items() if place not in own}  # its coordinates are driven already
@@ -56,6 +57,13 @@ def with_implied_closure(variant: Variant) -> Variant:
         variant, driven=next(iter(found), None), also_driven=tuple(found[1:]),
         holds=variant.holds or tuple(hold for _, hold in kept), lines={**variant.lines, **lines},
     )  # fmt: skip
+
+
+def stays(rows: Sequence[Formula], variant: Variant) -> bool:
+    """Return whether no coordinate moves any of `rows`, tried at one position; False if a value is not known there."""
+    tried = {one.name: 0.3 + 0.1 * place for place, one in enumerate(variant.coordinates)}
+    moved = _derivatives(variant, rows, [*tried], tried)
+    return bool(moved) and all(abs(one) <= _MOVES for row in moved for one in row)
 
 
 def _held(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
@@ -81,11 +89,12 @@ def _part(vector: Formula, axis: str) -> Formula:
     return Formula("part", (vector,), axis)
 
 
-def _derivatives(variant: Variant, rows: Sequence[Formula], names: Sequence[str]) -> list[list[float]]:
-    """Return the derivatives of `rows` by the coordinates `names` at the start; empty if a value is not known."""
+def _derivatives(
+    variant: Variant, rows: Sequence[Formula], names: Sequence[str], start: Mapping[str, float]
+) -> list[list[float]]:
+    """Return the derivatives of `rows` by the coordinates `names` at a position; empty if a value is not known there."""
     points = dict(variant.points)
     needs = {name: points.keys() & {*formula.names()} for name, formula in points.items()}
-    start = {one.name: one.start_or_guess for one in variant.coordinates if one.start_or_guess is not None}
     try:
         laws = [(law.name, law.formulas[0]) for _, law in in_order(variant) if law.formulas]
         order = [*laws, *((name, points[name]) for name in TopologicalSorter(needs).static_order())]

@@ -170,3 +170,34 @@ def test_the_sign_of_a_drive_that_waits_is_judged_as_well(text, right, wrong):
     assert right in text
     with pytest.raises(coursework.InputError, match="V302"):
         confirmed(text.replace(right, wrong))
+
+
+TWO_ARMS = """
+[given]
+l1 = "0.5 m"
+l2 = "0.4 m"
+[drive]
+w1 = { pieces = [["0 s", "0"], ["0.6 s", "0.3*sin(t - 0.6)"]] }
+w2 = "0.4"
+[coordinates]
+p1 = { start = "0.7 rad", rate = "w1" }
+p2 = { start = "0.2 rad", rate = "w2" }
+x = { start = "0.7744477211 m", rate = "u" }
+y = { start = "0.4015765759 m", rate = "v" }
+[time]
+step = "0.05 s"
+end = "2 s"
+[[constraint]]
+equation = "u = -l1*w1*sin(p1) - l2*w2*sin(p2)"
+[[constraint]]
+equation = "v = l1*w1*cos(p1) + l2*w2*cos(p2) + 0.02*cos(t)"
+[closure]
+holds = ["l1*cos(p1) + l2*cos(p2) - x", "l1*sin(p1) + l2*sin(p2) - y + 0.02*sin(t)"]
+"""
+
+
+@pytest.mark.parametrize(("right", "wrong"), [("u = -l1*w1", "u = l1*w1"), ("v = l1*w1", "v = 0*l1*w1")])
+def test_one_of_two_drives_that_waits_is_judged_also_where_positions_depend_on_time(right, wrong):
+    assert len(confirmed(TWO_ARMS)) == 2
+    with pytest.raises(coursework.InputError, match="V302"):
+        confirmed(TWO_ARMS.replace(right, wrong))
