@@ -21,6 +21,7 @@ from coursework.system.frozen import frozen
 
 _FEWEST, _OTHER = 3, 0.05  # least number of rows that show a step; relative difference that makes it another than the grid's
 _SHORTEST = 1e-3  # of the grid's step: times nearer to one another are the same
+_USUAL = 0.4  # of the median step: how far printed times may lead another step from it
 _NEAR = 0.3  # of a step: how far a printed time may be from the time of its row
 
 
@@ -115,7 +116,7 @@ def _usual_step(times: Sequence[float]) -> float:
     """Return the mean of the steps that are near the median of all."""
     steps = [later - earlier for earlier, later in pairwise(times)]
     middle = median_low(steps)
-    return fmean(step for step in steps if abs(step - middle) <= 0.5 * middle)
+    return fmean(step for step in steps if abs(step - middle) <= _USUAL * middle)
 
 
 def _put_in_places(own: Sequence[int | None], targets: Sequence[int | None]) -> tuple[list[int], int]:
@@ -137,15 +138,22 @@ def _put_in_places(own: Sequence[int | None], targets: Sequence[int | None]) -> 
 
 
 def _own_step(times: Sequence[float], grid: Grid) -> tuple[tuple[int, ...], float]:
-    """Return the file's rows in the order of time and their own time step; () and 0 if it is uneven or equals the grid's."""
+    """Return the file's rows in the order of time and their own time step; () and 0 if it is uneven or equals the grid's.
+
+    Times that are the task's instead, each of a row that is lacking otherwise, were put right one by one.
+    """
     order = sorted((time, place) for place, time in enumerate(times) if math.isfinite(time))
     if len(order) < _FEWEST:
         return (), 0.0
     step = (order[-1][0] - order[0][0]) / (len(order) - 1)
-    if step <= 0 or abs(step / grid.step - 1) < _OTHER or abs(order[0][0]) > _NEAR * step:
-        return (), 0.0
     even = all(abs(time - number * step) < _NEAR * step for number, (time, _) in enumerate(order))
-    return (tuple(place for _, place in order), step) if even else ((), 0.0)
+    rows = [place for _, place in order]
+    if not even:
+        step = _usual_step([time for time, _ in order])
+        by_step = _by_time(times, 0.0, replace(grid, step=step, rows=len(times)), step) if step > _SHORTEST * grid.step else []
+        rows, left = _put_in_places(by_step, _by_time(times, 0.0, grid, step))
+        even = bool(rows) and not left
+    return (tuple(rows), step) if even and step > 0 and abs(step / grid.step - 1) >= _OTHER else ((), 0.0)
 
 
 def _coarse(cells: Sequence[PrintedNumber]) -> float:

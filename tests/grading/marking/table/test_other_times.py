@@ -123,3 +123,15 @@ def test_a_time_put_right_among_others_takes_nothing_of_the_points(row, how):
         before, _ = desk.marked(table, times=other)
         other[row] = times[row]
         assert desk.marked(table, times=other)[0] >= before > 55
+
+
+def test_a_time_put_right_in_a_table_of_double_steps_leaves_it_one():
+    """The times then are uneven, and the others still tell with which step the table was made."""
+    for desk in variants()[::2]:
+        table, times = desk.machine.table(step=2 * desk.machine.h), 2 * np.arange(desk.machine.rows) * desk.machine.h
+        table, times = table[: desk.machine.rows], times[: len(table)]
+        before, marks = desk.marked(table, times=times)
+        times[21] = 21 * desk.machine.h
+        after, again = desk.marked(table, times=times)
+        assert "other_step" in codes(marks) and "other_step" in codes(again)
+        assert after >= before > 10
