@@ -87,8 +87,9 @@ class Closure:
         times = np.linspace(0.0, end / 50, CONFIGURATIONS)
         if not self._moved(times).any():
             later = np.linspace(0.0, end, _LATER)
-            first = max(1, int(np.argmax(self._moved(later))))
-            times = np.array([0.0, *np.linspace(later[first - 1], later[first], CONFIGURATIONS)[1:]])
+            with suppress(InputError):  # a drive without a value later on is told where it is followed
+                first = max(1, int(np.argmax(self._moved(later))))
+                times = np.array([0.0, *np.linspace(later[first - 1], later[first], CONFIGURATIONS)[1:]])
         kept, known = self.targets(times)
         guess = np.tile(self.start, (len(times), 1))
         guess[:, list(self.driven)] = known

@@ -12,6 +12,7 @@ from coursework.equations.reduction.symbolic import TIME
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.drive import breaks, drive_values
 from coursework.system.arrays import Array
+from coursework.words.errors import InputError
 
 # Times at which drives are looked at, and the share of its largest value below which a drive is at rest.
 _LOOKS, _AT_REST = 200, 1e-4
@@ -62,7 +63,10 @@ def _with_drives_on(equations: VelocityEquations, times: Array) -> Array:
 def _followed(closure: Closure, times: Array) -> tuple[Array, Array]:
     """Return those of some times (n,) to which Newton's method follows the motion in small steps, and the positions there."""
     grid = np.unique(np.concatenate([np.linspace(0.0, closure.equations.variant.time.end, _LOOKS), times]))
-    kept, known = closure.targets(grid)
+    try:
+        kept, known = closure.targets(grid)
+    except InputError:  # a drive without a value later on is told where it is followed
+        return times[:0], closure.start[None][:0]
     q, found = closure.start, {}
     for time, target, driven in zip(grid.tolist(), kept, known, strict=True):
         guess = q.copy()

@@ -201,3 +201,7 @@ def test_one_of_two_drives_that_waits_is_judged_also_where_positions_depend_on_t
     assert len(confirmed(TWO_ARMS)) == 2
     with pytest.raises(coursework.InputError, match="V302"):
         confirmed(TWO_ARMS.replace(right, wrong))
+
+
+def test_a_drive_without_a_value_later_on_leaves_the_equations_judged_at_the_start():
+    assert len(confirmed(TWO_ARMS.replace('"0.4"', '"0.4/(1 - t)^2"'))) == 2
