@@ -41,17 +41,17 @@ def lacking(key: Key, table: Table) -> tuple[str, ...]:
 
 
 def with_given(key: Key, student: StudentTable) -> StudentTable:
-    """Return a table completed, in the rows it has, with the columns it may leave out because the task gives them."""
+    """Return a table completed, in the rows it has, in the columns that it may leave out because the task gives them.
+
+    What may be left out whole may be left out in single rows: a cell more in such a column takes nothing.
+    """
     there = np.isfinite(student.values)
-    left_out = [place for place, name in enumerate(key.names) if name in key.given and not there[:, place].any()]
-    if not left_out or not there.any():
+    empty = ~there & there.any(axis=1, keepdims=True) & np.array([name in key.given for name in key.names])
+    if not empty.any():
         return student
-    values, units = student.values.copy(), student.units.copy()
-    rows = there.any(axis=1)
-    for place in left_out:
-        values[rows, place] = key.given[key.names[place]]
-        units[rows, place] = np.nanmin(student.units)
-    return replace(student, values=values, units=units)
+    datum = np.array([key.given.get(name, np.nan) for name in key.names])
+    fine = np.where(there.any(axis=0), np.fmax.reduce(student.units), np.nanmin(student.units))
+    return replace(student, values=np.where(empty, datum, student.values), units=np.where(empty, fine, student.units))
 
 
 def is_the_key(key: Key, student: StudentTable) -> bool:

@@ -76,3 +76,16 @@ def test_precheck_asks_for_no_column_that_the_report_leaves_out():
     (missing,) = told("w1", "w2")
     assert missing.endswith("w2.")
     assert "w1" not in missing
+
+
+def test_a_cell_more_in_a_given_column_takes_nothing():
+    """Left out whole the column costs nothing; with one cell in it the others were missing."""
+    key = marker().key
+    place = key.names.index("w1")
+    lines = [";".join(["t", *key.names])]
+    for number, (t, row) in enumerate(zip(key.t, key.table, strict=True)):
+        cells = [f"{value:.4f}" if number == 7 or at != place else "" for at, value in enumerate(row)]
+        lines.append(";".join([f"{t:.4f}", *cells]))
+    files = (submitted_file("table.csv", "\n".join(lines).encode()),)
+    grade = marker().grade(read_submission(Submission("a", None, files), Expected(key.grid, key.variant)))
+    assert grade.part("table")[0] == 60
