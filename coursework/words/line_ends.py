@@ -39,10 +39,8 @@ _TOGETHER = (
         _RELATIONS,
         rf"(?<!{_RELATION}[{_GAP}]){_BEGIN}{_SUM}(?:[{_GAP}]{_RELATION}[{_GAP}]{_SUM}(?!{_SIGN}))+(?:[{_GAP}]{_UNIT}(?!\w))?{_WHOLE}",
     ),
-    (
-        _RELATIONS,
-        rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}]{_RELATION}(?!{_SIGN})",
-    ),  # in a longer equation, its sign and the term before it
+    # In a longer equation, its sign and the term before it.
+    (_RELATIONS, rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}]{_RELATION}(?!{_SIGN})"),
     (_JOINING, rf"{_BEGIN}{_PRODUCT}(?:[{_GAP}]{_JOINED}[{_GAP}]{_PRODUCT})+(?!{_SIGN})(?:[{_GAP}]{_UNIT}(?!\w))?"),
     (_JOINING, rf"{_BEGIN}{_JOINED}[{_GAP}]{_PRODUCT}(?!{_SIGN})"),  # in a longer sum, its sign and the term after it
     ("-", r"(?<![\w-])\w{2,12}(?:-\w{1,12}){1,2}(?![\w-])(?:[ \u00a0]\d(?:\(\d\))?(?!\w|\.\d))?"),  # Runge-Kutta 4

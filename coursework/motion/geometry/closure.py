@@ -33,8 +33,7 @@ MAX_NEWTON = 25
 FARTHEST, SETTLED, SHRINKING, CLOSED = 10.0, 1e-15, 1e-11, 1e-9
 _REMEMBERED = 4  # grids of times kept in the cache: a table, its exact rows and its checks ask for the same grid
 # Number of times at which a drive that waits is looked at, and the share of the largest length (or rad) that counts as waiting.
-_LATER, _WAITING = 201, 1e-3
-_STIRRED = 1e-2  # rad or m from one configuration to the next
+_LATER, WAITING = 201, 1e-3
 CONFIGURATIONS = 5  # number of positions near the start at which equations and links are judged
 MOST_COMBINED = 12  # largest number of equations for which sums and differences of pairs are tried
 
@@ -100,32 +99,11 @@ class Closure:
         count = int(np.argmin(closed)) if not closed.all() else len(times)
         return (times[:count], q[:count]) if count else (times[:1], self.start[None])
 
-    @property
-    def stirred(self) -> tuple[Array, Array]:
-        """Return the same with drives that wait moved a little too: positions that close, but at no time of the run.
-
-        Where such a drive leaves an angle at zero, its sine would hide the sign before it.
-        """
-        times, positions = self.configurations
-        kept, known = (part.copy() for part in self.targets(times))
-        for values, is_driven in (
-            (kept, np.array([bool(name) for name in self.drives], dtype=bool)),
-            (known, np.ones(len(self.driven), bool)),
-        ):
-            waits = is_driven & (np.ptp(values, axis=0) <= _WAITING * self.scale)
-            values[:, waits] += _STIRRED * np.arange(len(times))[:, None]
-        guess = positions.copy()
-        guess[:, list(self.driven)] = known
-        with suppress(np.linalg.LinAlgError, ArithmeticError, ValueError):
-            q, closed = self.newton_rows(times, guess, kept)
-            return times[closed], q[closed]
-        return times[:0], positions[:0]
-
     def _moved(self, times: Array) -> Flags:
         """Return at which times (n,) the drives have moved something away from the start."""
         kept, known = self.targets(times)
         every = np.concatenate([kept, known], axis=1)
-        return np.asarray(np.max(np.abs(every - every[0]), axis=1, initial=0.0) > _WAITING * self.scale)
+        return np.asarray(np.max(np.abs(every - every[0]), axis=1, initial=0.0) > WAITING * self.scale)
 
     def at_zero(self, zero: Sequence[bool]) -> Closure:
         """Return the closure with target 0 for the equations flagged in `zero`; the others keep the value the start gives."""

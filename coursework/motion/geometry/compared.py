@@ -5,17 +5,20 @@ Enters: velocity equations and their closure.  Leaves: times and positions.  Use
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME
-from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.closure import WAITING, Closure
 from coursework.motion.geometry.drive import breaks, drive_values
 from coursework.system.arrays import Array
 from coursework.words.errors import InputError
 
 # Times at which drives are looked at, and the share of its largest value below which a drive is at rest.
 _LOOKS, _AT_REST = 200, 1e-4
+_STIRRED = 1e-2  # rad or m from one configuration to the next
 
 
 def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Array]:
@@ -27,7 +30,7 @@ def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Ar
     times, positions = closure.configurations
     depends = _depends_on_time(equations)
     if not depends and len(closure.driven) + sum(map(bool, closure.drives)) > 1:
-        times, positions = (np.concatenate(pair) for pair in zip((times, positions), closure.stirred, strict=True))
+        times, positions = (np.concatenate(pair) for pair in zip((times, positions), _stirred(closure), strict=True))
     later = _with_drives_on(equations, times)
     if not len(later):
         return times, positions
@@ -36,6 +39,27 @@ def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Ar
     else:
         then, there = np.repeat(later, len(times)), np.tile(positions, (len(later), 1))
     return np.concatenate([times, then]), np.concatenate([positions, there])
+
+
+def _stirred(closure: Closure) -> tuple[Array, Array]:
+    """Return the closure's configurations with drives that wait moved a little too: they close, but at no time of the run.
+
+    Where such a drive leaves an angle at zero, its sine would hide the sign before it.
+    """
+    times, positions = closure.configurations
+    kept, known = (part.copy() for part in closure.targets(times))
+    for values, is_driven in (
+        (kept, np.array([bool(name) for name in closure.drives], dtype=bool)),
+        (known, np.ones(len(closure.driven), bool)),
+    ):
+        waits = is_driven & (np.ptp(values, axis=0) <= WAITING * closure.scale)
+        values[:, waits] += _STIRRED * np.arange(len(times))[:, None]
+    guess = positions.copy()
+    guess[:, list(closure.driven)] = known
+    with suppress(np.linalg.LinAlgError, ArithmeticError, ValueError):
+        q, closed = closure.newton_rows(times, guess, kept)
+        return times[closed], q[closed]
+    return times[:0], positions[:0]
 
 
 def _depends_on_time(equations: VelocityEquations) -> bool:
