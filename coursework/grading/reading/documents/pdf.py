@@ -15,7 +15,7 @@ import logging
 import threading
 import zlib
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache
 from typing import Any
 
@@ -153,6 +153,9 @@ def _bounded() -> Iterator[None]:
     try:
         yield
     finally:
-        timer.cancel()
-        raise_in(thread, None)  # cancel an exception sent at the last moment
         pdftypes.zlib = usual
+        # An exception sent at the last moment arrives here.  Nothing is cancelled by sending none: a debugger would then go round
+        # and round in Python 3.11.
+        with suppress(_Stopped):
+            timer.cancel()
+            timer.join()

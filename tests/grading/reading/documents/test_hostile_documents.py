@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import json
+import sys
+import threading
 import time
 import tracemalloc
 import zipfile
@@ -248,6 +250,20 @@ def test_a_pdf_that_takes_too_long_is_stopped(monkeypatch: pytest.MonkeyPatch) -
     assert work.trouble is not None and work.trouble.code == "pdf_slow"
     monkeypatch.setattr(pdf, "SECONDS", 60.0)
     assert read(typst_pdf("none")(HEAD, ROWS, ())).table is not None
+
+
+def test_a_pdf_is_read_while_a_debugger_or_coverage_looks_on() -> None:
+    read_under_trace: list[bool] = []
+
+    def look_on() -> None:
+        sys.settrace(lambda *_: None)
+        read_under_trace.append(read(typst_pdf("none")(HEAD, ROWS, ())).table is not None)
+        sys.settrace(None)
+
+    reader = threading.Thread(target=look_on, daemon=True)  # it went round and round behind the reading
+    reader.start()
+    reader.join(30)
+    assert read_under_trace == [True]
 
 
 def _parts(content: bytes) -> dict[str, bytes]:
