@@ -182,6 +182,7 @@ def run_repeated(size: int) -> Counter[str]:
                     break
             else:
                 raise AssertionError(f"{piece[:20]!r} took {quarter:.2f} s for a quarter of {whole:.2f} s")
+            assert whole < SLOWEST or size > 2**15, f"{piece[:20]!r} took {whole:.2f} s"
             counts[found] += 1
     return counts
 

@@ -16,7 +16,7 @@ from coursework.grading.reading.equations.signs import plain_signs
 from coursework.variant.formula.alphabet import spell
 
 _NAME = r"([^\W\d]\w{0,12})"
-_SAME = re.compile(rf"(?:(?:[^\W\d_]{{3,20}}|[-–•*])[\s:,(]*){{0,6}}{_NAME}\s*(?:=|⇒)\s*{_NAME}\s*(?:[.,;)][^=]{{0,120}})?")
+_SAME = re.compile(rf"(?:(?:[^\W\d_]{{3,20}}\b|[-–•*])[\s:,(]*){{0,6}}{_NAME}\s*(?:=|⇒)\s*{_NAME}\s*(?:[.,;)][^=]{{0,120}})?")
 _ANGLES = r"(?:angles?|углы|угол|кути|кут|Winkel|angles|ángulos)"
 _LISTED = re.compile(
     rf"((?:{_NAME},\s*){{1,9}}{_NAME})\s*[-–:,]?\s[^=*+/]{{0,40}}\b{_ANGLES}\b[^=*+/\d]{{0,40}}\b((?:\d,\s*){{1,9}}\d)\b.*", re.I
