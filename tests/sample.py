@@ -1,7 +1,8 @@
 """Which files of the catalogue the gate asks, where all of them take long; `--long` asks them all.
 
 One of each kind: equations of a task sheet, a wide table, rolling circles, every kind of group, a chain of many, two drives,
-a law from a table, moving guides.
+a law from a table, moving guides.  A test that takes long is marked `long` as a whole only if at least two others run each line
+of the package that it runs.
 """
 
 from __future__ import annotations

@@ -110,6 +110,7 @@ def test_right_tables_with_the_accepted_decimals_earn_the_full_table(marked):
         assert "too_coarse" not in {note["code"] for note in one["notes"]}
 
 
+@pytest.mark.long
 def test_without_the_column_each_variant_has_its_own_number(marked, tmp_path):
     name, folder, lines = marked
     roster = folder / "out" / "bare.csv"
@@ -123,6 +124,7 @@ def test_without_the_column_each_variant_has_its_own_number(marked, tmp_path):
     assert name != "31" or {one["score"] < 100 for one in found} == {True, False}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("part", "shown"), [(1.19, True), (1.21, False)])
 def test_a_cell_of_that_many_decimals_is_shown_up_to_twice_the_usual_part_of_the_gap(part, shown):
     """One decimal: data are chosen whose gap makes 0.1 just more, or just less, than 1.2 gaps."""

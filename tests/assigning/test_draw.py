@@ -77,6 +77,7 @@ def test_every_value_is_equally_likely():
     assert sum((count - 100) ** 2 / 100 for count in counts.values()) < 52.6
 
 
+@pytest.mark.long
 def test_a_student_gets_the_same_in_every_company_and_order():
     together = acceptance().accepted(STUDENTS)
     turned = acceptance().accepted([*reversed(STUDENTS), "added later"])

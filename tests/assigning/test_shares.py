@@ -13,6 +13,7 @@ def test_there_are_ranges_for_the_kinds_of_template_that_a_course_has():
     assert {"31", "homework", "v101", "v102", "v107", "whitworth"} <= set(shares.names())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", shares.names())
 def test_the_shares_of_a_part_are_those_told(name):
     feasible, banded = (share / 100 for share in shares.told(name))

@@ -35,6 +35,7 @@ def turned(points: list[complex]) -> float:
     return total * len(ways) / (len(ways) - 1)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "letter", "degrees"),
     [

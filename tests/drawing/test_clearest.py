@@ -71,6 +71,7 @@ def joints_of(svg: str) -> dict[tuple[float, float], float]:
     return {(float(ring.get("cx", "")), float(ring.get("cy", ""))): float(ring.get("r", "")) for ring in rings}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("degrees", [*range(0, 360, 30), 83, 97])
 def test_no_guide_runs_through_a_joint_that_does_not_slide_on_it(degrees: int) -> None:
     run = solved(SHAPER.replace("90 deg", f"{degrees} deg"))
@@ -92,6 +93,7 @@ def min_gap(at: complex, line: measured.Line) -> float:
     return abs(at - line.a - along * way)
 
 
+@pytest.mark.long
 def test_a_driven_arrow_ends_beside_joints_and_hinges() -> None:
     """Where an arrow of 13 mm would end on A it has another length."""
     text = load("robot-arm").path.read_text(encoding="utf-8").replace("0.2 rad", "3.14 rad")  # type: ignore[union-attr]

@@ -49,6 +49,7 @@ def ends_of(svg: str, word: str) -> tuple[complex, complex]:
     return tips[0], tips[1]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", sampled(names()))
 def test_every_given_length_is_written_on_the_drawing(name: str) -> None:
     run = solved(name, quantities=["table"])

@@ -51,6 +51,7 @@ def outline_of(name: str, **changes: object) -> Outline:
     return found
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", sampled(names()))
 def test_every_variant_has_a_drawing_with_its_links_and_points(name: str) -> None:
     drawing, outline = drawing_of(name), outline_of(name)

@@ -25,11 +25,13 @@ SENSE = 6.0  # mm before a word with the arrow of a rotation
 CONSTRUCTED = [name for name in names() if not name.startswith("variable-crank")]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", sampled(names()))
 def test_no_word_lies_on_a_link_or_an_arrow(name: str) -> None:
     assert measured.crossed(drawing_of(name).svg, "data-link", "data-driven") == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", sampled(CONSTRUCTED))
 def test_no_word_of_a_construction_lies_on_a_link_or_an_arrow(name: str) -> None:
     assert measured.crossed(svg_of(name), "data-link", "data-velocity") == []
@@ -56,6 +58,7 @@ def test_a_length_stands_beside_the_part_that_has_it(name: str) -> None:
             assert measured.beside(word, line) < FARTHEST or measured.led(svg, word, own)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["mechanism", "construction"])
 @pytest.mark.parametrize("name", sampled(CONSTRUCTED))
 def test_the_name_of_a_link_stands_beside_it(name: str, kind: str) -> None:
@@ -75,6 +78,7 @@ def test_the_name_of_a_link_stands_beside_it(name: str, kind: str) -> None:
             assert measured.astray(svg, word, own, others) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "texts"),
     [

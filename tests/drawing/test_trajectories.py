@@ -34,6 +34,7 @@ def path(svg: str, key: str, value: str) -> np.ndarray:
     return np.array(measured.points(found[0].get("d", "")))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", sampled(names()))
 def test_no_word_lies_on_another(name: str) -> None:
     drawings = drawings_of(name)

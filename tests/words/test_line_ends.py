@@ -45,6 +45,7 @@ def test_what_is_longer_than_a_line_may_break() -> None:
     assert kept(long) == []
 
 
+@pytest.mark.long
 def test_runs_lose_nothing_and_a_symbol_stays_with_its_quotient() -> None:
     runs = [{"t": "where V/"}, {"v": "ω", "s": "0"}, {"t": " is 5 m", "lang": ""}, {"t": " long"}]
     groups = line_groups(runs)

@@ -36,6 +36,7 @@ def test_a_blank_sheet_leaves_the_construction_to_the_student() -> None:
     assert {"A", "B", "C", "D", "M", "P"} <= said
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "name", ["31", *(name.lower() for name in DRAWABLE), "v107", "homework", "jansen", "peaucellier", "watt", "stephenson"]
 )

@@ -205,6 +205,7 @@ CHAINS = (
 )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [*CHAINS, "cardan", "epicyclic"])
 def test_links_that_follow_from_groups_or_points_are_constructed_too(name: str) -> None:
     """Five dyads and two carriers: the construction knows no velocity equation, yet agrees with the exact rates."""

@@ -234,6 +234,7 @@ def test_the_steps_say_how_it_is_drawn() -> None:
     assert all(math.isfinite(float(n)) for step in (*velocity, *acceleration) for n in re.findall(r"\d+\.\d+", step))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["31", "jansen"])
 def test_letters_of_points_in_the_steps_are_set_as_in_a_formula(name: str) -> None:
     """In Jansen's leg the points are P1 to P4: the image of P1 is p with 1, not "p1"; units stay upright."""

@@ -37,6 +37,7 @@ def variant(levels: int):
     return parse_variant(TEXT.format(first=nested("f", 50), second=nested("P.x", levels - 51)), "deep.toml")
 
 
+@pytest.mark.long
 def test_a_hundred_levels_are_differentiated_twice():
     run = coursework.solve(variant(MOST_LEVELS), quantities=["table", "points", "accelerations"])
     names, columns = run.columns()

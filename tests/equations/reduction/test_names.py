@@ -110,12 +110,14 @@ def same(names, *asked):
         assert np.max(np.abs(computed(renamed(names), *asked) - MEANT[asked])) < 1e-12, names
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("turn", sample.first(3, range(len(ROLES) - 2)))
 def test_every_word_of_python_in_every_role(turn):
     for hand in dealt(WORDS[turn:] + WORDS[:turn]):
         same(hand)
 
 
+@pytest.mark.long
 def test_every_name_of_numpy():
     for hand in dealt(ARRAYS):
         same(hand)
@@ -139,6 +141,7 @@ def spread(roles):
         }
 
 
+@pytest.mark.long
 def test_every_pair_of_roles():
     hands = list(spread(ROLES[:-2]))
     for first, second in ALIKE:
@@ -148,6 +151,7 @@ def test_every_pair_of_roles():
         same(hand, "accelerations")
 
 
+@pytest.mark.long
 def test_link_and_constraint_are_apart_from_all_others():
     for role, other in itertools.product(ROLES[:-2], ROLES[-2:]):
         same({role: "e", other: "e"})

@@ -105,6 +105,7 @@ LOST = [
 ]  # fmt: skip
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("number", "which", "added", "cell", "to_key"), LOST)
 def test_what_lost_once_loses_no_more(number, which, added, cell, to_key):
     desk = variants()[number]
@@ -183,6 +184,7 @@ def test_the_column_of_another_start_copied_from_the_key_is_still_another_start(
     assert after.share >= before.share
 
 
+@pytest.mark.long
 def test_a_start_put_right_where_the_next_row_is_spoiled_is_still_another_start():
     for desk in variants():
         start, place = desk.machine.start.copy(), desk.machine.m - 1
@@ -207,6 +209,7 @@ def test_an_angle_put_right_below_a_misprint_takes_nothing_of_what_both_rows_wer
         assert earned(desk, table)[0].share >= before - 1e-9, row
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", [1, *(pytest.param(number, marks=pytest.mark.long) for number in (0, 2, 3, 4, 5))])
 def test_coordinates_put_right_where_just_enough_rows_are_right_close_no_gate(number):
     """Another scheme's table with as many wrong rows as there may be: velocities made from what was put right are wrong then.
@@ -237,6 +240,7 @@ def test_the_tolerance_of_usual_print_is_that_of_its_digits_whatever_is_spoiled(
     assert len(floors) == 1
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", ["heun", "rk4"])
 def test_an_angle_put_right_in_the_table_of_another_method_takes_nothing_of_what_was_made_from_it(method):
     desk, table = variants()[0], students.MISCONCEPTIONS[method]()
@@ -247,6 +251,7 @@ def test_an_angle_put_right_in_the_table_of_another_method_takes_nothing_of_what
         assert earned(desk, better)[0].share >= before.share - 1e-9, cell
 
 
+@pytest.mark.long
 def test_a_velocity_put_right_in_a_table_with_times_of_its_own_takes_nothing():
     for desk in variants()[::2]:
         machine, half = desk.machine, desk.machine.h / 2

@@ -6,6 +6,7 @@ from tests.grading.marking.seeded import figures
 from tests.sample import first
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", first(1, (24, 60)))
 def test_a_seeded_class_at_three_decimals_and_more(count):
     found = figures(count)
@@ -16,6 +17,7 @@ def test_a_seeded_class_at_three_decimals_and_more(count):
     assert found.false_alarms == 0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", first(1, (18, 45)))
 def test_at_two_decimals(count):
     found = figures(count, (2,))

@@ -67,6 +67,7 @@ def test_every_variant_of_the_catalogue(name: str) -> None:
         check(grid, table_of(grid, dialect, style, digits, ("rad", "deg")[place % 2]), digits, ("rad", "deg")[place % 2], style)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("dialect", DIALECTS)
 @pytest.mark.parametrize("half", first(1, (0, 1)))
 def test_variant_31_in_every_style(dialect: str, half: int) -> None:

@@ -37,6 +37,7 @@ def graded(desk, written, mark="."):
     return Marker(desk.key, Rubric()).grade(read_submission(Submission("a", None, files), desk.expected))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("rate", ["6.5", "6.25", "-6.5", "7", "0.5"])
 @pytest.mark.parametrize("style", [short, significant])
 def test_a_steady_column_is_as_fine_as_those_beside_it(rate, style):

@@ -12,6 +12,7 @@ SAMPLE, MANY = 40, 2000
 QUESTIONS = 0.02
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("first", [0, pytest.param(10_000, marks=pytest.mark.long)])
 def test_right_equations_are_read_or_a_question_in_any_hand(first):
     count, asked = MANY if first else SAMPLE, []

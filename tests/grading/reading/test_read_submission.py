@@ -97,6 +97,7 @@ def test_titles_above_a_table_are_no_equations_and_a_file_of_equations_goes_firs
     assert both.table is not None
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("filling", "number"), [("a=b", 280), ("a=" + "b" * 998, 60)])
 def test_of_many_lines_beside_a_table_only_the_first_are_tried_and_the_others_are_told(filling: str, number: int) -> None:
     """280 lines are tried for the 28 equations that may be handed in, or 60 000 characters."""

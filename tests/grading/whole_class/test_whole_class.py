@@ -38,6 +38,7 @@ def test_right_work_earns_all_in_every_notation_and_kind_of_file(school):
     assert len(less) <= QUESTIONS * len(right), less
 
 
+@pytest.mark.long
 def test_no_sentence_is_false(school):
     everybody, seen, folder = school
     false = {

@@ -61,6 +61,7 @@ def test_a_drive_is_integrated_between_its_nodes(driven, count):
     assert np.max(np.abs(found - (other(times) - other(0)))) < 1e-14
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", ["five-point", "spline"])
 def test_a_tabulated_drive_tends_to_its_formula(driven, method):
     """Errors of the fourth power of the spacing, in the rows of the scheme and in the exact motion."""
@@ -119,6 +120,7 @@ def found_step(run):
     return next(check for check in run.checks if check.code == "STEP")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("law", ['{ table = "v.csv", of = "t" }', '"V1/4.5*f"'])
 def test_a_tabulated_drive_wants_its_twenty_rows_a_period(tmp_path, law):
     """The same sine as a formula and as a table, of the driven point or of a drive that it is written with."""

@@ -43,6 +43,7 @@ def random_tree(dice: random.Random, depth: int) -> Formula:
     return Formula(kind, (random_tree(dice, depth - 1), random_tree(dice, depth - 1)))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("typst", [False, True], ids=["text", "typst"])
 def test_an_equation_reads_back_to_the_same_number(reading: ModuleType, typst: bool) -> None:
     dice = random.Random(31)

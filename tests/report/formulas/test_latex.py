@@ -42,6 +42,7 @@ def test_typst_becomes_latex(typst: str, wanted: str) -> None:
     assert latex(typst) == wanted
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [name if name in IN_GATE else pytest.param(name, marks=pytest.mark.long) for name in names()])
 def test_tex_would_take_every_formula_of_a_page(name: str) -> None:
     reader = MathTextParser("path")

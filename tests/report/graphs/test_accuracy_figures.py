@@ -36,6 +36,7 @@ def check_words(svg: str) -> None:
     assert measured.beyond(svg) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["en", "ru", "uk"])
 def test_no_word_lies_over_a_word_or_beyond_the_sheet(language):
     sections = build_model(coursework.solve("31", quantities=["accuracy"]), language).sections

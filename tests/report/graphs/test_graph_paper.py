@@ -96,6 +96,7 @@ def test_a_curve_that_does_not_bend_has_no_picture_of_its_bend(real: ModuleType)
     assert [part for part in bent if part.get("id") == "tangent"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["31", "whitworth", "watt", "v107"])
 def test_the_words_of_the_gap_touch_no_line(name: str) -> None:
     parts = [part for s in model_of(solved(name, quantities=["table", "checks"])).sections for part in s.parts]

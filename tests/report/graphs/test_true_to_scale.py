@@ -80,6 +80,7 @@ LINKS = {
 WHEELS = {"31": (0.457 / 2,), "v107": (0.341,), "jansen": ()}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", LINKS)
 def test_links_and_wheels_have_their_lengths_in_both_drawings(name: str) -> None:
     first = next(one for one in pages(name) if "Figure 1" in one.text)

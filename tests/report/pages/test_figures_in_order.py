@@ -23,6 +23,7 @@ def plain(text):
     return "".join(letter for letter in unicodedata.normalize("NFKC", text) if letter.isalnum())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("name", "language"), diagonal(2, ("whitworth", "own"), ("en", "ru")))
 def test_numbers_of_figures_grow_on_paper(tmp_path, name, language):
     own = mechanism("slider-crank", ('"0 deg"', '"20 deg"'), n="40 rpm", step="0.05 s", end="1.5 s", period=None)

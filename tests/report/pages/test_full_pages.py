@@ -25,17 +25,20 @@ def paper(text: str) -> bytes:
     return render_pdf(build_model(solve(parse_variant(text), quantities=ASKED)))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("text", [SHAPER, FIVE_BAR, SIX_BAR], ids=["shaper", "five-bar", "six-bar"])
 def test_a_page_goes_on_where_a_drawing_no_longer_fits(text: str) -> None:
     assert min(filled(paper(text))[:-1]) >= HALF
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["whitworth", "v107"])
 def test_what_belongs_to_a_turned_drawing_fills_an_upright_page_with_others(name: str) -> None:
     """The construction of these is wider than a column, and its table does not fit beside it."""
     assert min(filled(paper_of(model_of(solved(name, quantities=ASKED))))[:-1]) >= HALF
 
 
+@pytest.mark.long
 def test_steps_of_a_plan_begin_no_page_of_their_own_before_a_turned_sheet() -> None:
     run = solve(parse_variant(STEPHENSON), quantities=["table", "plots", "checks", "graph_check"])
     assert min(filled(render_pdf(build_model(run)))[:-1]) >= HALF

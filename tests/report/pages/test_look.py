@@ -68,6 +68,7 @@ def meet(one: Any, two: Any) -> bool:
     return bool(one[1] < two[3] - 1 and two[1] < one[3] - 1 and one[2] < two[4] and two[2] < one[4])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_page_of_every_kind_is_seen_whole(kind: str, places: dict[str, Path], page: Any) -> None:
     sized(page, WIDTHS[0])

@@ -21,6 +21,7 @@ def coarse() -> SceneRun:
     return coursework.solve(coursework.parse_variant(SHAPER), scheme="euler", quantities=("table", "plots", "checks", "accuracy"))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
 def test_a_page_and_a_paper_hold_nothing_that_is_typed(language: str) -> None:
     for run in (coarse(), solved("31")) if language == "en" else (coarse(),):

@@ -48,6 +48,7 @@ def filled(made: bytes) -> list[float]:
     return shares
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
 def test_variant_31_takes_five_pages_and_its_appendix_no_page_of_few_lines(language: str) -> None:
     made = paper("31", language)
@@ -98,6 +99,7 @@ def test_heads_of_long_names_part_between_their_words() -> None:
     assert crossed(paper_of(model_of(run))) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", first(3, ("v107", "jansen", "stopped", "example-3", "example-1", "homework")))
 def test_no_page_but_the_last_is_less_than_a_third_full(real: ModuleType, name: str) -> None:
     made = paper_of(model_of(real.stopped())) if name == "stopped" else paper(name)
@@ -191,6 +193,7 @@ def _rows(text: str) -> int:
     return len(re.findall(r"\brow\d+", text))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("part", "before", "after"),
     [
@@ -227,6 +230,7 @@ def test_words_that_lead_to_formulas_stay_with_them(flow: bool) -> None:
     assert moved == {0, 1}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("part", [_claims(12), _table(12, whole=False), _checks(5)])
 def test_words_that_lead_to_a_table_stay_with_its_first_rows(part: Part) -> None:
     for pages in pages_of([Paragraph(_runs("It follows:"), style="note"), part]):

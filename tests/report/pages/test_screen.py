@@ -71,6 +71,7 @@ def faults(page: Any) -> list[str]:
     return found
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("variant", "language"), [*((name, "en") for name in SAMPLE), *TRANSLATED, *REST])
 def test_a_page_is_read_on_every_screen(variant: str, language: str, page: Any, tmp_path: Path) -> None:
     assert shown(variant, language, tmp_path, page) == []

@@ -41,6 +41,7 @@ def counted():
     return found
 
 
+@pytest.mark.long
 def test_a_drive_is_resolved_once_for_each_length_of_time(counted):
     """Of the structure, of the run, of its period and a little beyond its end: rows counted otherwise end at the same time."""
     assert counted["_resolution"] <= 4

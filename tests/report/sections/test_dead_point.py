@@ -25,6 +25,7 @@ def test_rows_lost_before_the_dead_point_are_not_said_to_be_none_of_the_motion(r
     assert told.startswith(f"The rows end at t = {run.motion.t[-1]:g} s,")
 
 
+@pytest.mark.long
 def test_a_block_held_by_friction_is_not_said_to_have_no_motion_beyond(real: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     """And rows are counted so that one row is no "1 rows"."""
     run = coursework.solve(coursework.parse_variant(BLOCK), scheme="exact", quantities=["table"])

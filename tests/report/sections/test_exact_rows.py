@@ -31,6 +31,7 @@ def test_exact_rows_are_told_before_the_step_of_euler_and_stand_on_the_curve() -
     assert "need not lie on the curve" in said(solved(FIVE_BAR, scheme="euler"), "results")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("title", ["mine", ""])
 def test_a_heading_says_a_name_once(title: str) -> None:
     run = solved(SHAPER.replace('"Shaper with a slotted lever"', f'"{title}"'))
@@ -63,6 +64,7 @@ def test_that_the_run_does_not_end_with_its_period_is_why_only_where_the_motion_
     assert ("not being the period" in told, "has not come back" in told) == (is_one, not is_one)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("time", "inside"), [("0.42 s", True), ("0.4 s", False)])
 def test_a_step_inside_which_the_drive_changes_is_not_taken_for_the_bend_of_the_curve(time: str, inside: bool) -> None:
     text = FIVE_BAR.replace('w4 = "n4"', f'w4 = {{ pieces = [["0 s", "n4"], ["{time}", "-3*n4"]] }}')

@@ -20,6 +20,7 @@ def names(run: Any) -> list[str]:
     return [section.name for section in model_of(run).sections]
 
 
+@pytest.mark.long
 def test_sections_in_order_and_only_those_asked_for(real: ModuleType) -> None:
     always = ["statement", "structure", "equations", "solution"]
     assert names(solved("31", quantities=("table",))) == [*always, "results", "method"]
@@ -110,6 +111,7 @@ def test_units_of_tables_beside_the_results_are_in_the_language_of_the_page(real
     assert all(real.text_of(caption)[-1] != "." for caption in chinese)
 
 
+@pytest.mark.long
 def test_the_control_claims_of_the_geometry_what_it_judges_whole(real: ModuleType) -> None:
     def confirmed(run: Any) -> list[str]:
         claims = (line for part in real.parts(run, "control") if part["kind"] == "claims" for line in part["items"])

@@ -75,6 +75,7 @@ def test_lengths_of_the_frame_and_of_a_slide_are_said_by_their_ends(real: Module
     assert data("v108")["xO"] == "abscissa of O"
 
 
+@pytest.mark.long
 def test_a_datum_called_like_an_article_is_a_symbol_in_formulas_and_a_word_elsewhere(real: ModuleType) -> None:
     def letters(name: str) -> str:
         run = solved(name)

@@ -94,6 +94,7 @@ def test_without_links_there_is_no_such_section() -> None:
     assert told(solved(V31))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("language", "formula"), [("en", "W = 3n"), ("ru", "W = 3n"), ("uk", "W = 3n"), ("zh", "F = 3n")])
 def test_page_and_paper_have_the_formula(language: str, formula: str) -> None:
     model = model_of(solved(SHAPER), language)

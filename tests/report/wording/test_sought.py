@@ -18,6 +18,7 @@ def statement(real: ModuleType, variant: object) -> str:
     return str(real.text_of(real.parts(run, "statement"))).replace("\u00a0", " ").replace("\u202f", "")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "told"),
     [

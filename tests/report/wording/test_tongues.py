@@ -68,6 +68,7 @@ def report(name: str, language: str) -> str:
     return text_of(render_html(build_model(coursework.solve(chosen, quantities=asked), language)))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("name", "language"), diagonal(2, ("31", "example-2", "example-4", "shaper"), CYRILLIC))
 def test_no_unit_of_a_page_is_in_latin_letters(name: str, language: str) -> None:
     assert _LATIN_UNIT.findall(report(name, language)) == []
@@ -80,6 +81,7 @@ def test_every_unit_that_a_file_may_have_is_written_in_cyrillic(language: str) -
     assert [unit for unit in units if re.search("[A-Za-z]", words.unit(unit))] == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["ru", "uk", "zh"])
 @pytest.mark.parametrize("name", ["31", "example-2", "example-4", "shaper"])
 def test_no_page_says_what_no_professor_says(name: str, language: str) -> None:
@@ -96,6 +98,7 @@ def test_the_words_themselves_do_not_say_it_either(language: str) -> None:
     assert found == {}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", CYRILLIC)
 def test_a_task_sheet_its_key_and_the_class_page_have_units_in_cyrillic(language: str, tmp_path: Path) -> None:
     (tmp_path / "roster.csv").write_text("id,name,email\nada,Ада,\n", encoding="utf-8")
@@ -184,6 +187,7 @@ def test_what_the_harmonics_carry_is_one_figure_wherever_it_is_said(language: st
     assert page.count(spaced) >= 2  # in the list of checks and in its sentence
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", CYRILLIC)
 @pytest.mark.parametrize("name", ["example-4", "shaper"])
 def test_every_decimal_of_a_row_worked_through_has_a_comma(name: str, language: str) -> None:

@@ -84,6 +84,7 @@ def test_all_runs_together_grow_no_faster_than_the_table(problem, rows):
     assert work(replace(long, rows=10), Bounds(1, 0.0)) == replace(long, rows=10).work
 
 
+@pytest.mark.long
 def test_the_largest_error_is_found_among_the_rows_looked_at(run):
     """Of 4801 rows every third is looked at: the largest error is that of all rows to a thousandth, the last row's exactly."""
     fine = coursework.solve("31", step=0.48 / 4800, quantities=["table", "accuracy"])

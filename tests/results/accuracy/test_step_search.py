@@ -93,6 +93,7 @@ def test_no_step_of_a_wish_is_tried_beyond_the_rows_of_a_table(monkeypatch, wish
     assert len(tried) < 100
 
 
+@pytest.mark.long
 def test_single_precision_has_a_best_step(scene):
     """The V: round-off takes back what ever smaller steps gain, also with t = i*h, and the curve goes on until it shows."""
     rows = 3
@@ -130,6 +131,7 @@ def test_what_does_not_run_is_not_advised(scene):
     assert next(other.steps for other in choice.others if other.title == SCHEMES["rk4"].title) > 30
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["31", "robot-arm", "example-1", "jansen", "engine-start", "stephenson"])
 def test_what_auto_advises_passes_step_and_peak(name):
     """Run with the step advised, STEP and PEAK pass, and the motion reaches its end."""

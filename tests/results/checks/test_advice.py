@@ -20,6 +20,7 @@ def motion_verdicts(run) -> set[str]:
     return {one.verdict for one in run.checks if one.group == "motion"}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("name", "options"), [
     ("31", {}), ("watt", {"step": 0.03}), ("example-6", {}), ("31", {"gain": 10.0}), ("v108", {"scheme": "heun", "step": 0.06}),
 ])  # fmt: skip

@@ -9,6 +9,7 @@ from tests.results.checks.verdicts import contradictions, random_variants, unkep
 SOME = ("31", "stephenson", "example-6", "variable-crank", "v105", "engine-start")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", SOME)
 @pytest.mark.parametrize(("scheme", "factor"), [("euler", 1.0), ("heun", 3.0)])
 def test_no_verdict_is_contradicted_and_every_advised_step_keeps_its_word(name, scheme, factor):
@@ -18,6 +19,7 @@ def test_no_verdict_is_contradicted_and_every_advised_step_keeps_its_word(name, 
     assert unkept(run, variant, scheme) == []
 
 
+@pytest.mark.long
 def test_random_variants():
     judged = coarse = 0
     for run in random_variants(10, seed=7):

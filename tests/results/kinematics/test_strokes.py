@@ -63,6 +63,7 @@ STARTS = (0.0, 0.7, 1e-5, math.pi - 2e-4)
 DRIVES = ("n", "n*(1 + 0.4*sin(n*t))", "-n", "n + 3*t")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("start", STARTS)
 @pytest.mark.parametrize("drive", DRIVES)
 @pytest.mark.parametrize("offset", [0.0, 0.06])

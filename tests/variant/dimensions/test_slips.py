@@ -91,6 +91,7 @@ def left_out(texts, read):
     return tried, blamed, remarked, missed
 
 
+@pytest.mark.long
 @WHOLE
 def test_a_name_left_out_of_a_product_is_caught_and_no_datum_blamed(read, asked):
     """At least 453 of 459, as in the catalogue and in generated equations; what is left is a number beside a velocity."""

@@ -81,6 +81,7 @@ def test_equations_are_written_and_read_again(left, right):
     assert [value(side) for side in sides] == [value(left), value(right)]
 
 
+@pytest.mark.long
 @settings(max_examples=150, deadline=None)
 @given(any_text, st.booleans())
 @example("(" * 10_000 + ")" * 10_000, False)

@@ -84,6 +84,7 @@ def test_a_point_where_a_velocity_must_stand_is_wrong_and_says_nothing_that_anot
     assert (found.independent, found.share, found.different) == (0, 0.0, different)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", first(1, (5, 6, 7)))
 def test_random_lines_of_no_worth_earn_nothing(seed):
     chance = np.random.default_rng(seed)

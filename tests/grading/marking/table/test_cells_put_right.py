@@ -80,6 +80,7 @@ def test_of_hundreds_hardly_any_loses_and_none_more_than_the_cell_that_was_put_r
     assert len(lost) <= 10 * MANY // 200 and max(lost, default=0.0) <= 1 + 1e-9
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", [0, *(pytest.param(number, marks=pytest.mark.long) for number in range(1, 6))])
 @pytest.mark.parametrize("twice", [True, False])
 def test_rows_that_belong_elsewhere_stay_explained_while_their_cells_are_put_right(number, twice):
@@ -150,6 +151,7 @@ def test_a_cell_put_right_in_exchanged_columns_takes_nothing_from_those_made_fro
     assert points == sorted(points)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("mirrored", [False, True])
 def test_a_cell_put_right_with_the_sign_of_the_task_counts_in_a_table_that_is_clockwise(mirrored):
     desk = variants()[4]
@@ -162,6 +164,7 @@ def test_a_cell_put_right_with_the_sign_of_the_task_counts_in_a_table_that_is_cl
     assert points == sorted(points)
 
 
+@pytest.mark.long
 def test_a_start_put_right_is_told_by_the_step_from_it_beside_exchanged_columns():
     """Its velocities do not feel it, so nothing else tells what it was: 17 points were lost."""
     desk = Desk(coursework.load("v112"))
@@ -171,6 +174,7 @@ def test_a_start_put_right_is_told_by_the_step_from_it_beside_exchanged_columns(
     assert desk.marked(put_right(desk, table, [(0, 3)]))[0] >= desk.marked(table)[0]
 
 
+@pytest.mark.long
 def test_a_start_typed_wrong_costs_a_cell_beside_another_cause():
     """Nothing was lost for it, and a cell when it was put right."""
     desk = variants()[0]
@@ -183,6 +187,7 @@ def test_a_start_typed_wrong_costs_a_cell_beside_another_cause():
         assert points == sorted(points), place
 
 
+@pytest.mark.long
 def test_a_cell_put_right_after_which_a_cause_explains_no_more_than_eulers_rules_takes_nothing():
     """Other starts and a row that stands twice: the rest follows Euler's rules as well as velocities of the time before."""
     desk = variants()[1]

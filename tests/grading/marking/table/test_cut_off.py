@@ -27,6 +27,7 @@ def told(desk, table, digits):
     return [note.code for note in desk.marker._notes(desk.marked(table, digits=digits)[1])]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("how", CUT)
 @pytest.mark.parametrize("more", [0, 1, 2])
 def test_a_right_table_with_digits_cut_off_loses_nothing(how, more):
@@ -56,6 +57,7 @@ def test_a_slip_in_cut_off_numbers_costs_its_own_cell_and_is_told_with_the_numbe
     )
 
 
+@pytest.mark.long
 def test_further_digits_of_a_wrong_table_cut_off_cost_about_the_same_as_rounded():
     for desk in desks():
         machine = desk.machine
@@ -82,6 +84,7 @@ def test_one_cell_a_unit_too_small_is_a_slip():
         assert not marks.cut_off and points == pytest.approx(60 - 60 / marks.points.cells * marks.cells.wrong.sum(), abs=0.01)
 
 
+@pytest.mark.long
 def test_more_right_never_costs_in_numbers_that_are_cut_off():
     desk, chance = variants()[1], np.random.default_rng(3)
     right = desk.machine.table()

@@ -12,6 +12,7 @@ from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.desks import ALL, Desk, close, codes, of_each, sign_faults, variants, with_a_steady_drive
 
 
+@pytest.mark.long
 @of_each
 def test_a_mistyped_start_costs_the_same_in_every_coordinate_and_variant(numbers):
     points = []
@@ -30,6 +31,7 @@ def test_a_mistyped_start_costs_the_same_in_every_coordinate_and_variant(numbers
     assert max(points) <= 57.0
 
 
+@pytest.mark.long
 def test_a_mistyped_start_costs_the_same_in_a_chain_of_groups():
     """Its starts are computed, so none is exactly as it is printed; on the last one no velocity depends."""
     desk = Desk(coursework.load("whitworth"))
@@ -49,6 +51,7 @@ def test_a_start_value_typed_wrong_and_not_used_is_one_cell():
         assert found == pytest.approx(60 - 60 / marked.points.cells, abs=0.01)
 
 
+@pytest.mark.long
 @of_each
 def test_one_slip_costs_the_same_in_every_row(numbers):
     points = []
@@ -64,6 +67,7 @@ def test_one_slip_costs_the_same_in_every_row(numbers):
     assert min(points) > 58
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("where", [("drive",), ("geometry",), ("drive", "geometry"), ("radians",)], ids=str)
 @of_each
 def test_degrees_for_radians_cost_the_same_wherever_they_are(where, numbers):
@@ -78,6 +82,7 @@ def test_degrees_for_radians_cost_the_same_wherever_they_are(where, numbers):
         assert code in codes(table)
 
 
+@pytest.mark.long
 @of_each
 def test_half_the_step_is_named_and_worth_the_same_however_the_rows_were_chosen(numbers):
     for desk in (variants()[number] for number in numbers):
@@ -95,6 +100,7 @@ def test_half_the_step_is_named_and_worth_the_same_however_the_rows_were_chosen(
         assert codes(desk.marked(coarse, times=np.arange(len(coarse)) * 2 * machine.h)[1]) == ("other_step",)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", [0, *(pytest.param(number, marks=pytest.mark.long) for number in range(1, 6))])
 def test_steps_of_another_rule_are_worth_the_same_with_any_decimals(number):
     desk = variants()[number]
@@ -111,6 +117,7 @@ def test_steps_of_another_rule_are_worth_the_same_with_any_decimals(number):
     close([desk.marked(table, digits=digits)[0] for table in tables for digits in (desk.key.least_decimals, 5)])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("number", "names"), [(0, ("r1", "r3", "V1", "p", "alpha")), (4, ("r", "l", "w0"))])
 def test_a_datum_of_any_other_value_is_named_and_worth_the_same(number, names):
     """It was worth nothing where every column feels it, and no cause was named."""
@@ -152,6 +159,7 @@ def test_exchanged_angles_are_named_with_one_of_them_a_turn_further(place):
     assert (marked.misconception.code, marked.misconception.names) == ("swapped_columns", ("phi2", "phi3"))
 
 
+@pytest.mark.long
 @of_each
 def test_a_row_too_many_or_too_few_costs_a_row(numbers):
     points = []
@@ -174,6 +182,7 @@ def test_a_row_too_many_or_too_few_costs_a_row(numbers):
     assert min(points) > 57
 
 
+@pytest.mark.long
 def test_an_angle_that_is_another_datum_is_told_without_whole_turns():
     """The velocities are those of 6.303 rad as well, but nobody typed that."""
     for name in ("31", "v102"):
@@ -183,6 +192,7 @@ def test_an_angle_that_is_another_datum_is_told_without_whole_turns():
         assert found == pytest.approx(24, abs=0.3)
 
 
+@pytest.mark.long
 @of_each
 def test_rows_elsewhere_are_told_as_that_and_cost_the_same(numbers):
     """Neither is another drive: rows from 4 on beside the first times cost those left out; any other order is a misconception."""
@@ -217,6 +227,7 @@ def test_a_chain_of_groups_under_a_steady_drive_is_marked_like_the_others():
         assert codes(table)[0] == "rows_shifted"
 
 
+@pytest.mark.long
 @of_each
 def test_a_sign_in_an_equation_is_worth_the_same_with_any_equations_handed_in(numbers):
     points = []
@@ -240,6 +251,7 @@ def test_a_sign_in_an_equation_is_worth_the_same_with_any_equations_handed_in(nu
     close(points)
 
 
+@pytest.mark.long
 def test_a_drive_with_the_other_sign_is_named():
     points = []
     for desk in variants():

@@ -53,6 +53,7 @@ def turned(machine, name, term):
     return text.replace(term, (" - " if term[1] == "+" else " + ") + term[3:])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("fewer", first(1, DECIMALS[:2]))
 @pytest.mark.parametrize("number", DOZEN)
 def test_a_fault_is_named_and_costs_the_same_with_any_decimals(number, fewer):
@@ -156,6 +157,7 @@ def test_a_start_value_in_the_wrong_column_is_told_to_cost_a_cell():
     assert "Each of them costs one cell." in told
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", DOZEN)
 def test_a_slip_that_is_carried_on_costs_its_cell_with_few_digits(number):
     """A slow coordinate stands in some rows below, and what other causes make comes near by chance."""
@@ -166,6 +168,7 @@ def test_a_slip_that_is_carried_on_costs_its_cell_with_few_digits(number):
         assert not codes(found)
 
 
+@pytest.mark.long
 def test_a_start_that_nobody_printed_is_no_cause_of_some_cells():
     """One sign turned, and few of the cells are what another start makes as well."""
     desk = desk_of("v102", 5)

@@ -50,6 +50,7 @@ def wrong_velocity(rows):
     rows[8, 4] += 0.1
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("heads", [True, False])
 @pytest.mark.parametrize("change", [lambda rows: None, slip, clockwise, wrong_velocity])
 def test_a_table_without_the_given_column_earns_what_one_with_it_does(change, heads):

@@ -44,6 +44,7 @@ def test_faults_cost_the_same_part_of_the_rows_that_are_handed_in():
         assert found == pytest.approx(57 * (1 - cells.missing.sum() / cells.counted.sum()), abs=0.05)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", NAMES[:4])
 def test_some_rows_of_a_table_without_work_earn_no_more_than_all_of_them_may(name):
     for label, table in without_work(marker(name).key, np.random.default_rng(7)):

@@ -78,6 +78,7 @@ def test_tables_without_work_earn_at_most_five_of_sixty(name, seed):
     assert tried >= 65 / 3
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", NAMES)
 def test_right_tables_and_one_slip_are_worth_what_they_were(name):
     key, m = marker(name).key, len(marker(name).key.coordinates)
@@ -90,6 +91,7 @@ def test_right_tables_and_one_slip_are_worth_what_they_were(name):
         assert share(name, table) >= 0.94, (row, place)
 
 
+@pytest.mark.long
 def test_no_single_row_decides_whether_a_table_is_work():
     """Rows leave the motion one by one, each with the right velocities of its own angles; all points went at one of them."""
     key, chance = marker("31").key, np.random.default_rng(5)
@@ -124,6 +126,7 @@ def test_a_table_of_the_key_s_own_digits_is_noted_as_a_copy_and_one_of_a_program
     assert not is_the_key(key, StudentTable(np.round(key.table, 4), np.full(key.table.shape, 1e-4)))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["31", "v102"])
 def test_the_table_of_other_data_earns_at_most_five_of_sixty(name):
     variant, chance = coursework.load(name), np.random.default_rng(2)

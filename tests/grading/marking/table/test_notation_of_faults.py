@@ -28,6 +28,7 @@ def _columns(desk, unit):
     return [place for place, name in enumerate(desk.key.names) if desk.variant.unit_of(name) == unit]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("angles", "speeds"), [(180 / np.pi, 180 / np.pi), (1.0, 30 / np.pi)], ids=["degrees", "rpm"])
 def test_a_unit_that_no_head_says_costs_a_wrong_table_nothing(angles, speeds):
     desk = variants()[4]
@@ -41,6 +42,7 @@ def test_a_unit_that_no_head_says_costs_a_wrong_table_nothing(angles, speeds):
         assert {*codes(said)} & {*codes(told)}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("mirrored", [False, True])
 def test_a_wrong_table_counted_clockwise_earns_what_it_earns(mirrored):
     desk = variants()[4]
@@ -63,6 +65,7 @@ def test_an_angle_from_another_axis_costs_the_same_in_degrees():
     assert desk.marked(table, digits=3)[0] == pytest.approx(radians, abs=0.01)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("is_put_right", [False, True])
 def test_degrees_for_radians_cost_the_same_if_the_angles_are_printed_within_a_turn(is_put_right):
     """Sines of degrees have no period of a turn: the velocities are explained only by the angles that they were computed with."""

@@ -47,6 +47,7 @@ def test_times_of_another_step_unit_or_beginning_cost_nothing(how):
         assert ("data_differ" in told) == (not how.startswith("numbers"))  # rows may be numbered; times of another step are told
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("how", ["doubled", "from the first step", "numbers from 1"])
 def test_another_fault_costs_and_is_told_as_with_the_right_times(how):
     for desk in variants()[::2]:
@@ -114,6 +115,7 @@ def test_a_table_truly_made_with_another_step_is_told_so():
         assert "other_step" in codes(marks), desk.variant.name
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("row", "how"), [(10, "tenfold"), (1, "a tenth"), (20, "from the first step"), (8, "doubled")])
 def test_a_time_put_right_among_others_takes_nothing_of_the_points(row, how):
     """It may be that of another row as well: a person is asked then, and told the points that the better order earns."""
@@ -125,6 +127,7 @@ def test_a_time_put_right_among_others_takes_nothing_of_the_points(row, how):
         assert desk.marked(table, times=other)[0] >= before > 55
 
 
+@pytest.mark.long
 def test_a_time_put_right_in_a_table_of_double_steps_leaves_it_one():
     """The times then are uneven, and the others still tell with which step the table was made."""
     for desk in variants()[::2]:

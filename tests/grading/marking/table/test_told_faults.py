@@ -55,6 +55,7 @@ def test_a_value_is_another_from_a_thousandth_on(part, told):
     assert not told or found["r1"] == pytest.approx(part * value, rel=1e-6)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("digits", [3, 5])
 def test_a_datum_left_out_and_a_time_that_stands_still_are_named_with_any_digits(digits):
     """A phase without its value earned 0 with three digits and 24 with five: no value that velocities tell lies at nought."""
@@ -71,6 +72,7 @@ def test_a_datum_left_out_and_a_time_that_stands_still_are_named_with_any_digits
         assert points == pytest.approx(24, abs=1.2)
 
 
+@pytest.mark.long
 def test_steps_taken_away_are_worth_what_steps_of_another_length_are():
     for desk in variants()[::2]:
         machine = desk.machine
@@ -90,6 +92,7 @@ def test_a_slip_in_each_of_several_equations_is_no_one_thing_beside_columns_exch
     assert codes(marked) == ("swapped_columns",)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("name", "term", "without", "frozen"), [
     ("18", "r3*w3*sin(phi3)", "0", "r3*w3*sin(START)"), ("1", "u1*cos(th1)", "0", "u1*cos(START)"),
     ("3", "rho1*om1*cos(th1)", "0", "START*om1*cos(th1)"),
@@ -108,6 +111,7 @@ def test_a_term_left_out_or_a_cell_that_a_formula_keeps_to_is_worth_what_a_sign_
     close(points)
 
 
+@pytest.mark.long
 def test_a_start_in_degrees_among_radians_is_a_wrong_start_in_radians():
     """Of one angle the number of degrees was put into radians: its column was read as degrees, and no cause was named."""
     for desk in variants():
@@ -120,6 +124,7 @@ def test_a_start_in_degrees_among_radians_is_a_wrong_start_in_radians():
             assert (points, codes(table)) == (57.0, (f"start_{desk.key.names[place]}",))
 
 
+@pytest.mark.long
 def test_a_neighbours_table_is_that_and_what_else_counts_is_no_second_cause():
     """Some cells would follow from another datum too, and earned points; what explains the table best earns none (4.3)."""
     desks = variants()[2:4]
@@ -133,6 +138,7 @@ def test_a_neighbours_table_is_that_and_what_else_counts_is_no_second_cause():
         assert len(told) == 1
 
 
+@pytest.mark.long
 def test_centimetres_or_kilometres_for_metres_are_another_datum_as_any_value_is():
     """No usual cause was found, and with the angles of a steady crank 20 points were left, with another value 24."""
     for desk, name, factor in zip(variants(), ("r2", "r1", "a", "r1", "r", "a"), 3 * (100.0, 0.001), strict=True):

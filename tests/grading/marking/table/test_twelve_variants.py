@@ -31,6 +31,7 @@ def desks(template, count):
     return [desk_of(template, number) for number in range(count)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("template", "count", "every"), MANY)
 def test_a_slip_in_an_equation_costs_the_same_in_every_notation(template, count, every):
     judges = [(Judge(desk.key), desk.expected) for desk in desks(template, count)]

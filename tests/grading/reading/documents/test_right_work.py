@@ -68,6 +68,7 @@ def test_a_slip_is_found_where_it_stands(kind: str) -> None:
     assert grade.equations.marks[3].hint is not None and grade.equations.marks[3].hint.kind == "sign"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["word by pandoc", "opendocument", "rtf", "markdown", "pdf, bare", "json, records"])
 def test_a_name_says_nothing(kind: str) -> None:
     _, made = MAKERS[kind]

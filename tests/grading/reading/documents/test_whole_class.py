@@ -55,6 +55,7 @@ def hand_in(folder: Path, **files: bytes) -> None:
         (folder / name.replace("__", ".")).write_bytes(content)
 
 
+@pytest.mark.long
 def test_a_class_of_documents(tmp_path: Path) -> None:
     kinds = {"docx": "word, merged", "odt": "opendocument", "pdf": "pdf, ruled", "ipynb": "notebook, page", "md": "markdown",
              "json": "json, split", "rtf": "rtf"}  # fmt: skip

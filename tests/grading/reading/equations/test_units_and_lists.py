@@ -68,6 +68,7 @@ def test_angles_may_be_in_degrees_and_minutes(angle):
     assert len(marked(f"alpha = {angle}\n{PLAIN}").marks) == 4
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("mark", ["- {e}", "– {e}", "{i} - {e}", "{i} – {e}", "({i}) - {e}"])
 def test_a_dash_means_the_same_in_all_lines(mark):
     """A wrong first sign is not read away by taking the dash of its line alone for a minus."""

@@ -88,6 +88,7 @@ def test_each_acceleration_that_can_be_worked_through_is_the_slope_of_its_veloci
         assert evaluate(formula, values) == pytest.approx(slopes[rate], rel=1e-4, abs=1e-6 * largest), rate
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["ru", "uk"])
 def test_where_a_language_has_letters_for_them_accelerations_have_no_dot(language: str) -> None:
     run = solved(SHAPER, "accelerations", "analogs")

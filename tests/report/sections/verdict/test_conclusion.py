@@ -78,6 +78,7 @@ def test_the_last_row_of_31_is_off_by_scheme_and_period() -> None:
     assert "is the scheme's error" in told[-1] and "0.48 s not being the period 0.480366 s" in told[-1]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
 def test_nothing_is_concluded_that_was_not_asked_for(language: str) -> None:
     assert conclusion(solved(SHAPER, quantities=("table",)), language) == ([], [])

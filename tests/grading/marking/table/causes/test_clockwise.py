@@ -144,6 +144,7 @@ def with_points(count):
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", [1, 2])
 @pytest.mark.parametrize("mirrored", ["", "start", "negative"])
 def test_velocities_of_points_are_accepted_with_either_sign_as_a_whole(count, mirrored):
@@ -160,6 +161,7 @@ def test_velocities_of_points_are_accepted_with_either_sign_as_a_whole(count, mi
         assert desk.graded(table).table.share < 1
 
 
+@pytest.mark.long
 def test_a_slip_in_it_costs_what_it_costs_in_a_right_table(desk):
     slips = desk.right.copy(), desk.turned()
     for table in slips:
@@ -170,6 +172,7 @@ def test_a_slip_in_it_costs_what_it_costs_in_a_right_table(desk):
     assert "clockwise" in codes(turned)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("whole", first(1, (False, True)))
 def test_some_velocities_with_the_other_sign_are_wrong_signs(desk, whole):
     for turn, place in enumerate(desk.rates):
@@ -183,6 +186,7 @@ def test_some_velocities_with_the_other_sign_are_wrong_signs(desk, whole):
             assert grade.table.share < 1
 
 
+@pytest.mark.long
 def test_a_drive_with_the_other_sign_is_no_turning(desk):
     machine = Machine(desk.variant, drive_sign=-1.0)
     for clockwise in ("accept", "misconception"):
@@ -206,6 +210,7 @@ def test_a_right_table_is_untouched(desk):
         assert (grade.total, codes(grade), grade.table.misconception) == (100, [], None)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("with_table", [True, False])
 def test_equations_turned_throughout_are_accepted(desk, with_table):
     turned = desk.equations(range(9))

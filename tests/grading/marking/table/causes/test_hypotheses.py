@@ -125,6 +125,7 @@ def asked(claim, values):
     return int(spoken.sum()), float(np.mean(off[spoken] <= 1.0))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("code", MADE)
 def test_a_slip_is_expected_as_it_is_made(key, code):
     values = MADE[code]()

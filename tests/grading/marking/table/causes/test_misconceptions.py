@@ -53,6 +53,7 @@ def test_a_declared_confusion_is_named(key):
     assert found.code == "confusion_alpha"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", first(1, (7, 8, 9)))
 def test_nothing_is_named_without_ground(key, seed):
     rng = np.random.default_rng(seed)
@@ -103,6 +104,7 @@ def test_the_other_assembly_of_a_chain(tmp_path):
     assert "branch" in (named.code, *named.ties)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("decimals", [2, 3, 4, 6])
 def test_what_the_digits_cannot_tell_is_what_passes_as_right_when_a_student_makes_it(key, decimals):
     hidden = indistinct(key, np.full(7, 10.0**-decimals))

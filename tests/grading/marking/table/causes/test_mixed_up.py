@@ -76,6 +76,7 @@ def test_what_is_mixed_up_is_named_and_worth_the_same_everywhere(made, code, wor
     assert np.mean(points) == pytest.approx(worth, abs=1.2)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("digits", [3, 4, 6])
 def test_pi_taken_as_three_places_is_named_and_costs_as_little_as_rounding_does(digits):
     desk = Desk(parse_variant(BY_PI, "own.toml", {}))
@@ -86,6 +87,7 @@ def test_pi_taken_as_three_places_is_named_and_costs_as_little_as_rounding_does(
     assert (right, codes(table)) == (60.0, ())
 
 
+@pytest.mark.long
 def test_steps_that_add_radians_to_degrees_leave_the_velocities_right():
     """As half a step does, where the velocities are not the same at any time."""
     for desk in variants():
@@ -116,6 +118,7 @@ def test_starts_in_degrees_cost_the_same_under_every_head():
         assert points == [points[0]] * 3 and points[0] == 36.0
 
 
+@pytest.mark.long
 def test_steps_in_degrees_added_to_radians_are_told_and_leave_the_velocities_right():
     for desk in variants():
         machine, m = desk.machine, desk.machine.m
@@ -127,6 +130,7 @@ def test_steps_in_degrees_added_to_radians_are_told_and_leave_the_velocities_rig
         assert found == pytest.approx(60 * (marks.cells.marks[:, m:] == "key").sum() / marks.points.cells, abs=3.0)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("factor", [10.0, 0.1])
 def test_a_decimal_point_that_slipped_in_all_coordinates_is_told_as_that(factor):
     for desk in variants():
@@ -261,6 +265,7 @@ MIXED = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("code", "number"), diagonal(2, MIXED, (0, 2)))
 def test_faults_of_time_angles_and_rates_are_named_and_keep_what_is_worth_of_one(code, number):
     """Rows of such a table follow no motion near the task's: unnamed it had nothing."""
@@ -277,6 +282,7 @@ def test_start_values_with_digits_cut_off_are_those_of_the_task():
         assert begins.tolist() == [[right, True]]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("by", "code"), [(1, "omega_late"), (-1, "omega_early")])
 @of_each
 def test_velocities_in_the_next_row_are_told_as_that_alone(by, code, numbers):

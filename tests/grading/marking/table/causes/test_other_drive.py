@@ -23,6 +23,7 @@ def with_law(desk, law):
     return Machine(desk.variant, drive={name: law.format(own)}).table()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("law", LAWS)
 def test_it_is_told_and_worth_as_much_as_other_data(desk, law):
     found, marks = desk.marked(with_law(desk, law))
@@ -31,6 +32,7 @@ def test_it_is_told_and_worth_as_much_as_other_data(desk, law):
     assert found >= 23.5
 
 
+@pytest.mark.long
 def test_a_rate_of_the_drive_put_right_lowers_nothing(desk):
     table, right = with_law(desk, LAWS[1]), desk.machine.table()
     points, chance = desk.marked(table)[0], np.random.default_rng(2)
@@ -42,6 +44,7 @@ def test_a_rate_of_the_drive_put_right_lowers_nothing(desk):
         points = found
 
 
+@pytest.mark.long
 def test_a_drive_that_is_right_is_not_suspected(desk):
     table = desk.machine.table()
     for place in range(desk.machine.m + 1, table.shape[1]):
@@ -50,6 +53,7 @@ def test_a_drive_that_is_right_is_not_suspected(desk):
         assert "other_drive" not in codes(desk.marked(wrong)[1])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("digits", [2, 3])
 def test_a_drive_rounded_in_another_way_is_not_suspected(desk, digits):
     """Rounded up throughout, so that each number may be off by a whole unit of its last place."""

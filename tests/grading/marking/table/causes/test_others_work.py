@@ -11,6 +11,7 @@ from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.desks import codes, variants
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("mine", "other"), [(0, 1), (1, 0), (2, 3), (3, 2)])
 @pytest.mark.parametrize("spoilt", [0, 6])
 def test_a_neighbours_table_earns_nothing_through_data_that_are_nearly_the_neighbours(mine, other, spoilt):
@@ -25,6 +26,7 @@ def test_a_neighbours_table_earns_nothing_through_data_that_are_nearly_the_neigh
     assert marks.misconception.code == "variant_neighbour"
 
 
+@pytest.mark.long
 def test_other_data_count_beside_a_neighbour_whose_table_it_is_not():
     for mine, other in ((0, 1), (2, 3)):
         desk = type(variants()[mine])(variants()[mine].variant)
