@@ -85,7 +85,8 @@ class _Reader:
         return ForceScheme(bodies, pins, (*unknowns, *self.drives()), groups, self.forces, holds)
 
     def fault(self, path: tuple[str, ...], message: Sentence) -> None:
-        line = next((self.forces.lines[path[:k]] for k in range(len(path), 0, -1) if path[:k] in self.forces.lines), 1)
+        ways = (path[:k] for k in range(len(path), 0, -1))
+        line = next((self.forces.lines[way] for way in ways if way in self.forces.lines), 0) or self.variant.nearest_line(*path)
         self.faults.append(Fault(message, self.variant.file, line, 0, ".".join(path)))
 
     def body_of(self, name: str, path: tuple[str, ...]) -> str:
@@ -252,8 +253,11 @@ class _Reader:
             base = self.turned_from(body, point, coordinate)
             if base is not None:
                 return Unknown(name, self.bodies.called[body], self.bodies.called[base], None, Direction("couple"), rate)
-        for body, point in moved:
-            slope, carrier = Direction("slope", coordinate=coordinate), self.carrier(self.moved_by(point) - {coordinate})
+        sliding = {joint.bodies for joint in self.bodies.linkage.joints if joint.kind.slides}
+        carried = [(body, point, self.carrier(self.moved_by(point) - {coordinate})) for body, point in moved]
+        # of several links at the point, the rod that slides in the carrier is pushed, not what hangs on its pin
+        for body, point, carrier in sorted(carried, key=lambda one: (one[0], one[2]) not in sliding):
+            slope = Direction("slope", coordinate=coordinate)
             return Unknown(name, self.bodies.called[body], self.bodies.called[carrier], named(point), slope, rate)
         raise InputError([Fault(say("fault.V729", name=rate), variant.file, variant.nearest_line("drive", rate))])
 

@@ -106,8 +106,11 @@ class Forces:
 
     @property
     def free(self) -> tuple[Law, ...]:
-        """Return laws (0 at first) for the rates that forces move, as if they were drives: the geometry gives all other rates."""
-        return tuple(Law(rate, number(0)) for rate in (self.motor.rates if self.motor else ()))
+        """Return laws for the rates that forces move, as if they were drives: the geometry gives all other rates.
+
+        Any law would do; these move, differently, because a wrong sign before a rate is not seen where the rate is zero.
+        """
+        return tuple(Law(rate, number(1 + place)) for place, rate in enumerate(self.motor.rates if self.motor else ()))
 
     def parts(self, known: Collection[str]) -> Iterator[Formula]:
         """Yield the largest parts of all formulas, vectors excepted, that contain only `known` names."""
