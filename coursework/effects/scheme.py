@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
+from coursework.effects.slid_length import slid_length
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, with_sliders
 from coursework.mechanism.mechanism import Mechanism
@@ -85,9 +86,7 @@ class _Reader:
         return ForceScheme(bodies, pins, (*unknowns, *self.drives()), groups, self.forces, holds)
 
     def fault(self, path: tuple[str, ...], message: Sentence) -> None:
-        ways = (path[:k] for k in range(len(path), 0, -1))
-        line = next((self.forces.lines[way] for way in ways if way in self.forces.lines), 0) or self.variant.nearest_line(*path)
-        self.faults.append(Fault(message, self.variant.file, line, 0, ".".join(path)))
+        self.faults.append(Fault(message, self.variant.file, self.variant.nearest_line(*path), 0, ".".join(path)))
 
     def body_of(self, name: str, path: tuple[str, ...]) -> str:
         """Return the name of the body meant by a key of the file (a link, or a block by its point); "" after noting a fault."""
@@ -186,17 +185,18 @@ class _Reader:
 
     def sliding(self, joint: Joint) -> Iterator[Unknown]:
         block, guide = (self.bodies.called[body] for body in joint.bodies)
-        across = Direction("across", joint.along, None if joint.along is not None else self.line_of(joint.bodies[1]))
-        yield Unknown(f"N{_pair(guide, block)}", block, guide, joint.where, across)
+        yield Unknown(f"N{_pair(guide, block)}", block, guide, joint.where, Direction("across", *self.line_of(joint)))
         if joint.kind.takes > 1:  # a bare pin can turn in its guide
             yield Unknown(f"K{_pair(guide, block)}", block, guide, None, Direction("couple"))
 
-    def line_of(self, bar: str) -> tuple[Formula, Formula]:
-        points = [named(point) for point in self.bodies.points()[bar]]
-        if len(points) < 2:
-            self.fault(("links", bar), say("fault.V728", name=bar))
-            return (named(self.variant.points[0][0]),) * 2
-        return points[0], points[1]
+    def line_of(self, joint: Joint) -> tuple[Formula | None, tuple[Formula, Formula] | None]:
+        """Return the angle of a guide, or two points on it."""
+        along = joint.along or (slid_length(self.bodies, joint) or ("", None))[1]
+        points = [named(point) for point in self.bodies.points()[joint.bodies[1]]]
+        if along is None and len(points) < 2:
+            self.fault(("links", joint.bodies[1]), say("fault.V728", name=joint.bodies[1]))
+            points = [named(self.variant.points[0][0])] * 2
+        return along, None if along is not None else (points[0], points[1])
 
     def rolling(self, joint: Joint) -> Iterator[Unknown]:
         first, second = (self.bodies.called[body] for body in joint.bodies)
@@ -226,8 +226,7 @@ class _Reader:
             name = called[body]
             slide = next((j for j in self.bodies.linkage.joints if j.kind.slides and j.bodies[0] == body), None)
             if units[rate] == "m" and slide is not None:
-                through = None if slide.along is not None else self.line_of(slide.bodies[1])
-                along = Direction("along", slide.along, through)
+                along = Direction("along", *self.line_of(slide))
                 yield Unknown(f"F{name if several else ''}", name, called[slide.bodies[1]], slide.where, along, rate)
             else:
                 couple = Direction("couple")
@@ -253,11 +252,12 @@ class _Reader:
             base = self.turned_from(body, point, coordinate)
             if base is not None:
                 return Unknown(name, self.bodies.called[body], self.bodies.called[base], None, Direction("couple"), rate)
-        sliding = {joint.bodies for joint in self.bodies.linkage.joints if joint.kind.slides}
-        carried = [(body, point, self.carrier(self.moved_by(point) - {coordinate})) for body, point in moved]
-        # of several links at the point, the rod that slides in the carrier is pushed, not what hangs on its pin
-        for body, point, carrier in sorted(carried, key=lambda one: (one[0], one[2]) not in sliding):
-            slope = Direction("slope", coordinate=coordinate)
+        for joint in self.bodies.linkage.joints:
+            if (length := slid_length(self.bodies, joint)) is not None and length[0] == coordinate:
+                block, guide = (self.bodies.called[body] for body in joint.bodies)
+                return Unknown(name, block, guide, joint.where, Direction("along", length[1]), rate)
+        for body, point in moved:
+            slope, carrier = Direction("slope", coordinate=coordinate), self.carrier(self.moved_by(point) - {coordinate})
             return Unknown(name, self.bodies.called[body], self.bodies.called[carrier], named(point), slope, rate)
         raise InputError([Fault(say("fault.V729", name=rate), variant.file, variant.nearest_line("drive", rate))])
 

@@ -152,7 +152,10 @@ class MotorScene(Scene):
     def _true(self) -> FreeMotion:
         time = self.variant.time
         pace = max(1, time.steps // LOOKS)
-        fine, coarser = Dynamics(self.free_equations, list(self.closed_start)), Dynamics(self.free_equations, list(self.closed_start), COARSER)
+        fine, coarser = (
+            Dynamics(self.free_equations, list(self.closed_start)),
+            Dynamics(self.free_equations, list(self.closed_start), COARSER),
+        )
         found = self._with_values(fine.exact(self._begin, time.step, time.steps))
         return known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
 

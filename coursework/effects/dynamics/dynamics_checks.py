@@ -234,6 +234,7 @@ def _step(e: Evidence) -> Finding:
 
 CHECKS = (
     Check("START", "computation", lambda e: start_of(e.closure)),
-    Check("ENERGY", "motion", _energy), Check("MOTION", "motion", _accuracy),
+    Check("ENERGY", "motion", _energy),
+    Check("MOTION", "motion", _accuracy),
     Check("STABLE", "motion", _step),
 )

@@ -5,8 +5,7 @@ Leaves `reading/forces.py` inside a `Variant`, only for a file that has any.  Us
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
-from dataclasses import field
+from collections.abc import Collection, Iterator
 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number
@@ -102,7 +101,6 @@ class Forces:
     friction: tuple[Friction, ...] = ()
     motor: Motor | None = None
     flywheel: Flywheel | None = None
-    lines: Mapping[KeyPath, int] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def free(self) -> tuple[Law, ...]:
