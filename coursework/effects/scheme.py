@@ -7,7 +7,7 @@ Used by `analysis.py` and `draft.py`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
 from coursework.effects.slid_length import slid_length
@@ -104,11 +104,9 @@ class _Reader:
         link = next((link for link in self.variant.links if link.name == body and not self.bodies.linkage.coordinates), None)
         points = [named(point) for point in self.bodies.points()[body]]
         rate = self.rate_of(body)
-        span = None
+        span = self.span_of(body)
         if link is not None and link.wheel and link.contact:
             span = named(link.wheel), named(link.contact)
-        else:
-            span = self.span_of(body)
         centre, path = mass.centre if mass else None, ("masses", mass.body if mass else name)
         if centre is None:
             if link is not None and link.wheel:
@@ -165,10 +163,11 @@ class _Reader:
         pins: list[str] = []
         found: list[Unknown] = []
         for joint in self.bodies.linkage.joints:
+            if (point := self.bodies.point(joint)) != "":
+                joint = replace(joint, where=named(point))  # friction is given by the name of the point
             if not joint.pins:
                 found += self.sliding(joint) if joint.kind.slides else self.rolling(joint)
                 continue
-            point = self.bodies.point(joint)
             held = self.bodies.hinges()[point] if point else set(joint.bodies)
             names = in_order(self.bodies.called[body] for body in held)
             if point in pins:
