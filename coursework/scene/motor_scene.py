@@ -244,6 +244,11 @@ class MotorScene(Scene):
         """Return the motion without a scheme's error, on the same rows."""
         return self._exact_rows
 
+    def exact_at(self, times: Array) -> Motion:
+        """Return the exact motion at times (s) that grow from 0, as far as it goes."""
+        found = Dynamics(self.free_equations, []).between(self._true, times) if len(self._true.t) else self._true
+        return self._motion_of(found, EXACT, say("dynamics.exact"))
+
     def accelerations_of(self, motion: Motion) -> Array:
         """Return the accelerations (n, k) that the forces give the links in each row."""
         size = len(motion.velocity_names)
