@@ -123,9 +123,9 @@ def test_under_forces_a_start_that_is_open_is_told_and_rods_have_the_length_of_t
         coursework.solve(coursework.parse_variant(changed(LOOP, ("0.57204749", start))), "exact", quantities=["checks", "energy"])
         for start in ("0.57204749", "0.571")
     ]
-    for run, verdict in zip(runs, ("PASS", "FAIL"), strict=True):
-        codes = {one.code: one for one in run.checks}
-        assert (codes["START"].verdict, codes["ENERGY"].verdict) == (verdict, "PASS") and codes["ENERGY"].value < 1e-9
+    for run, open_ones in zip(runs, ([], ["START"]), strict=True):
+        assert [one.code for one in run.checks if one.verdict == "FAIL"] == open_ones
+        assert next(one.value for one in run.checks if one.code == "ENERGY") < 1e-9
     assert np.abs(runs[0].table.to_numpy() - runs[1].table.to_numpy()).max() < 1e-9
     with pytest.raises(coursework.InputError, match=r"V313 .* the start values violate the closure"):
         _ = coursework.solve(coursework.parse_variant(changed(LOOP, ("0.5720474966558032", "0.5")))).table
