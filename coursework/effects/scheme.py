@@ -15,7 +15,7 @@ from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, with_sliders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import Bodies, driven_freedoms, fitting_linkage, in_order
-from coursework.variant.formula.tree import Formula, named, number, signed
+from coursework.variant.formula.tree import Formula, named, number, signed, spelled
 from coursework.variant.record.entries import reached
 from coursework.variant.record.forces import DISC, POINT, ROD, Forces, Mass
 from coursework.variant.record.held import followed, velocities_of_points
@@ -102,8 +102,7 @@ class _Reader:
 
     def body(self, name: str, body: str, mass: Mass | None) -> Body:
         link = next((link for link in self.variant.links if link.name == body and not self.bodies.linkage.coordinates), None)
-        points = [named(point) for point in self.bodies.points()[body]]
-        rate = self.rate_of(body)
+        points, rate = self.places(body), self.rate_of(body)
         span = self.span_of(body)
         if link is not None and link.wheel and link.contact:
             span = named(link.wheel), named(link.contact)
@@ -112,7 +111,7 @@ class _Reader:
             if link is not None and link.wheel:
                 centre = named(link.wheel)
             elif mass is not None and len(points) > 2:
-                self.fault(path, say("fault.V724", name=name, points=", ".join(point.name for point in points)))
+                self.fault(path, say("fault.V724", name=name, points=", ".join(point.name or spelled(point) for point in points)))
             elif len(points) == 2:
                 centre = Formula("/", (Formula("+", (points[0], points[1])), number(2)))
         centre = centre or (points[0] if points else Formula("pair", (number(0), number(0))))
@@ -136,11 +135,13 @@ class _Reader:
 
     def span_of(self, body: str) -> tuple[Formula, Formula] | None:
         """Return two points that turn as a body does: its own, or those of the guide in which it cannot turn; None for none."""
-        points = [named(point) for point in self.bodies.points()[body]]
-        if len(points) > 1:
-            return points[0], points[1]
-        guide = self.guide_of(body)
-        return self.span_of(guide) if guide else None
+        points, guide = self.places(body), self.guide_of(body)
+        return (points[0], points[1]) if len(points) > 1 else self.span_of(guide) if guide else None
+
+    def places(self, body: str) -> list[Formula]:
+        """Return the points of a body: those with a name, then its joints without one."""
+        joints = (one for one in self.bodies.linkage.joints if body in one.holders and not self.bodies.point(one))
+        return list(dict.fromkeys([*map(named, self.bodies.points()[body]), *(one.where for one in joints if one.where)]))
 
     def guide_of(self, body: str) -> str:
         """Return the moving body on which a body slides without turning, "" if there is none."""
