@@ -152,3 +152,13 @@ def test_under_forces_an_equation_with_a_wrong_sign_is_refused(place):
         _ = run.table
     of_loop = coursework.solve(coursework.parse_variant(LOOP)).table
     assert np.abs(coursework.solve(coursework.parse_variant(WRITTEN)).table.to_numpy() - of_loop.to_numpy()).max() < 1e-9
+
+
+def test_a_slider_whose_pin_has_no_name_is_as_heavy_as_one_with_a_name():
+    """Its centre of mass was taken to lie still at the origin."""
+    text = mechanism("example-2-motor", ('rails  = [ { through = "C", angle = "0" } ]\n', "")).split("# --- texts")[0]
+    begin, rest = text.split("[links]")
+    text = changed(begin + "[frame]" + rest.split("[frame]")[1], ('C = { mass = "20 kg"', '3 = { mass = "20 kg"'))
+    nameless = changed(text, ('meets       = "C"\n', ""), ('on = "3", at = "C"', 'on = "3", at = "(s3, 0)"'))
+    one, other = (coursework.solve(coursework.parse_variant(each), end=0.2).table for each in (text, nameless))
+    assert np.abs(one.to_numpy() - other.to_numpy()).max() < 1e-9
