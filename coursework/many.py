@@ -28,7 +28,6 @@ from coursework.scene.model.model import Model, compile_model
 from coursework.scene.model.one_set import horizons
 from coursework.scene.model.rows import rows_of
 from coursework.scene.model.sets import prepare
-from coursework.scene.scene import Scene
 from coursework.system.arrays import Array, Flags
 from coursework.variant.catalogue import variant_from
 from coursework.variant.judging.bounds import timed
@@ -135,7 +134,8 @@ def solve_many(
     """
     model = _model(variant)
     template = timed(model.variant, step, end)
-    chosen = Settings(scheme_for(template, scheme)).checked(template.time.step).scheme
+    by_forces = template.motor is not None
+    chosen = Settings(scheme_for(template, scheme)).checked(template.time.step, by_forces=by_forces).scheme
     sets = model.data(data)
     _refuse_own_times(model, sets, step, end)
     steps, h = template.time.steps, template.time.step
@@ -147,7 +147,7 @@ def solve_many(
     for part, chunk in _chunks(sets):
         prepared = prepare(model, chunk, template.time.end)
         doubtful = ~prepared.sure | (prepared.frequency * h >= np.pi * (1 - 1e-12))
-        if chosen in SCHEMES:
+        if chosen in SCHEMES and not by_forces:
             found, good = rows_of(model, prepared, SCHEMES[chosen], times)
             values[part] = found[..., kept]
             doubtful |= ~good
@@ -173,7 +173,7 @@ def feasible(variant: Variant | str | Path | int) -> Feasibility:
     (False, 'At t = 0.116889 s, between rows 6 and 7,')
     """
     chosen = variant_from(variant)
-    scene = Scene(chosen.timed(None, chosen.time.whole), Settings())
+    scene = scene_of(chosen.timed(None, chosen.time.whole), Settings())
     try:
         return Feasibility(True, "") if scene.stop is None else Feasibility(False, scene.stop.sentence)
     except CourseworkError as error:
@@ -194,7 +194,8 @@ def feasible_many(variant: Template, data: Any) -> tuple[Flags, tuple[str, ...]]
     for part, chunk in _chunks(sets):
         ends = horizons(model.variant, chunk)
         prepared = prepare(model, chunk, float(np.max(ends, initial=0.0, where=np.isfinite(ends))))
-        for place in np.flatnonzero(~prepared.sure | ~np.isfinite(ends)).tolist():
+        alone = ~prepared.sure | ~np.isfinite(ends) | (model.variant.motor is not None)
+        for place in np.flatnonzero(alone).tolist():
             index = part.start + place
             try:
                 possible[index], reasons[index] = feasible(_with(model.variant, sets, index))
@@ -244,7 +245,7 @@ def _alone(template: Variant, sets: Data, index: int, scheme: str) -> Motion:
     """Return the motion of one set, as from `solve`.  Raises `InputError` with the number of the set."""
     try:
         alone = timed(_with(template, sets, index), template.time.step, template.time.end)
-        return scene_of(alone, Settings(scheme).checked(alone.time.step)).motion
+        return scene_of(alone, Settings(scheme).checked(alone.time.step, by_forces=alone.motor is not None)).motion
     except InputError as error:
         reason = joined([fault.message for fault in error.faults])
         raise InputError(say("fault.D021", number=index + 1, reason=reason)) from error

@@ -29,7 +29,7 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 from coursework.words.data_folders import folder
-from coursework.words.errors import CourseworkError, InputError, reason_of
+from coursework.words.errors import CourseworkError, Fault, InputError, reason_of
 from coursework.words.sentences import say
 
 FOLDER = "ranges"  # the folder within the catalogue
@@ -50,6 +50,9 @@ class Assignment:
     def __init__(self, template: Variant, ranges: Ranges, seed: str | int) -> None:
         if template.path is None:
             raise InputError(say("fault.A003", name=template.name))
+        if template.motor is not None:
+            line = template.nearest_line("motor")
+            raise InputError([Fault(say("fault.A032"), template.file, line)])
         self.original = template.path.read_text(encoding="utf-8-sig")
         beside = template.path.parent
         self.tables = {law.file: (beside / law.file).read_bytes() for law in (*template.drive, *template.functions) if law.file}

@@ -7,14 +7,15 @@ Used by `analysis.py` and `draft.py`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
+from coursework.effects.slid_length import slid_length
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, with_sliders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import Bodies, driven_freedoms, fitting_linkage, in_order
-from coursework.variant.formula.tree import Formula, named, number, signed
+from coursework.variant.formula.tree import Formula, named, number, signed, spelled
 from coursework.variant.record.entries import reached
 from coursework.variant.record.forces import DISC, POINT, ROD, Forces, Mass
 from coursework.variant.record.held import followed, velocities_of_points
@@ -85,8 +86,7 @@ class _Reader:
         return ForceScheme(bodies, pins, (*unknowns, *self.drives()), groups, self.forces, holds)
 
     def fault(self, path: tuple[str, ...], message: Sentence) -> None:
-        line = next((self.forces.lines[path[:k]] for k in range(len(path), 0, -1) if path[:k] in self.forces.lines), 1)
-        self.faults.append(Fault(message, self.variant.file, line, 0, ".".join(path)))
+        self.faults.append(Fault(message, self.variant.file, self.variant.nearest_line(*path), 0, ".".join(path)))
 
     def body_of(self, name: str, path: tuple[str, ...]) -> str:
         """Return the name of the body meant by a key of the file (a link, or a block by its point); "" after noting a fault."""
@@ -102,19 +102,16 @@ class _Reader:
 
     def body(self, name: str, body: str, mass: Mass | None) -> Body:
         link = next((link for link in self.variant.links if link.name == body and not self.bodies.linkage.coordinates), None)
-        points = [named(point) for point in self.bodies.points()[body]]
-        rate = self.rate_of(body)
-        span = None
+        points, rate = self.places(body), self.rate_of(body)
+        span = self.span_of(body)
         if link is not None and link.wheel and link.contact:
             span = named(link.wheel), named(link.contact)
-        else:
-            span = self.span_of(body)
         centre, path = mass.centre if mass else None, ("masses", mass.body if mass else name)
         if centre is None:
             if link is not None and link.wheel:
                 centre = named(link.wheel)
             elif mass is not None and len(points) > 2:
-                self.fault(path, say("fault.V724", name=name, points=", ".join(point.name for point in points)))
+                self.fault(path, say("fault.V724", name=name, points=", ".join(point.name or spelled(point) for point in points)))
             elif len(points) == 2:
                 centre = Formula("/", (Formula("+", (points[0], points[1])), number(2)))
         centre = centre or (points[0] if points else Formula("pair", (number(0), number(0))))
@@ -138,11 +135,13 @@ class _Reader:
 
     def span_of(self, body: str) -> tuple[Formula, Formula] | None:
         """Return two points that turn as a body does: its own, or those of the guide in which it cannot turn; None for none."""
-        points = [named(point) for point in self.bodies.points()[body]]
-        if len(points) > 1:
-            return points[0], points[1]
-        guide = self.guide_of(body)
-        return self.span_of(guide) if guide else None
+        points, guide = self.places(body), self.guide_of(body)
+        return (points[0], points[1]) if len(points) > 1 else self.span_of(guide) if guide else None
+
+    def places(self, body: str) -> list[Formula]:
+        """Return the points of a body: those with a name, then its joints without one."""
+        joints = (one for one in self.bodies.linkage.joints if body in one.holders and not self.bodies.point(one))
+        return list(dict.fromkeys([*map(named, self.bodies.points()[body]), *(one.where for one in joints if one.where)]))
 
     def guide_of(self, body: str) -> str:
         """Return the moving body on which a body slides without turning, "" if there is none."""
@@ -165,10 +164,11 @@ class _Reader:
         pins: list[str] = []
         found: list[Unknown] = []
         for joint in self.bodies.linkage.joints:
+            if (point := self.bodies.point(joint)) != "":
+                joint = replace(joint, where=named(point))  # friction is given by the name of the point
             if not joint.pins:
                 found += self.sliding(joint) if joint.kind.slides else self.rolling(joint)
                 continue
-            point = self.bodies.point(joint)
             held = self.bodies.hinges()[point] if point else set(joint.bodies)
             names = in_order(self.bodies.called[body] for body in held)
             if point in pins:
@@ -185,17 +185,18 @@ class _Reader:
 
     def sliding(self, joint: Joint) -> Iterator[Unknown]:
         block, guide = (self.bodies.called[body] for body in joint.bodies)
-        across = Direction("across", joint.along, None if joint.along is not None else self.line_of(joint.bodies[1]))
-        yield Unknown(f"N{_pair(guide, block)}", block, guide, joint.where, across)
+        yield Unknown(f"N{_pair(guide, block)}", block, guide, joint.where, Direction("across", *self.line_of(joint)))
         if joint.kind.takes > 1:  # a bare pin can turn in its guide
             yield Unknown(f"K{_pair(guide, block)}", block, guide, None, Direction("couple"))
 
-    def line_of(self, bar: str) -> tuple[Formula, Formula]:
-        points = [named(point) for point in self.bodies.points()[bar]]
-        if len(points) < 2:
-            self.fault(("links", bar), say("fault.V728", name=bar))
-            return (named(self.variant.points[0][0]),) * 2
-        return points[0], points[1]
+    def line_of(self, joint: Joint) -> tuple[Formula | None, tuple[Formula, Formula] | None]:
+        """Return the angle of a guide, or two points on it."""
+        along = joint.along or (slid_length(self.bodies, joint) or ("", None))[1]
+        points = [named(point) for point in self.bodies.points()[joint.bodies[1]]]
+        if along is None and len(points) < 2:
+            self.fault(("links", joint.bodies[1]), say("fault.V728", name=joint.bodies[1]))
+            points = [named(self.variant.points[0][0])] * 2
+        return along, None if along is not None else (points[0], points[1])
 
     def rolling(self, joint: Joint) -> Iterator[Unknown]:
         first, second = (self.bodies.called[body] for body in joint.bodies)
@@ -225,8 +226,7 @@ class _Reader:
             name = called[body]
             slide = next((j for j in self.bodies.linkage.joints if j.kind.slides and j.bodies[0] == body), None)
             if units[rate] == "m" and slide is not None:
-                through = None if slide.along is not None else self.line_of(slide.bodies[1])
-                along = Direction("along", slide.along, through)
+                along = Direction("along", *self.line_of(slide))
                 yield Unknown(f"F{name if several else ''}", name, called[slide.bodies[1]], slide.where, along, rate)
             else:
                 couple = Direction("couple")
@@ -252,6 +252,10 @@ class _Reader:
             base = self.turned_from(body, point, coordinate)
             if base is not None:
                 return Unknown(name, self.bodies.called[body], self.bodies.called[base], None, Direction("couple"), rate)
+        for joint in self.bodies.linkage.joints:
+            if (length := slid_length(self.bodies, joint)) is not None and length[0] == coordinate:
+                block, guide = (self.bodies.called[body] for body in joint.bodies)
+                return Unknown(name, block, guide, joint.where, Direction("along", length[1]), rate)
         for body, point in moved:
             slope, carrier = Direction("slope", coordinate=coordinate), self.carrier(self.moved_by(point) - {coordinate})
             return Unknown(name, self.bodies.called[body], self.bodies.called[carrier], named(point), slope, rate)

@@ -51,7 +51,7 @@ _SAID = {"dead point": "dead", LIMIT: "limit", "not finite": "far", "too steep":
 class MotorResults(MotionResults):
     """The results of a motion under forces, judged by energy and by the exact motion, not by velocity laws."""
 
-    @computed("motion", "exact", "energy", "free_equations")
+    @computed("motion", "exact", "energy", "free_equations", "closure")
     def checks(self) -> tuple[Finding, ...]:
         """Return the checks of a motion under forces: energy, distance from the exact motion, stability of the step."""
         scene = self.scene
@@ -63,7 +63,8 @@ class MotorResults(MotionResults):
         """Return what the checks of a motion under forces look at."""
         scene = self.scene
         assert isinstance(scene, MotorScene)
-        return Evidence(self.forces, scene.exact_analysis, scene.free_equations, scene.scheme, scene.variant.time.step)
+        step, closure = scene.variant.time.step, scene.closure
+        return Evidence(self.forces, scene.exact_analysis, scene.free_equations, scene.scheme, step, closure)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -78,10 +79,10 @@ class MotorScene(Scene):
         """Return the scheme of the rows, None for exact rows."""
         return scheme_named(self.settings.scheme)
 
-    @computed("mechanism", "equations", "reduction", "start")
+    @computed("mechanism", "equations", "reduction", "closure")
     def free_equations(self) -> EquationsOfMotion:
-        """Return the equations of motion in the free coordinates."""
-        writer = MotionWriter(self.equations, self.reduction, read_scheme(self.mechanism), tuple(self.start))
+        """Return the equations of motion in the free coordinates, for masses as they are where the mechanism is closed."""
+        writer = MotionWriter(self.equations, self.reduction, read_scheme(self.mechanism), tuple(self.closed_start))
         if writer.scheme.forces.friction:
             from coursework.effects.dynamics.rubbed_motion import rubbed_motion
 
@@ -91,9 +92,9 @@ class MotorScene(Scene):
         motor, variant = self.variant.motor, self.variant
         assert motor is not None
         try:
-            found.slope(0.0, *self.start, *self._start_rates)
+            found.slope(0.0, *self.closed_start, *self._start_rates)
         except (ZeroDivisionError, ValueError, OverflowError):
-            told = say("fault.V749") if is_heavy(found, self.start) else say("fault.V744", names=motor.rates)
+            told = say("fault.V749") if is_heavy(found, self.closed_start) else say("fault.V744", names=motor.rates)
             raise InputError([Fault(told, variant.file, variant.nearest_line("motor", "rates"))]) from None
         except Held:  # it locks where it begins: the rows end there
             pass
@@ -116,7 +117,7 @@ class MotorScene(Scene):
         is_crank = [self.variant.unit_of(rate) for rate in forces.motor.rates] == ["rad/s"]
         if not is_crank or timed or not speed or motion.stop is not None:
             return None
-        return find_regime(self.free_equations, list(self.start), speed)
+        return find_regime(self.free_equations, list(self.closed_start), speed)
 
     @computed("equations")
     def search(self) -> Search:
@@ -125,7 +126,7 @@ class MotorScene(Scene):
 
     @cached_property
     def _begin(self) -> list[float]:
-        return [*(self.start[place] for place in self.free_equations.free), *self._start_rates]
+        return [*(self.closed_start[place] for place in self.free_equations.free), *self._start_rates]
 
     @property
     def _start_rates(self) -> list[float]:
@@ -145,13 +146,16 @@ class MotorScene(Scene):
     @property
     def begin_of_forces(self) -> tuple[list[float], list[float]]:
         """Return all coordinates at t = 0, and the free coordinates with their rates."""
-        return list(self.start), self._begin
+        return list(self.closed_start), self._begin
 
     @cached_property
     def _true(self) -> FreeMotion:
         time = self.variant.time
         pace = max(1, time.steps // LOOKS)
-        fine, coarser = Dynamics(self.free_equations, list(self.start)), Dynamics(self.free_equations, list(self.start), COARSER)
+        fine, coarser = (
+            Dynamics(self.free_equations, list(self.closed_start)),
+            Dynamics(self.free_equations, list(self.closed_start), COARSER),
+        )
         found = self._with_values(fine.exact(self._begin, time.step, time.steps))
         return known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
 
@@ -231,7 +235,7 @@ class MotorScene(Scene):
         scheme, time = self.scheme, self.variant.time
         if scheme is None:
             return self._exact_rows
-        rows = Dynamics(self.free_equations, list(self.start)).rows(scheme, self._begin, time.step, time.steps)
+        rows = Dynamics(self.free_equations, list(self.closed_start)).rows(scheme, self._begin, time.step, time.steps)
         found = self._with_values(rows)
         return self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found)))
 
@@ -239,6 +243,11 @@ class MotorScene(Scene):
     def exact(self) -> Motion:
         """Return the motion without a scheme's error, on the same rows."""
         return self._exact_rows
+
+    def exact_at(self, times: Array) -> Motion:
+        """Return the exact motion at times (s) that grow from 0, as far as it goes."""
+        found = Dynamics(self.free_equations, []).between(self._true, times) if len(self._true.t) else self._true
+        return self._motion_of(found, EXACT, say("dynamics.exact"))
 
     def accelerations_of(self, motion: Motion) -> Array:
         """Return the accelerations (n, k) that the forces give the links in each row."""

@@ -93,6 +93,13 @@ class WayToMotion:
         require_start(closure)
         return judged(self.equations, closure)
 
+    @property
+    def closed_start(self) -> list[float]:
+        """Return the closed position of t = 0, even if the file rounds it; as written where positions are not closed."""
+        closure = self.closure
+        closed = closure.newton(0.0, closure.start, closure.origin) if closure is not None and closure.complete else None
+        return self.start if closed is None else closed.tolist()
+
     @computed("equations", "start")
     def reduction(self) -> Reduction:
         """Return the blocks, their solutions and determinants."""
@@ -117,10 +124,8 @@ class WayToMotion:
     def search(self) -> Search:
         """Return the true motion followed to its first dead or change point, from a closed start even if the file rounds it."""
         refuse_short_tables(self.equations)
-        time, closure = self.variant.time, self.closure
+        time, start = self.variant.time, self.closed_start
         horizon = min(time.end, PERIODS_LOOKED_AT * (time.period or np.inf))
-        closed = closure.newton(0.0, closure.start, closure.origin) if closure is not None and closure.complete else None
-        start = self.start if closed is None else closed.tolist()
         try:
             found = search_event(self.flow, start, horizon, breaks=breaks(self.variant))
             if found.passages and horizon < time.end:  # every passage must be known

@@ -75,7 +75,7 @@ class ExactRows(Motion):
         outside = times[~((times >= 0) & (times <= last * (1 + _SHORTEST)))].tolist()
         grid, places = np.unique(np.append(np.clip(times, 0.0, last), 0.0), return_inverse=True)
         found = self.scene.exact_at(grid)
-        if outside or not len(found.t):
+        if outside or len(found.t) < len(grid):
             raise InputError(say("fault.D026", time=[*outside, float(grid[-1])][0], last=last))
         return exact_rows(self.scene, found, places.ravel()[:-1])
 

@@ -73,7 +73,7 @@ class CourseworkError(Exception):
     """
 
     def __init__(self, faults: Iterable[Fault] | Sentence) -> None:
-        listed = (Fault(faults),) if isinstance(faults, str) else tuple(faults)
+        listed = (Fault(faults),) if isinstance(faults, str) else tuple(dict.fromkeys(faults))  # each is told once
         self.faults: tuple[Fault, ...] = tuple(sorted(listed, key=lambda fault: (fault.file, fault.line or 10**6, fault.column)))
         super().__init__(self.faults)
 

@@ -10,7 +10,7 @@ import pytest
 import coursework
 from coursework.assigning.accept import Acceptance
 from coursework.assigning.ranges import Lots
-from coursework.assigning.variants import load_ranges
+from coursework.assigning.variants import Assignment, load_ranges
 from tests.mechanisms.library import mechanism
 
 STUDENTS = [f"student-{number}" for number in range(12)]
@@ -138,3 +138,11 @@ def test_more_starts_than_the_geometry_leaves_free_are_refused(tmp_path):
         else:
             with pytest.raises(coursework.InputError, match="did not close: more start values are drawn"):
                 coursework.draw("v104", ranges, 3, "ada")
+
+
+def test_of_a_mechanism_that_forces_move_no_variants_are_drawn():
+    """The keys held the motion of a law that nobody gave."""
+    template = coursework.load("falling-arm")
+    ranges = load_ranges({"given": {"r1": {"from": "0.4 m", "to": "0.6 m", "step": "0.1 m"}}}, template)
+    with pytest.raises(coursework.InputError, match=r"A032 .*falling-arm\.toml:\d\d  forces move this mechanism"):
+        Assignment(template, ranges, "7")

@@ -81,3 +81,16 @@ def test_an_angle_from_link_to_link_is_driven_by_a_couple_at_the_joint(named):
     assert found.column("Mw2") == pytest.approx(turned + (np.conj(arm) * pin).imag, rel=1e-11)
     if named:
         assert found.by_power == pytest.approx(np.column_stack([found.column("M1"), found.column("Mw2")]), rel=1e-10)
+
+
+@pytest.mark.parametrize("loop", ["B + s @ psi = C", "B + s @ psi = A + c @ phi", "0*A - C + s @ psi = -(xB, yB)"])
+def test_the_rod_of_a_cylinder_is_pushed_at_its_pin_and_the_boom_feels_it_there(loop):
+    """By hand: moments of the boom about A, then of the rod, which carries nothing but the pin C and the barrel."""
+    named = ('C = "A + c @ phi"', 'C = "A + c @ phi"' if "C" in loop else 'C = "B + s @ psi"')
+    text = mechanism("boom", ("B + s @ psi = C", loop), named)
+    heavy = '[masses]\n1 = { mass = "90 kg", inertia = "rod" }\n[forces]\ngravity = "9.81 m/s^2"\n'
+    found = of_text(text + heavy)
+    phi, psi, e = (found.rows.motion.column("phi"), found.rows.motion.column("psi"), found.beside["e1"])
+    push = (90 * 9.81 * 0.65 * np.cos(phi) + 90 * 1.3**2 / 3 * e) / (1.3 * np.sin(psi - phi))
+    assert found.column("F") == pytest.approx(push, rel=1e-10)
+    assert found.column("R13x") + 1j * found.column("R13y") == pytest.approx(-push * np.exp(1j * psi), rel=1e-10)

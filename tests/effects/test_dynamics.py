@@ -279,3 +279,12 @@ def test_a_search_for_a_step_of_drives_is_refused(tmp_path, monkeypatch):
     told = call("run", "falling-arm", "--step", "auto", "--error", "0.01")
     assert told.exit_code == 2
     assert "C077" in told.stderr
+
+
+@pytest.mark.parametrize(("name", "rate"), [("example-2-motor", "w1"), ("falling-arm", "w2"), ("block-on-a-spring", "u")])
+def test_the_motion_is_known_between_rows_too(name, rate):
+    """There the law was followed that stands in for the forces."""
+    run, finer = (coursework.solve(coursework.parse_variant(mechanism(name)), "exact", end=0.6, step=h) for h in (0.15, 0.05))
+    found = run.exact.at([0.0, 0.05, 0.5, 0.1, 0.6])
+    assert found.column(rate) == pytest.approx(finer.table[rate].to_numpy()[[0, 1, 10, 2, 12]], rel=1e-9, abs=1e-9)
+    assert np.ptp(found.coordinates, axis=0).min() > 1e-3

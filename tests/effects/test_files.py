@@ -82,8 +82,9 @@ def test_a_file_without_forces_imports_nothing_of_them(tmp_path):
 
 
 def test_forces_of_a_file_that_names_none_are_refused():
-    with pytest.raises(coursework.InputError, match="names no masses"):
-        coursework.solve("31", quantities=["forces"])
+    with pytest.raises(coursework.InputError, match="names no masses") as told:
+        coursework.solve("31", quantities=["forces", "energy"])
+    assert len(told.value.faults) == 1
 
 
 @pytest.mark.parametrize("arguments", [(), ("--groups", "crank,RPR,RRP"), ("--from", "31"), ("--from", "v107")])

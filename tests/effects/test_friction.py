@@ -54,6 +54,15 @@ def test_a_block_on_a_lever_rubs_both_and_the_drive_gives_what_that_takes():
     assert (block, lever) == ("2", "3") and np.abs(force + back).max() == 0
 
 
+@pytest.mark.parametrize("rail", ['rails  = [ { through = "F", angle = "0" } ]\n', ""])
+def test_a_slider_of_a_chain_rubs_whether_or_not_the_frame_names_its_rail(rail):
+    """It was said that nothing rubs at F."""
+    text = mechanism("whitworth-forces", ('rails  = [ { through = "F", angle = "0" } ]\n', rail))
+    found = of_text(text.replace("[ask]", '[friction]\nF = { coefficient = "0.1" }\n\n[ask]'))
+    lost = 0.1 * np.abs(found.column("N05") * found.rows.motion.column("u5"))
+    assert found.energy.friction == pytest.approx(-lost, abs=1e-9)
+
+
 def test_rows_in_which_a_pair_stands_still_are_told():
     """The slider stands in both dead positions: rows 1, 19 and 37 of a turn in steps of ten degrees."""
     for entries, told in (('C = { coefficient = "0.1" }', True), ('A = { radius = "20 mm", coefficient = "0.1" }', False)):

@@ -8,7 +8,7 @@ import pytest
 import coursework
 from coursework.scene.quantities import plans
 from tests.effects.massed import of_text
-from tests.mechanisms.library import mechanism
+from tests.mechanisms.library import changed, mechanism
 from tests.report.real import parts
 from tests.solved import solved
 
@@ -92,3 +92,73 @@ def test_points_keep_to_their_guides_also_in_their_accelerations():
     assert drawn == pytest.approx(spun[row], rel=1e-9)
     shown = json.dumps([part for part in parts(run, "accelerations") if part["kind"] == "equations"], ensure_ascii=False)
     assert f"{second['w2'][run.variant.time.row_of_check - 1]:.5g}".lstrip("-") in shown
+
+
+LOOP = mechanism(
+    "four-bar-loop", ('[drive]\nw1 = "n"\n', ""), ('[points]\nA = "a', '[points]\nO = "(0, 0)"\nD = "(d, 0)"\nA = "O + a'),
+    ("(d, 0) + c @ phi3", "B"), ("[time]", 'B = "D + c @ phi3"\n[time]'), period=None, end="0.2 s",
+) + """
+[links]
+1 = { points = ["O", "A"], rate = "w1" }
+2 = { points = ["A", "B"], rate = "w2" }
+3 = { points = ["D", "B"], rate = "w3" }
+[frame]
+hinges = ["O", "D"]
+[masses]
+1 = { mass = "1 kg", inertia = "rod" }
+2 = { mass = "2 kg", inertia = "rod" }
+3 = { mass = "3 kg", inertia = "rod" }
+[forces]
+gravity = "9.81 m/s^2"
+[motor]
+rates = ["w1"]
+[ask]
+quantities = ["table", "checks", "dynamics", "energy"]
+"""  # fmt: skip
+
+
+def test_under_forces_a_start_that_is_open_is_told_and_rods_have_the_length_of_the_closed_one():
+    """The rod, as long as its ends were apart before they were brought together, was too light: energy came from nowhere."""
+    runs = [
+        coursework.solve(coursework.parse_variant(changed(LOOP, ("0.57204749", start))), "exact", quantities=["checks", "energy"])
+        for start in ("0.57204749", "0.571")
+    ]
+    for run, open_ones in zip(runs, ([], ["START"]), strict=True):
+        assert [one.code for one in run.checks if one.verdict == "FAIL"] == open_ones
+        assert next(one.value for one in run.checks if one.code == "ENERGY") < 1e-9
+    assert np.abs(runs[0].table.to_numpy() - runs[1].table.to_numpy()).max() < 1e-9
+    with pytest.raises(coursework.InputError, match=r"V313 .* the start values violate the closure"):
+        _ = coursework.solve(coursework.parse_variant(changed(LOOP, ("0.5720474966558032", "0.5")))).table
+
+
+WRITTEN = changed(
+    LOOP, ("[[constraint]]\nclosure = \"A + b @ phi2 = B\"", """[closure]
+holds = ["a*cos(phi1) + b*cos(phi2) - c*cos(phi3)", "a*sin(phi1) + b*sin(phi2) - c*sin(phi3)"]
+[[constraint]]
+name = "x"
+equation = "a*w1*sin(phi1) + b*w2*sin(phi2) - c*w3*sin(phi3) = 0"
+[[constraint]]
+name = "y"
+equation = "a*w1*cos(phi1) + b*w2*cos(phi2) - c*w3*cos(phi3) = 0"
+"""),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("place", ["w1*sin", "w1*cos"])
+def test_under_forces_an_equation_with_a_wrong_sign_is_refused(place):
+    """From rest every sign looks right."""
+    run = coursework.solve(coursework.parse_variant(changed(WRITTEN, (f"a*{place}", f"-a*{place}"))))
+    with pytest.raises(coursework.InputError, match=r"V302 .* contradicts the geometry"):
+        _ = run.table
+    of_loop = coursework.solve(coursework.parse_variant(LOOP)).table
+    assert np.abs(coursework.solve(coursework.parse_variant(WRITTEN)).table.to_numpy() - of_loop.to_numpy()).max() < 1e-9
+
+
+def test_a_slider_whose_pin_has_no_name_is_as_heavy_as_one_with_a_name():
+    """Its centre of mass was taken to lie still at the origin."""
+    text = mechanism("example-2-motor", ('rails  = [ { through = "C", angle = "0" } ]\n', "")).split("# --- texts")[0]
+    begin, rest = text.split("[links]")
+    text = changed(begin + "[frame]" + rest.split("[frame]")[1], ('C = { mass = "20 kg"', '3 = { mass = "20 kg"'))
+    nameless = changed(text, ('meets       = "C"\n', ""), ('on = "3", at = "C"', 'on = "3", at = "(s3, 0)"'))
+    one, other = (coursework.solve(coursework.parse_variant(each), end=0.2).table for each in (text, nameless))
+    assert np.abs(one.to_numpy() - other.to_numpy()).max() < 1e-9

@@ -282,5 +282,5 @@ def test_a_break_on_a_row_is_met_by_every_scheme(scheme, step):
     assert np.max(np.abs(run.motion.column("p") - (6 * np.minimum(t, at) - 2 * np.maximum(t - at, 0)))) < 1e-12
     assert np.max(np.abs(run.results.extended_precision[:, 0].astype(float) - run.motion.column("p"))) < 1e-12
     rates = run.scene.rates
-    rows = trace(generate_loop(SCHEMES[scheme], rates), run.scene.start, step, range(23), 3, rates.may_look_until)
+    rows = trace(generate_loop(SCHEMES[scheme], rates), run.scene.start, step, range(23), 3, rates)
     assert np.max(np.abs(rows[:, 0] - run.motion.column("p"))) < 1e-12

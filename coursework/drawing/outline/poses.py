@@ -12,11 +12,12 @@ import numpy as np
 
 from coursework.drawing.outline.outline import Outline, Rail, Slot
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.equations.reduction.symbolic import symbol
+from coursework.equations.reduction.symbolic import Symbols, Vector, symbol
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
+from coursework.variant.formula.tree import Formula, with_names
 
 
 @frozen
@@ -65,10 +66,19 @@ def unit_vectors(way: Complex) -> Complex:
     return np.asarray(way / np.where(way == 0, 1, np.abs(way)))
 
 
+def drawn_vectors(outline: Outline, symbols: Symbols) -> list[Vector]:
+    """Return the points of an outline as expressions; a joint without a name in the file has its letter on the drawing only."""
+    drawn = dict(outline.points)
+
+    def known(name: Formula) -> Formula:
+        return name if name.name in symbols.vectors or name.name not in drawn else with_names(drawn[name.name], known)
+
+    return [symbols.vectors.get(name) or symbols.vector(with_names(formula, known)) for name, formula in outline.points]
+
+
 def read_poses(outline: Outline, equations: VelocityEquations) -> Callable[[Array, Array], Poses]:
     """Return `read(t, coordinates)` for rows (n,) and (n, m), compiled once."""
-    symbols = equations.symbols
-    wanted = [part for name, formula in outline.points for part in symbols.vectors.get(name) or symbols.vector(formula)]
+    wanted = [part for vector in drawn_vectors(outline, equations.symbols) for part in vector]
     laws = tuple(law.name for law in equations.variant.drive)
     names = tuple(name for name, _ in outline.points)
     rows = compile_rows(equations, [*wanted, *map(symbol, laws)], 0)

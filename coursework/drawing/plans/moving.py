@@ -12,6 +12,7 @@ from dataclasses import field
 import numpy as np
 
 from coursework.drawing.outline.outline import Bar, Outline
+from coursework.drawing.outline.poses import drawn_vectors
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
@@ -51,7 +52,7 @@ class Kinematics:
 def kinematics_of(outline: Outline, equations: VelocityEquations, motion: Motion, accelerations: Array) -> Kinematics:
     """Return the motion of all points and links in every row; `accelerations` (n, k) belong to the motion's velocities."""
     symbols = equations.symbols
-    vectors = [symbols.vectors.get(name) or symbols.vector(formula) for name, formula in outline.points]
+    vectors = drawn_vectors(outline, symbols)
     wanted = [component for vector in vectors for component in vector]
     levels = [level(motion.t, motion.coordinates, motion.velocities, accelerations) for level in jets(equations, wanted, 2)]
     points = {

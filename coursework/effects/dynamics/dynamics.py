@@ -136,22 +136,43 @@ class Dynamics:
 
     def exact(self, state: Sequence[float], step: float, steps: int) -> FreeMotion:
         """Return the rows of the exact motion: Dormand and Prince 8(5,3) to 1e-13, each row at the end of a step."""
-        length, breaks, acting = [step], self.motion.breaks, self.motion.acting
-
-        def take(t: float, now: list[float]) -> list[float]:
-            inside = {
-                *[one for one in breaks if t < one < t + step],
-                *(quick_times(acting, t, t + step) if acting is not None else ()),
-            }
-            for begin, end in itertools.pairwise([t, *sorted(inside), t + step]):
-                now = self._over(begin, now, min(end, may_look_until(breaks, end)), length, step * max(steps, 1))
-            return now
-
+        length, whole = [step], step * max(steps, 1)
         try:
-            return self._march(state, step, steps, take)
+            return self._march(state, step, steps, lambda t, now: self._through(t, now, t + step, length, whole))
         finally:
-            if self.motion.rubbing is not None:
-                self.motion.rubbing.held = ()
+            self._let_go()
+
+    def between(self, rows: FreeMotion, times: Array) -> FreeMotion:
+        """Return the exact motion at times (n,) s, each followed from the last of its `rows` before it, as far as it goes."""
+        count, found = len(self.motion.free), [np.zeros((0, rows.coordinates.shape[1] + rows.rates.shape[1]))]
+        for time in times.tolist():
+            row = max(int(np.searchsorted(rows.t, time, "right")) - 1, 0)
+            begin, self.q, self._rates, self.rests_until = float(rows.t[row]), rows.coordinates[row].tolist(), [], -math.inf
+            now = [*(self.q[place] for place in self.motion.free), *rows.rates[row].tolist()]
+            try:
+                if time > begin:
+                    now = self._through(begin, now, time, [time - begin], time)
+                    self.q = self._followed(time, now[:count]) if self._rates else self.closed(time, now[:count])
+            except (Open, Held, ZeroDivisionError, OverflowError):
+                break
+            finally:
+                self._let_go()
+            found.append(np.array([[*self.q, *now[count:]]]))
+        both = np.concatenate(found)
+        return FreeMotion(times[: len(both)], both[:, :-count], both[:, -count:], rows.slopes)
+
+    def _let_go(self) -> None:
+        if self.motion.rubbing is not None:
+            self.motion.rubbing.held = ()
+
+    def _through(self, t: float, now: list[float], goal: float, length: list[float], whole: float) -> list[float]:
+        """Return the state at time `goal`; no step goes over a time at which a force changes its formula or is quick."""
+        breaks, acting = self.motion.breaks, self.motion.acting
+        quick = quick_times(acting, t, goal) if acting is not None else ()
+        inside = {*[one for one in breaks if t < one < goal], *quick}
+        for begin, end in itertools.pairwise([t, *sorted(inside), goal]):
+            now = self._over(begin, now, min(end, may_look_until(breaks, end)), length, whole)
+        return now
 
     def _over(self, t: float, now: list[float], goal: float, length: list[float], whole: float) -> list[float]:
         """Return the state at time `goal`; a mechanism held by friction rests until the forces that vary with time release it."""

@@ -161,8 +161,8 @@ class MotionWriter:
     def _turning(self, body: Body) -> tuple[list[Expression], Expression]:
         """Return the analogs of a body's rate, and its acceleration for zero free accelerations."""
         if not body.rate and body.span is not None and body.inertia is not None:
-            line = self.scheme.forces.lines.get(("masses", body.name), 1)
-            raise InputError([Fault(say("fault.V741", name=body.name), self.equations.variant.file, line)])
+            variant = self.equations.variant
+            raise InputError([Fault(say("fault.V741", name=body.name), variant.file, variant.nearest_line("masses", body.name))])
         bias = ZERO if not body.rate or body.rate in self.rates else derivative(body.rate)
         return [self.rate_of(body.rate, k) for k in range(len(self.rates))], bias
 

@@ -52,8 +52,8 @@ class _Writer:
         scheme, free = self.motion.scheme, len(self.motion.rates)
         places, count = places_of(scheme), len(scheme.unknowns)
         if count != 3 * len(scheme.bodies) + 2 * len(scheme.pins):
-            line = next((line for path, line in scheme.forces.lines.items() if path[0] == "friction"), 1)
-            raise InputError([Fault(say("fault.V718"), self.motion.equations.variant.file, line)])
+            variant = self.motion.equations.variant
+            raise InputError([Fault(say("fault.V718"), variant.file, variant.nearest_line("friction"))])
         entries: Entries = {}
         for place, one in enumerate(scheme.unknowns):
             for name, sign in ((one.on, ONE), (one.off, -ONE)):

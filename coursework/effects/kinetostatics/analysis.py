@@ -163,12 +163,11 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
         body = scheme.by_name[scheme.body_named(name)]
         if at is None or not rows.count or _is_fixed(rows, body, scheme.own_point(name), at, share):
             continue
-        line = scheme.forces.lines.get(path) or scheme.forces.lines.get(path[:2], 1)
         if path[0] == "forces":
             told = say("fault.V732", name=body.name, held=", ".join(scheme.holds.get(body.name, ())), doubt=doubt())
         else:
             told = say("fault.V731" if len(path) > 2 else "fault.V735", name=body.name, point=spelled(at), doubt=doubt())
-        faults.append(Fault(told, variant.file, line, 0, ".".join(path)))
+        faults.append(Fault(told, variant.file, variant.nearest_line(*path), 0, ".".join(path)))
     faults += [fault for one in scheme.unknowns if (fault := _moving_guide(rows, one, variant, share, doubt)) is not None]
     if faults:
         raise InputError(faults)

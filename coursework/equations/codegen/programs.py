@@ -175,6 +175,7 @@ def _exp(value: float) -> float:
 
 _MATH: dict[str, Any] = {name: vars(math)[name] for name in CALLS if hasattr(math, name)}
 _MATH["exp"] = _exp
+_MATH["sign"] = lambda value: math.copysign(1.0, value) if value and value == value else value  # plain: 1/0 is an error after it
 _MATH["_choose"] = lambda holds, yes, no: yes() if holds else no()
 _ARRAYS: dict[str, Any] = {name: vars(np)[name] for name in CALLS if hasattr(np, name)}
 # NumPy functions under the names of `math`, where these differ.
@@ -191,7 +192,7 @@ def _code(source: str, name: str) -> CodeType:
 def build(source: str, name: str, body: Bound, *, numpy: bool = False, outside: bool = False) -> Callable[..., Any]:
     """Return the function `name` of a source that this program has printed."""
     namespace = {**(_ARRAYS if numpy else _MATH), **body.numbers}
-    namespace |= {"abs": abs, "sign": np.sign, "range": range, "_adjugate": _adjugate}
+    namespace |= {"abs": abs, "range": range, "_adjugate": _adjugate}
     namespace["_solve"] = _solve_rows if numpy else _solve
     for key, law in body.tables.items():
         for order in range(3):

@@ -58,11 +58,11 @@ def choose(
         sames, conflicts = _judge_dropped(matrix, right, kept, names)
     if len(kept) < len(equations.unknowns) and (nearly := _nearly(base, kept, names)):
         raise InputError([_too_near(equations, nearly, base)])
-    if conflicts or len(kept) < len(equations.unknowns):
-        raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
-    if names_tied := _tied(equations, start, matrix, kept):
+    if len(kept) == len(equations.unknowns) and (names_tied := _tied(equations, start, matrix, kept)):
         told = say("fault.V750", names=names_tied)
         raise InputError([Fault(told, equations.variant.file, equations.variant.nearest_line("motor", "rates"))])
+    if conflicts or len(kept) < len(equations.unknowns):
+        raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
     notes = tuple(say("equation.redundant", same=_same(names)) for names in sames)
     return tuple(kept), notes
 

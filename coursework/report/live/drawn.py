@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.drawing.outline.ground import Places, hinge_ground, inward, racks, rail_side
 from coursework.drawing.outline.outline import Outline
-from coursework.drawing.outline.poses import all_rows, read_poses
+from coursework.drawing.outline.poses import all_rows, drawn_vectors, read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
@@ -40,7 +40,7 @@ def drawn_of(scene: Scene, label: Callable[[str], str]) -> Drawn:
     if outline is None or not outline.shown:
         return Drawn({kind: [] for kind in _KINDS}, ())
     symbols = scene.equations.symbols
-    vectors = [symbols.vectors.get(name) or symbols.vector(formula) for name, formula in outline.points]
+    vectors = drawn_vectors(outline, symbols)
     kept = outline.plain()
     data = {kind: kept[kind] for kind in ("points", "slots", "blocks", "wheels")}
     data["links"] = [{"name": bar.link, "points": list(bar.corners), "rate": bar.rate} for bar in outline.bars]

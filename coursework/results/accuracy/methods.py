@@ -104,7 +104,7 @@ def left_out(problem: Problem, bounds: Bounds) -> list[str]:
 
 
 def _by_loop(problem: Problem, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:
-    return trace(loop, problem.start, problem.step, problem.marks, substeps, problem.rates.may_look_until), cost
+    return trace(loop, problem.start, problem.step, problem.marks, substeps, problem.rates), cost
 
 
 def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int]:

@@ -11,12 +11,10 @@ from collections.abc import Mapping, Sequence
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.results.accuracy.methods import projected_title
 from coursework.results.accuracy.record import StudyRow
-from coursework.results.accuracy.trace import local_slopes
+from coursework.results.accuracy.trace import SETTLED, local_slopes
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-# A method has reached its order if its local slopes differ by less.
-_SETTLED = 0.5
 # A better scheme has at most this share of Euler's error.
 _BETTER = 0.95
 # Round-off of one step (rad or m); over many steps it grows as the square root of their number (N. J. Higham, Accuracy and
@@ -98,7 +96,7 @@ def unsettled(rows: Sequence[StudyRow], floor: float, *, broken: bool = False) -
         if own and own[-1].max_error <= own[-1].evaluations * floor / ROUNDINGS:
             continue  # the round-off of the steps grows with their number
         local = local_slopes([row.evaluations for row in own], [row.max_error for row in own], floor)
-        if len(local) > 1 and abs(local[-1] - local[-2]) > _SETTLED:
+        if len(local) > 1 and abs(local[-1] - local[-2]) > SETTLED:
             told.append(say("study.slopes", method=title_of(scheme), first=local[-2], last=local[-1]))
         elif not local and len(own) > 1 and own[-1].max_error > 10 * floor:
             told.append(say("study.no_slope", method=title_of(scheme)))

@@ -210,7 +210,7 @@ class _Search:
 
 def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:
     try:
-        return trace(loop, start, end / steps, range(steps + 1), inner, rates.may_look_until)
+        return trace(loop, start, end / steps, range(steps + 1), inner, rates)
     except (ArithmeticError, ValueError):
         return np.full((steps + 1, len(start)), np.inf if inner == 1 else 0.0)
 

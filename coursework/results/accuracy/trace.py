@@ -7,30 +7,38 @@ and `study.py`.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from coursework.motion.integration.loops import Loop
+from coursework.motion.integration.rates import Rates
 from coursework.results.accuracy.record import StudyRow
 from coursework.system.arrays import Array
+
+SETTLED = 0.5  # a method has reached its order if its local slopes differ by less
 
 
 def trace(
     loop: Loop, start: Sequence[float], step: float, marks: Sequence[int], substeps: int,
-    latest: Callable[[float], float] | None = None,
+    rates: Rates | None = None,
 ) -> Array:  # fmt: skip
     """Return the positions (n, m) in the rows `marks`, which begin with 0, with `substeps` steps a row; rows are `step` s apart.
 
-    `latest(t)` is the last time at which the steps before the row at t may evaluate slopes (`Rates.may_look_until`); a row where
-    this matters must be a mark.
+    A step that ends at a break of the drives evaluates no slopes behind it, as `rates` say.
     """
     q = tuple(start)
     found = [q]
+    near = {round(time / step * substeps) for time in rates.breaks} if rates else set()
+    at_breaks = {place for place in near if rates and math.isfinite(rates.may_look_until(place / substeps * step))}
     for row, following in itertools.pairwise(marks):
-        rows = following - row
-        length = min(step, (latest(following * step) - row * step) / rows) if latest else step
-        q = loop(row * step, rows * substeps, length / substeps, *q)
+        first, end = row * substeps, following * substeps
+        for last in (*sorted(place for place in at_breaks if first < place < end), end):
+            begin, steps = first / substeps * step, last - first
+            latest = rates.may_look_until(last / substeps * step) if rates else math.inf
+            q = loop(begin, steps, min(step / substeps, (latest - begin) / steps), *q)
+            first = last
         found.append(q)
     return np.array(found)
 
@@ -39,10 +47,10 @@ def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float
     """Return the order of accuracy: the slope of log error against log cost by least squares.
 
     Only the finest three points between ten times the round-off `floor` and 0.1 count, because coarse steps have not reached
-    the order yet.  None if fewer than two remain.
+    the order yet.  None if fewer than two remain, or if the slopes between them show that the order is not reached.
     """
-    kept = _counted(costs, found, floor)
-    if len(kept) < 2:
+    kept, local = _counted(costs, found, floor), local_slopes(costs, found, floor)
+    if not local or max(local) - min(local) > SETTLED:
         return None
     x, y = np.array(kept).T
     return float(-np.polyfit(x, y, 1)[0])

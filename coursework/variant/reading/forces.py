@@ -15,7 +15,6 @@ from coursework.variant.reading.shape import of_motor
 from coursework.variant.record.forces import GRAVITY, MEASURED, SHAPES, Flywheel, Forces, Friction, Load, Mass, Motor, Spring
 from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Coordinate
-from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say, say_count
 
@@ -38,7 +37,6 @@ def read_forces(file: schema.VariantFile, coordinates: Sequence[Coordinate], par
         tuple(one for one in read if isinstance(one, Load)), tuple(one for one in read if isinstance(one, Spring)),
         tuple(_friction(key, entry, parts) for key, entry in file.friction.items()), _motor(file, coordinates, parts),
         _flywheel(flywheel, parts) if flywheel is not None else None,
-        {path: line for path, line in parts.source.positions.lines.items() if path[0] in FORCE_SECTIONS},
     )  # fmt: skip
 
 

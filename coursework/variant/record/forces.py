@@ -5,8 +5,7 @@ Leaves `reading/forces.py` inside a `Variant`, only for a file that has any.  Us
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
-from dataclasses import field
+from collections.abc import Collection, Iterator
 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number
@@ -102,12 +101,14 @@ class Forces:
     friction: tuple[Friction, ...] = ()
     motor: Motor | None = None
     flywheel: Flywheel | None = None
-    lines: Mapping[KeyPath, int] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def free(self) -> tuple[Law, ...]:
-        """Return laws (0 at first) for the rates that forces move, as if they were drives: the geometry gives all other rates."""
-        return tuple(Law(rate, number(0)) for rate in (self.motor.rates if self.motor else ()))
+        """Return laws for the rates that forces move, as if they were drives: the geometry gives all other rates.
+
+        Any law would do; these move, differently, because a wrong sign before a rate is not seen where the rate is zero.
+        """
+        return tuple(Law(rate, number(1 + place)) for place, rate in enumerate(self.motor.rates if self.motor else ()))
 
     def parts(self, known: Collection[str]) -> Iterator[Formula]:
         """Yield the largest parts of all formulas, vectors excepted, that contain only `known` names."""

@@ -39,11 +39,16 @@ class Positions:
         return {path: line for places in (self.values, self.keys) for path, (line, _) in places.items()}
 
     def find(self, path: KeyPath, *, key: bool = False) -> tuple[int, int]:
-        """Return (line, column) of the value at `path`, of its `key`, or of the nearest known ancestor; else (0, 0)."""
+        """Return (line, column) of the value at `path`, of its `key`, or of the nearest known ancestor; else (0, 0).
+
+        A list of tables stands where its first one does.
+        """
         while path:
             for places in (self.keys, self.values) if key else (self.values, self.keys):
                 if path in places:
                     return places[path]
+            if (*path, 0) in self.keys:
+                return self.keys[*path, 0]
             path = path[:-1]
         return (0, 0)
 

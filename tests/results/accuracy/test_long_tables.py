@@ -15,6 +15,7 @@ from coursework.results.accuracy.methods import left_out, trials
 from coursework.results.accuracy.problem import PAGE, TIMED, Bounds, Problem
 from coursework.results.accuracy.trace import trace
 from tests.hard.scenes import scene, solve
+from tests.mechanisms.library import mechanism
 from tests.report.reading import html_text
 
 
@@ -108,7 +109,7 @@ def test_a_break_is_a_row_looked_at():
     long = Problem(rates, (0.0, 0.0), 0.003, 4001, None, ("rad", "rad"))
     assert long.pace == 3
     assert 1001 in long.marks
-    rows = trace(generate_loop(SCHEMES["rk4"], rates), long.start, long.step, long.marks, 1, rates.may_look_until)
+    rows = trace(generate_loop(SCHEMES["rk4"], rates), long.start, long.step, long.marks, 1, rates)
     exact = 6 * np.minimum(long.times, 3.003) - 2 * np.maximum(long.times - 3.003, 0)
     assert np.max(np.abs(rows[:, 0] - exact)) < 1e-11
 
@@ -123,3 +124,11 @@ def test_a_table_beyond_every_bound_keeps_its_page_and_says_why_there_is_no_stud
     told = html_text(render_html(build_model(outside)))
     assert "The runs of this study are left out: 25 rows of this mechanism with every scheme take" in told
     assert "Positions and velocities by" in told
+
+
+def test_a_break_that_falls_between_rows_costs_no_order_of_a_step_that_ends_there():
+    """Rows 0.1 s, breaks at 0.45 s: half a row.  With 20 steps Heun is exact for a rate that is linear on either side."""
+    text = mechanism("crank", ('w1 = "w0"', 'w1 = { pieces = [["0 s", "2*t"], ["0.45 s", "5 - t"]] }'))
+    study = coursework.solve(coursework.parse_variant(text), quantities=["accuracy"]).accuracy
+    errors = {row.steps_or_tolerance: row.max_error for row in study.rows if row.method == "Heun"}
+    assert errors["10"] > 1e-3 and errors["20"] < 1e-12

@@ -155,6 +155,11 @@ def test_errors_between_ten_times_round_off_and_a_tenth_have_an_order(errors, or
     assert found == (order if order is None else pytest.approx(order, abs=2e-3))
 
 
+@pytest.mark.parametrize(("last", "order"), [(1e-4, 1.0), (1e-5, None), (0.9e-3, None)])
+def test_slopes_that_disagree_are_no_order(last, order):
+    assert slope([1, 10, 100], (1e-2, 1e-3, last), 1e-15) == (order and pytest.approx(order))
+
+
 @pytest.mark.parametrize(
     ("seconds", "told"),
     [(12.0, "12 s"), (1.0, "1 s"), (0.99, "990 ms"), (1e-3, "1 ms"), (0.99e-3, "990 µs"), (1e-6, "1 µs"), (9e-9, "9 ns")],

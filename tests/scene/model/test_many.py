@@ -242,3 +242,14 @@ def test_a_table_is_asked_for_by_the_number_of_its_set():
     assert many[np.int64(-1)].equals(many[1])
     with pytest.raises(TypeError, match="slice"):
         _ = many[0:1]
+
+
+def test_sets_that_forces_move_are_solved_one_by_one():
+    """They had the velocities of a law of nobody's."""
+    lengths = ["1.1 m", "1.2 m"]
+    many = coursework.solve_many("example-2-motor", {"r2": lengths}, end=0.1)
+    for table, length in zip(many, lengths, strict=True):
+        alone = coursework.solve(coursework.load("example-2-motor").with_data({"r2": length}), end=0.1).table
+        assert np.array_equal(table.to_numpy(), alone.to_numpy())
+    possible, (none, why) = coursework.feasible_many("example-2-motor", {"r2": ["1.2 m", "0.35 m"]})
+    assert possible.tolist() == [True, False] and not none and "At t = 0." in why

@@ -240,8 +240,14 @@ def test_what_is_said_behind_them(monkeypatch: pytest.MonkeyPatch, power: Any, w
 
 def test_moments_are_taken_about_the_pin_where_it_has_no_letter(real: ModuleType) -> None:
     """The ram's pin is no joint with a name: "Moments about , link 4"."""
-    page = real.text_of(real.parts(solved("whitworth-forces", quantities=["table", "forces"]), "forces"))
-    assert "Moments about the pin of link 4: what is known gives" in page and "about ," not in page
+    nameless = mechanism(
+        "whitworth-forces", ('meets       = "F"\n', ""), ('rails  = [ { through = "F", angle = "0" } ]\n', ""),
+        ('at = "F"', 'at = "(s5, -d)"'),
+    )  # fmt: skip
+    for text, pin in ((mechanism("whitworth-forces"), "F, link 4"), (nameless, "the pin of link 4")):
+        run = coursework.solve(coursework.parse_variant(text), quantities=["table", "forces"])
+        page = real.text_of(real.parts(run, "forces"))
+        assert f"Moments about {pin}: what is known gives" in page and "about ," not in page
 
 
 def test_a_drive_between_two_links_is_said_to_act_on_both() -> None:
