@@ -24,6 +24,7 @@ from coursework.system.frozen import frozen
 NAMES = {"\t": "tab", " ": "blanks"}
 _SAMPLE = 80  # number of lines used to choose the separator
 _HINT = re.compile(r'\s*"?sep=(.)"?[;,\t]*\s*', re.IGNORECASE)
+_PARTED = re.compile(r"[;\t|]")
 _TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
 _BARS = str.maketrans(dict.fromkeys("│┃║┆┊❘", "|"))
 _REMARKS = {"#", "%", "//", "!", "--", "%%", "##"}
@@ -50,8 +51,9 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
     lines = in_whole_lines(list(_lines(text.translate(_BARS), most_rows)))
     if rows := rows_of_typst(text, most_rows) or listed_rows("\n".join(lines), most_rows, most_columns):
         return Split("cells", rows)
-    if 2 * sum(map(looks_numeric, lines[:_SAMPLE])) > sum(map(bool, lines[:_SAMPLE])):  # one cell in each line
-        each = list(_lines(text, most_rows * most_columns))
+    sample = lines[:_SAMPLE]
+    if 2 * sum(map(looks_numeric, sample)) > sum(map(bool, sample)) and not any(_PARTED.search(line) for line in sample):
+        each = list(_lines(text, most_rows * most_columns))  # one cell in each line
         if rows := rows_of_lines(each, _progresses):
             return Split("cells", rows[: most_rows + 1])
     if lines and (hint := _HINT.fullmatch(lines[0])):
