@@ -88,13 +88,13 @@ class Explained:
         beside = np.zeros(len(holds), dtype=bool)
         beside[rows] = put
         beside[rows[1:]] |= put[:-1]
+        others, lost = self._spoken & ~beside[:, None], self._spoken & beside[:, None] & ~explained
+        usual = (explained & others).sum(axis=0) / np.maximum(_FEW * len(rows), others.sum(axis=0))
         before = np.zeros_like(explained)
-        for column in range(holds.shape[1]):
-            others = self._spoken[:, column] & ~beside
-            usual = float((explained[:, column] & others).sum()) / max(_FEW * len(rows), int(others.sum()))
-            lost = np.zeros_like(explained)
-            lost[:, column] = self._spoken[:, column] & beside & ~explained[:, column]
-            before |= lost & ~but(lost, ramp(usual, _FEW, _MOSTLY))
+        for column in np.flatnonzero(lost.any(axis=0) & (usual > _FEW)).tolist():
+            alone = np.zeros_like(lost)
+            alone[:, column] = lost[:, column]
+            before |= alone & ~but(alone, ramp(float(usual[column]), _FEW, _MOSTLY))
         return before
 
     @cached_property
