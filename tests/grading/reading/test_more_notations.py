@@ -22,6 +22,10 @@ r_3\omega_3\sin\varphi_3\end{bmatrix}\]""",
     "named": r"$\mathbf{A}\mathbf{x} = \mathbf{b}$, $\mathbf{A} = \begin{bmatrix} r_1\sin\varphi_1 & r_2\sin\varphi_2 \\"
     r"r_1\cos\varphi_1 & r_2\cos\varphi_2 \end{bmatrix}, \mathbf{x} = \begin{Bmatrix}\omega_1\\ \omega_2\end{Bmatrix}, "
     r"\mathbf{b} = \begin{bmatrix} \tfrac12 r_3\omega_4 - r_3\omega_3\cos\varphi_3 \\ r_3\omega_3\sin\varphi_3\end{bmatrix}$",
+    "R": "A <- matrix(c(r1*sin(phi1), r2*sin(phi2),\n  r1*cos(phi1), r2*cos(phi2)), nrow=2, byrow=TRUE)\n"
+    "b <- c(r3*w4/2 - r3*w3*cos(phi3), r3*w3*sin(phi3))\nw <- solve(A) %*% b\nw1 <- w[1]\nw2 <- w[2]",
+    "R by columns": "A <- cbind(c(r1*sin(phi1), r1*cos(phi1)), c(r2*sin(phi2), r2*cos(phi2)))\n"
+    "b <- c(r3*w4/2 - r3*w3*cos(phi3), r3*w3*sin(phi3))\nx <- solve(A, b)\nw1 <- x[1]; w2 <- x[2]",
     "returned": "A = np.array([[r1*np.sin(phi1), r2*np.sin(phi2)], [r1*np.cos(phi1), r2*np.cos(phi2)]])\n"
     "b = np.array([r3*w4/2 - r3*w3*np.cos(phi3), r3*w3*np.sin(phi3)])\nreturn np.linalg.solve(A, b)  # w1, w2",
 }
@@ -72,6 +76,11 @@ TEXTS = {
     "a drawn dash": "V_My ─ 2*r3*w3*cos(phi3) ─ r3*w3*sin(phi3) = 0",
     "degrees": "r3*w3*cosd(phi3 - 90) - r2*w2*cos(phi2°) - r1*w1*sin((90 - phi1)*pi/180) = 0",
     "a factor of their own": "k = pi/180\nr3*w3*sin(phi3*k) - r2*w2*cos(k*phi2) - r1*w1*cos(phi1/57.29578) = 0",
+    "a loop derived": "d/dt(r1 sin φ1 + r2 sin φ2 + r3 cos φ3) = 0",
+    "a loop derived over dt": r"\frac{d(r_1\sin\varphi_1 + r_2\sin\varphi_2)}{dt} = -\frac{d}{dt}\left(r_3\cos\varphi_3\right)",
+    "a loop derived by a program": "diff(r1*sin(phi1(t)) + r2*sin(phi2(t)) + r3*cos(phi3(t)), t) == 0",
+    "a loop with a prime": "(r1 sin φ1 + r2 sin φ2 + r3 cos φ3)' = 0",
+    "a loop with a name": "F = r1*sin(phi1) + r2*sin(phi2) + r3*cos(phi3)\ndF/dt = 0",
     "degrees by words": "r3*w3*Sin[phi3 Degree] - r2*w2*cos(deg2rad(phi2)) - r1*w1*cos(Math.toRadians(phi1)) = 0",
 }
 
@@ -108,6 +117,9 @@ WORKS = {
                                re.sub(r"w([123])\b", r"phi\1'", PLAIN["v102"]))),
     "and the phase": ("v102", "α, β, γ - углы звеньев 1, 2, 3\n" + re.sub(r"phi(\d)", lambda m: "αβγ"[int(m[1]) - 1],
                       PLAIN["v102"]).replace("VMx + a*w3*sin(γ) + c", "V1*sin(p*t + α) + a*γ'*sin(γ) + c")),
+    "and the phase in one line": ("v102", "α, β, γ - углы звеньев 1, 2, 3\n" + re.sub(r"phi(\d)", lambda m: "αβγ"[int(m[1]) - 1],
+                                  PLAIN["v102"]).replace("VMx + a*w3*sin(γ) + r2", "V1*sin(p*t + α) + a*γ\u0307*sin(γ) + r2")),
+    "some behind a long dash": ("31", re.sub(r"(?m)^(?=-|2)", "– ", PLAIN["31"])),
     "counted from 0": ("31", re.sub(r"\b(phi|w|r)(\d)", lambda m: f"{m[1]}[{int(m[2]) - 1}]", PLAIN["31"])),
     "drawn": ("31", f"{REST}\n{DRAWN}"),
     "drawn in keys": ("31", f"{REST}\n" + DRAWN.translate(str.maketrans("⎡⎤⎢⎥⎣⎦₁₂₃₄", "||||||1234"))),

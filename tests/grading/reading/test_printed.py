@@ -42,6 +42,8 @@ LISTS = [", ".join(row) for row in ROWS]
 BY_COLUMN = {head: [row[at] for row in ROWS] for at, head in enumerate(HEAD)}
 TEXTS: dict[str, str] = {
     "box of signs": box("+", "-", "|"), "box of lines": box("┼", "─", "│"), "box of double lines": box("╬", "═", "║"),
+    "Typst": f"#table(columns: {COUNT}, " + ",\n".join(", ".join(f"[{c}]" for c in row) for row in [HEAD, *ROWS]) + ")",
+    "one cell in each line": "Table 1\n" + "\n".join("\n".join(row) for row in [HEAD, *ROWS]),
     "org": box("|", "-", "|"), "double bars": "\n".join(" || ".join(row) for row in [HEAD, *ROWS]),
     "matlab": pieces("  Columns {first} through {last}", 4), "matlab, narrow": pieces("  Columns {first} through {last}", 3),
     "octave": pieces(" Columns {first} through {last}:", 5), "a last column alone": pieces(" Columns {first} through {last}:", 7),

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from coursework.grading.reading.equations.line_kinds import dash_apart
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 
 _BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—−]"
@@ -19,7 +20,8 @@ _SIGNS = re.compile(r"[\s\-–—−(]*")
 def as_lists_or_minus(lines: Sequence[EquationLine]) -> Iterator[Sequence[EquationLine]]:
     """Yield the lines with their dashes as marks of a list, if all lines have one, and as minus signs; else as they are.
 
-    A dash without a blank behind it may be a mark too where every line begins with a dash, though a minus is likelier.
+    A dash without a blank behind it may be a mark too where every line begins with a dash, though a minus is likelier. So may
+    dashes before some lines only, if no other minus of the text is such a dash.
     """
     read = [line for line in lines if line.tree is not None]
     dashed = [_DASHED.match(line.text) is not None for line in read]
@@ -27,8 +29,9 @@ def as_lists_or_minus(lines: Sequence[EquationLine]) -> Iterator[Sequence[Equati
     if len(read) < 2 or not (closely or any(dashed)):
         yield lines
         return
-    for is_minus in (False, True) if all(dashed) else (True, False) if closely else (True,):
-        yield [_meant(line, is_minus, _CLOSELY if closely else _DASHED) for line in lines]
+    is_apart = dash_apart([line.text for line in read]) is not None
+    for is_minus in (False, True) if all(dashed) or is_apart else (True, False) if closely else (True,):
+        yield [_meant(line, is_minus, _CLOSELY if closely and not is_apart else _DASHED) for line in lines]
 
 
 def _meant(line: EquationLine, is_minus: bool, dash: re.Pattern[str]) -> EquationLine:

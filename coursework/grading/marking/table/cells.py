@@ -96,7 +96,8 @@ def marks_by(key: Key, student: StudentTable, ways: Sequence[Way], given: Flags)
     """Return the marks (n, m + r) by the first way that holds, and the too coarse cells; `given` (1, m): right start values."""
     values = student.values
     with np.errstate(invalid="ignore"):
-        shown = np.isfinite(values) & (student.units <= key.coarsest)
+        datum = np.array([key.given.get(name, np.nan) for name in key.names])  # printed whole, it hides nothing
+        shown = np.isfinite(values) & ((student.units <= key.coarsest) | (np.abs(values - datum) <= _ROUND_OFF * np.abs(datum)))
     marks = np.full(values.shape, WRONG, dtype="<U16")
     for way in reversed(ways):
         marks[way.holds(values)] = way.name

@@ -13,21 +13,22 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.points import (
+    FEW_PUT,
     constant,
-    excused,
     following,
     handed_in,
     in_a_run,
     moves_as_it_may,
     stands_still,
 )
-from coursework.grading.marking.table.untold import but
+from coursework.grading.marking.table.untold import but, ramp
 from coursework.grading.marking.table.ways import KEY, Places
 from coursework.system.arrays import Flags
 from coursework.system.frozen import caching, frozen
 
-# Part of the velocities that must be explained before a row counts as one in which a cell was put right.
-_MOSTLY = 0.5
+# If an explanation holds for up to _FEW of a column's cells, it held for none of those beside a cell put right; from _MOSTLY on
+# it held for all.
+_FEW, _MOSTLY = 0.25, 0.5
 
 
 @frozen
@@ -54,27 +55,47 @@ class Explained:
     def share(self, holds: Flags, *, only_velocities: bool = False, as_it_is: bool = False) -> float:
         """Return the share of counted cells that some explanation `holds` for (n, m + r), or that agree with the key.
 
-        The gates are those of the points. A step counts if its velocity is explained too, or was before a cell of its row was
-        put right; a velocity, if its row belongs to the motion of the explained steps and it is explained too, or may have been
-        before a coordinate of its row was put right; other right cells count in runs. A wrong start value costs a cell.
-        With `as_it_is` no cell of the table is taken as put right; with `only_velocities` no coordinate counts.
+        The gates are those of the points. A step counts if its velocity is explained too; a velocity, if its row belongs to the
+        motion of the explained steps and it is explained too. A cell that agrees with the key counts whatever explains others;
+        where an explanation has another value, what was made from that one is explained as it was before. A wrong start value
+        costs a cell. With `as_it_is` no cell is taken as put right, and those of the key count in runs; with `only_velocities` no
+        coordinate counts.
         """
-        m, rows, by_key, held = len(self.key.coordinates), self._rows, self._by_key, holds
-        after_put = (holds & ~by_key)[rows[1:], :m] & self._above_put
-        holds = (holds | by_key) & self._spoken
-        mostly = not as_it_is and holds[rows, m:].mean() >= _MOSTLY
-        after_put &= mostly
-        before = mostly & excused(by_key[rows, :m], holds[rows, m:]) & self._spoken[rows, m:]
-        steps = holds[rows[1:], :m] & (holds[rows[:-1], m : 2 * m] | after_put) & (self._moves | self._hardly)
+        m, rows = len(self.key.coordinates), self._rows
+        explained = (holds | self._by_key) & self._spoken
         counts = self._in_runs.copy()
+        if not as_it_is:
+            counts |= self._by_key & self.cells.counted & ~constant(self.key)
+            explained |= self._as_before(holds, explained)
+        steps = explained[rows[1:], :m] & explained[rows[:-1], m : 2 * m] & (self._moves | self._hardly)
         counts[rows[1:], :m] |= steps
         follows, motion = following(self.cells.student.values[rows, :m], steps, np.asarray(self._moves.any(axis=1)))
-        found = np.zeros_like(holds)
-        found[rows, m:] = (holds[rows, m:] | before) & follows[:, None]
+        found = np.zeros_like(explained)
+        found[rows, m:] = explained[rows, m:] & follows[:, None]
         counts |= found & ~but(found, motion)
         if only_velocities:
             counts[:, :m] = False
-        return max(float(counts.sum()) - int((self.cells.wrong & ~held)[:1, :m].sum()), 0.0) / max(self._count, 1)
+        return max(float(counts.sum()) - int((self.cells.wrong & ~holds)[:1, :m].sum()), 0.0) / max(self._count, 1)
+
+    def _as_before(self, holds: Flags, explained: Flags) -> Flags:
+        """Return cells (n, m + r) that were explained before cells of their row or of the row above were put right.
+
+        Put right are cells of columns with few of the key's values. Where few of a column's other cells are explained, or few
+        are left, few were explained.
+        """
+        rows, few = self._rows, np.mean(self._by_key[self._rows], axis=0) <= FEW_PUT
+        put = np.asarray((self._by_key & ~holds & self._spoken & few)[rows].any(axis=1))
+        beside = np.zeros(len(holds), dtype=bool)
+        beside[rows] = put
+        beside[rows[1:]] |= put[:-1]
+        others, lost = self._spoken & ~beside[:, None], self._spoken & beside[:, None] & ~explained
+        usual = (explained & others).sum(axis=0) / np.maximum(_FEW * len(rows), others.sum(axis=0))
+        before = np.zeros_like(explained)
+        for column in np.flatnonzero(lost.any(axis=0) & (usual > _FEW)).tolist():
+            alone = np.zeros_like(lost)
+            alone[:, column] = lost[:, column]
+            before |= alone & ~but(alone, ramp(float(usual[column]), _FEW, _MOSTLY))
+        return before
 
     @cached_property
     def _rows(self) -> Places:
@@ -83,11 +104,6 @@ class Explained:
     @cached_property
     def _by_key(self) -> Flags:
         return np.asarray(self.cells.marks == KEY)
-
-    @cached_property
-    def _above_put(self) -> Flags:
-        """Return the steps (n - 1, 1) from a row in which a cell agrees with the key."""
-        return np.asarray(self._by_key.any(axis=1))[self._rows[:-1], None]
 
     @cached_property
     def _spoken(self) -> Flags:

@@ -30,7 +30,7 @@ _MOVES = 0.33
 # Part of a coordinate's steps that may be broken because the row above was put right; with more there is no motion.
 _EXCUSED = 0.25
 # In a column with at most this part of the key's values, those were put right one by one.
-_FEW_PUT = 0.5
+FEW_PUT = 0.5
 
 
 Rule = Literal["cells", "start", "misconception", "own_equations"]
@@ -122,7 +122,7 @@ def excused(as_key: Flags, sound: Flags) -> Flags:
 
     One velocity alone cannot tell from what it was made: each coordinate `as_key` (n, m), in a column with few such, excuses one.
     """
-    put = as_key & (np.mean(as_key, axis=0) <= _FEW_PUT)
+    put = as_key & (np.mean(as_key, axis=0) <= FEW_PUT)
     return np.asarray(~sound & (np.cumsum(~sound, axis=1) <= put.sum(axis=1, keepdims=True)))
 
 

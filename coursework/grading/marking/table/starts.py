@@ -126,7 +126,7 @@ def _marked_from(key: Key, cells: Cells, start: Array) -> Cells | None:
     m = len(key.coordinates)
     made = mark_cells(key, cells.student, march(key, start, key.velocities_at))
     made.marks[:1, :m][cells.marks[:1, :m] == GIVEN] = GIVEN
-    made.marks[made.wrong & (cells.marks == KEY)] = KEY
+    made.marks[(made.wrong | made.carried) & (cells.marks == KEY)] = KEY
     return None if made.wrong[0, m:].any() else made
 
 

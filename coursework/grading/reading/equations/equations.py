@@ -17,7 +17,7 @@ from coursework.grading.reading.equations.meanings import Meanings, in_smaller_u
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
 from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_units, plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
-from coursework.grading.reading.equations.signs import relates_two_sides
+from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.system.frozen import frozen
@@ -31,6 +31,7 @@ from coursework.words.sentences import closest, say
 MORE_LINES = 20  # so many lines are read in addition to twice the equations needed
 _KEYS = tuple(Constraint.keys())
 WORD = re.compile(r"[^\W\d]\w*")
+LETTER = re.compile(r"(?<![A-Za-z])\\?([^\W\d_]|[a-z]{3,5})(?![A-Za-z0-9_])(\u0307)?")
 _PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # the parts of names written without a sign between them
 OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
 _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
@@ -62,7 +63,9 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     """
     found, fault = _readings(text, names)
     variant = names.expected.variant
-    found += [replace(one, is_loose=True) for one in (_readings(text, names.before)[0] if names.before else ())]
+    if before := names.before:
+        for meant in (text, _apart(text, names, before)):
+            found += [replace(one, is_loose=True) for one in _readings(meant, before)[0]]
     for meant in (of_one_component(text, variant), of_products(text, names.spellings)):
         read = _readings(meant, names)[0] if meant != text else []
         found += [replace(one, text=one.text or meant, is_loose=True) for one in read]
@@ -89,6 +92,29 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and TURNED.search(short) is not None)
     is_prose = not relates and _is_prose(short, names)
     return EquationLine(file, line, short, fault=told, others=others, relates=relates, is_prose=is_prose)
+
+
+def _apart(text: str, names: Names, before: Names) -> str:
+    """Return a line with the names of the angles for the student's letters, except in brackets with the time: sin(pt + α)."""
+    plainly = plain_signs(text)
+    for found in reversed([*LETTER.finditer(plainly)]):
+        meant = names.spellings.canonical(found[1])
+        if meant not in names.spellings.rates or meant == before.spellings.canonical(found[1]):
+            continue
+        inside = _around(plainly, found.start())
+        read = read_as_one(inside, before) if inside else None
+        if read is None or isinstance(read, Fault) or "t" not in read.tree.names():
+            called = before.spellings.rates[meant] if found[2] else meant
+            plainly = f"{plainly[: found.start()]} {called} {plainly[found.end() :]}"
+    return plainly
+
+
+def _around(text: str, place: int) -> str:
+    """Return what stands in the innermost brackets around a place, "" outside of all."""
+    inside = depths(text)
+    begin = next((at for at in range(place, -1, -1) if inside[at] < inside[place]), -1) + 1
+    end = next((at for at in range(place, len(text)) if inside[at] < inside[place]), 0)
+    return text[begin + 1 : end] if begin and end else ""
 
 
 def _is_prose(text: str, names: Names) -> bool:

@@ -35,6 +35,7 @@ _SHORT = 80  # most characters of a name with its number
 _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # in V_Cy = … = 0, which also defines V_Cy
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
 _COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # the number of a line in a list: 1.1, L2
+_LONG_DASH = re.compile(r"\s*[–—]\s+")
 _CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
 _CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
@@ -135,6 +136,8 @@ def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.P
     """
     if len(lines) > 1 and all(DASH.match(without_labels(line)) for line in lines):
         return DASH
+    if dash := dash_apart(lines):
+        return re.compile(rf"^\s*{dash}\s+")
     cells = [int(found[1]) for line in lines if (found := _CELL.match(line))]
     if len(lines) == len(cells) > 1 and cells == sorted({*cells}) and any(map(_CELL_OF_LETTERS.match, lines)):
         return _CELL
@@ -142,6 +145,18 @@ def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.P
     numbers = [([found[1], *found[2].split(".")[:-1]], int(found[2].rpartition(".")[2])) for found in begun]
     steps = [(one[0] == other[0], other[1] - one[1]) for one, other in pairwise(numbers)]
     return _COUNT if steps and all(step == (True, 1) for step in steps) else None
+
+
+def dash_apart(lines: Sequence[str]) -> str | None:
+    """Return the long dash with a blank that some lines begin with, if it is no minus in any of them; None if there is none.
+
+    >>> dash_apart(["– a - b = 0", "-a = c"]), dash_apart(["– a – b = 0", "a = c"]), dash_apart(["- a = 0"])
+    ('–', None, None)
+    """
+    bare = map(without_labels, lines)
+    begun = [(found[0].strip(), line[found.end() :]) if (found := _LONG_DASH.match(line)) else ("", line) for line in bare]
+    dashes = {dash for dash, _ in begun} - {""}
+    return min(dashes) if len(dashes) == 1 and not any(dashes & {*rest} for _, rest in begun) else None
 
 
 def without_line_numbers(text: str) -> str:

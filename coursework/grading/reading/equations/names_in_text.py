@@ -6,14 +6,15 @@ Enters: a `Variant`.  Leaves: `Spellings`.  Used by the readers of equations.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import field
 from functools import lru_cache
 
 from coursework.grading.reading.table.headers import aliases
 from coursework.grading.reading.unit_names import fold
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.formula.tree import spelled
+from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.variant import Variant
 
 BUILT_IN = ("t", "pi")
@@ -27,19 +28,19 @@ class Spellings:
     """The declared names (`known`), other spellings of them (`others`, folded), the rate of each coordinate, the names of `data`.
 
     `rates` also has angles of which the variant declares only the velocity: phi4 has the rate w4.  `own` are names that the text
-    itself defines: a P of the student is not the datum p.
+    itself defines, with their formulas as far as known: a P of the student is not the datum p.
     """
 
     known: frozenset[str]
     others: dict[str, str]
     rates: dict[str, str]
     data: frozenset[str] = frozenset()
-    own: frozenset[str] = frozenset()
+    own: Mapping[str, Formula | None] = field(default_factory=dict)
 
     def canonical(self, name: str) -> str | None:
         """Return the declared name that a spelling means, None if it means none."""
         plain = spell(name)
-        if plain_name(name) in self.own and plain not in self.known:
+        if self.is_own(name):
             return None
         if (meant := self._written(plain)) or not (row := _ROW.fullmatch(plain)):
             return meant
@@ -53,7 +54,12 @@ class Spellings:
         """Return the coordinate (or other declared name) that a spelling means; also an angle with only its rate declared."""
         folded = spell(_key(name))
         turning = _TURNING.sub(r"phi\1", folded)  # another letter for an angle
-        return self.canonical(name) or next((one for one in (folded, turning) if one in self.rates), None)
+        meant = self.canonical(name)
+        return meant if meant or self.is_own(name) else next((one for one in (folded, turning) if one in self.rates), None)
+
+    def is_own(self, name: str) -> bool:
+        """Return whether the text itself defines a name."""
+        return plain_name(name) in self.own and spell(name) not in self.known
 
 
 def plain_name(name: str) -> str:

@@ -9,8 +9,9 @@ from __future__ import annotations
 import re
 
 from coursework.grading.reading.equations.degrees import with_factors
+from coursework.grading.reading.equations.derived_sums import derived, with_sums_derived, with_the_rest_unread
 from coursework.grading.reading.equations.latex import without_latex
-from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings
+from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, plain_name
 from coursework.grading.reading.equations.signs import depths, plain_signs
 from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import unit_of
@@ -105,9 +106,10 @@ def plain(text: str, spellings: Spellings) -> str:
     text = _OF_DOUBLES.sub(lambda found: found[0] if found[0] in spellings.data else "", text)
     text = _DOTTED.sub(r"dot(\1\2)", _SUBSCRIPT.sub(r"\1\2", text))
     text = _OF_TIME.sub(lambda found: _of_time(found, spellings), _INDEXED.sub(lambda found: _indexed(found, spellings), text))
-    text = _EQUATION.sub(r"\1 = \2", _POWER.sub(r"(\1)^\2", text))
+    text = with_sums_derived(_EQUATION.sub(r"\1 = \2", _POWER.sub(r"(\1)^\2", text)), spellings)
     for pattern in _DERIVATIVES:
         text = pattern.sub(lambda found: _rate(found, spellings), text)
+    text = with_the_rest_unread(text)
     text = _T_BEHIND.sub("", text) if _AT_TIME.search(text) else text
     for pattern in _SHORT_DERIVATIVES:
         text = pattern.sub(lambda found: found[0] if spellings.canonical(found[0]) else _rate(found, spellings), text)
@@ -238,6 +240,8 @@ def _rate(found: re.Match[str], spellings: Spellings) -> str:
     name = spellings.angle(re.sub("[{}\u0307]|_?dot", "", "".join(found.groups())))
     if name in spellings.rates:
         return f" {spellings.rates[name]} "
+    if "/" in found[0] and spellings.is_own(found[1]):
+        return derived(spellings.own[plain_name(found[1])], spellings)
     glued = _GLUED.fullmatch(found[1]) if len(found.groups()) == 1 else None  # r2φ2' and, before a function, φ̇2sin
     name = spellings.angle(re.sub("\u0307", "", glued[2])) if glued else None
     return f"{glued[1]} {spellings.rates[name]} {glued[3]}" if glued and name in spellings.rates else found[0]

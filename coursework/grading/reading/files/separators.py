@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from io import StringIO
 from itertools import pairwise
 
+from coursework.grading.reading.files.cell_by_cell import rows_of_lines, rows_of_typst
 from coursework.grading.reading.files.cells import BlankRows
 from coursework.grading.reading.files.printed import in_whole_lines, listed_rows, named_rows
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, unreadable
@@ -23,6 +24,7 @@ from coursework.system.frozen import frozen
 NAMES = {"\t": "tab", " ": "blanks"}
 _SAMPLE = 80  # number of lines used to choose the separator
 _HINT = re.compile(r'\s*"?sep=(.)"?[;,\t]*\s*', re.IGNORECASE)
+_PARTED = re.compile(r"[;\t|]")
 _TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
 _BARS = str.maketrans(dict.fromkeys("│┃║┆┊❘", "|"))
 _REMARKS = {"#", "%", "//", "!", "--", "%%", "##"}
@@ -47,8 +49,13 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
     """
     text = _KNITTED.sub("  ", text if "," in text else text.replace("，", ","))
     lines = in_whole_lines(list(_lines(text.translate(_BARS), most_rows)))
-    if rows := listed_rows("\n".join(lines), most_rows, most_columns):
+    if rows := rows_of_typst(text, most_rows) or listed_rows("\n".join(lines), most_rows, most_columns):
         return Split("cells", rows)
+    sample = lines[:_SAMPLE]
+    if 2 * sum(map(looks_numeric, sample)) > sum(map(bool, sample)) and not any(_PARTED.search(line) for line in sample):
+        each = list(_lines(text, most_rows * most_columns))  # one cell in each line
+        if rows := rows_of_lines(each, _progresses):
+            return Split("cells", rows[: most_rows + 1])
     if lines and (hint := _HINT.fullmatch(lines[0])):
         return Split(NAMES.get(hint[1], hint[1]), _cells(["", *lines[1:]], hint[1], most_columns))
     signs = [sign for sign in (";", "\t", ",", "|", " ") if sign == " " or any(sign in line for line in lines[:_SAMPLE])]

@@ -198,3 +198,19 @@ def test_a_cell_put_right_after_which_a_cause_explains_no_more_than_eulers_rules
     before = earned(desk, table)[0].share
     table[6, 5] = desk.key.table[6, 5]
     assert earned(desk, table)[0].share >= before > 0.3
+
+
+def test_a_row_put_right_where_a_velocity_is_that_of_the_row_above_takes_nothing():
+    """What was made from the other velocity, and the row's own velocity, counted no more: 0.7 points a row."""
+    desk = variants()[1]
+    above = []
+
+    def printed(t, q):
+        velocities = desk.machine.velocities(t, q).copy()
+        above.append(velocities[2])
+        velocities[2] = above[max(len(above) - 2, 0)]
+        return velocities
+
+    table = desk.machine.table(printed=printed)
+    better = put_right(desk, table, [(15, column) for column in range(len(desk.key.names))])
+    assert desk.marked(better)[0] >= desk.marked(table)[0] > 20

@@ -2,12 +2,15 @@
 
 from functools import cache
 
+import numpy as np
 import pytest
 
 import coursework
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.cells import mark_cells
+from coursework.grading.marking.table.ways import StudentTable
 from coursework.grading.precheck import precheck
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
@@ -90,3 +93,13 @@ def test_a_cell_more_in_a_given_column_takes_nothing():
     files = (submitted_file("table.csv", "\n".join(lines).encode()),)
     grade = marker().grade(read_submission(Submission("a", None, files), Expected(key.grid, key.variant)))
     assert grade.part("table")[0] == 60
+
+
+def test_a_given_velocity_that_is_a_whole_number_hides_nothing():
+    """Of 10 in each row, zeros dropped, no digit is lost: they were missing where no other column told how many there were."""
+    key = marker().key
+    units = np.where([name in key.given for name in key.names], 1.0, np.full(key.table.shape, 1e-4))
+    whole = key.table.copy()
+    whole[3, key.names.index("w1")] += 0.4
+    cells = mark_cells(key, StudentTable(whole, units))
+    assert np.argwhere(cells.missing).tolist() == [[3, key.names.index("w1")]]

@@ -136,7 +136,7 @@ def explanations(
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
         own_gates = gates if put_right is cells else Explained(key, put_right)
-        fit = own_gates.share(holds | (by_key & spoken), only_velocities=claim.code in OTHER_STEPS)
+        fit = own_gates.share(holds, only_velocities=claim.code in OTHER_STEPS)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
         count = int((holds | by_key).sum())

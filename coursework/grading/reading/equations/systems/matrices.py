@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 from coursework.grading.reading.equations.latex import matrices_in_one_piece
 from coursework.grading.reading.equations.signs import depths
+from coursework.grading.reading.equations.systems.of_r import in_brackets
 from coursework.grading.reading.equations.systems.parts import at_commas, product, vector
 
 _DEFINED = re.compile(r"(?<![\w.])([^\W\d]\w{0,20})[ \t]*+:?=[ \t]*+(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)")
@@ -62,8 +63,9 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     >>> in_rows("A = [a, b; c, d]; k = [e; f];\nw1, w2 = np.linalg.solve(A, k)")
     '(a)*(w1) + (b)*(w2) = e; (c)*(w1) + (d)*(w2) = f; ;\n'
     """
-    if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,")):
+    if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind")):
         return text
+    text = in_brackets(text)
     text = _named_apart(_elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text))))
     whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
     found = next((found for pattern in _PRODUCTS if (found := pattern.search(whole))), None)
