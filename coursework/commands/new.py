@@ -137,6 +137,6 @@ def _copies(target: Path, original: str, set_values: Sequence[str]) -> dict[Path
     tell_own_file(original)
     source = find(original)
     variant = with_set(load(source), set_values)
-    tables = [law.file for law in (*variant.drive, *variant.functions) if law.file]
+    tables = [law.file for law in variant.laws if law.file]
     text = variant_text(variant, source.read_text(encoding="utf-8-sig"))
     return {target: text.encode("utf-8"), **{Path(name): (source.parent / name).read_bytes() for name in tables}}

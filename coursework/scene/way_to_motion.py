@@ -278,8 +278,8 @@ class WayToMotion:
         if isinstance(error, FormulaRefused):
             return InputError([Fault(error.faults[0].message, variant.file, 1)])
         if isinstance(error, OutsideTable):
-            section = "drive" if error.name in {law.name for law in variant.drive} else "functions"
-            return InputError([Fault(error.faults[0].message, variant.file, variant.line_of(section, error.name))])
+            line = variant.line_of(variant.section_of(error.name), error.name)
+            return InputError([Fault(error.faults[0].message, variant.file, line)])
         rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
         between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))
         fault = law_without_value(variant, (*getattr(error, "times", ()), *rows, *between))

@@ -99,7 +99,7 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
     """Return the velocity equations of a mechanism.  Raises `InputError` for terms that are not linear in the velocities."""
     variant = mechanism.variant
     symbols = Symbols(mechanism)
-    order = Order([f for c in mechanism.constraints for f in (c.left, c.right)], variant)
+    order = Order([side for c in mechanism.constraints for side in c.sides], variant)
     equations: list[VelocityEquation] = []
     positions: list[Position] = []
     faults: list[Fault] = []
@@ -129,7 +129,7 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
         equations += bound
         bound = ()
     positions += kept
-    tables = {law.name: TableLaw(law.name, law.table, law.method) for law in (*variant.drive, *variant.functions) if law.table}
+    tables = {law.name: TableLaw(law.name, law.table, law.method) for law in variant.laws if law.table}
     return VelocityEquations(
         variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions), tables, geometry, bound
     )

@@ -48,7 +48,7 @@ MOST_LEVELS = 100
 def constants(variant: Variant) -> dict[str, float]:
     """Return the numbers that the data determine, by private name: given data, and the times at which laws change."""
     known = {private(name): value for name, value in variant.values.items()}
-    for law in (*variant.drive, *variant.functions):
+    for law in variant.laws:
         known |= {_break(law, place): later * (1 - _AT_BREAK) for place, (later, _) in enumerate(law.pieces[1:])}
     return known
 

@@ -37,7 +37,7 @@ class Order:
 
     def __init__(self, formulas: list[Formula], variant: Variant) -> None:
         names = [name for formula in formulas for name in formula.names()]
-        names += [g.name for g in variant.given] + [law.name for law in (*variant.drive, *variant.functions)]
+        names += [*variant.values, *(law.name for law in variant.laws)]
         names += [*variant.sought, *(c.name for c in variant.coordinates), *variant.rates]
         self._names = {private(name): place for place, name in enumerate(dict.fromkeys(names))}
         self._declared = variant.names

@@ -55,8 +55,7 @@ _OF_STRETCH = np.array([0.1, 0.3, 0.5, 0.7, 0.9])
 
 def breaks(variant: Variant) -> tuple[float, ...]:
     """Return the times (s) at which a piecewise drive or function changes its formula."""
-    laws = (*variant.drive, *variant.functions)
-    return tuple(sorted({time for law in laws for time, _ in law.pieces if time > 0}))
+    return tuple(sorted({time for law in variant.laws for time, _ in law.pieces if time > 0}))
 
 
 def drive_values(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
@@ -156,7 +155,7 @@ def resolved(
 
 def _laws(equations: VelocityEquations, values: Mapping[str, float | Array]) -> Laws:
     variant = equations.variant
-    return Laws(values, {law.name: law for law in (*variant.drive, *variant.functions)}, equations.tables)
+    return Laws(values, {law.name: law for law in variant.laws}, equations.tables)
 
 
 def _moving(equations: VelocityEquations, laws: Laws) -> list[str]:
@@ -184,7 +183,7 @@ def _joints(equations: VelocityEquations) -> Array:
 def _over_time(equations: VelocityEquations) -> list[TableLaw]:
     """Return the laws that are tabulated over t."""
     variant = equations.variant
-    return [equations.tables[law.name] for law in (*variant.drive, *variant.functions) if law.of == "t"]
+    return [equations.tables[law.name] for law in variant.laws if law.of == "t"]
 
 
 def refuse_short_tables(equations: VelocityEquations) -> None:
@@ -192,7 +191,7 @@ def refuse_short_tables(equations: VelocityEquations) -> None:
     variant, faults = equations.variant, []
     for law in _over_time(equations):
         if not all(law.covers(time) for time in (0.0, variant.time.end)):
-            section = "drive" if law.name in {drive.name for drive in variant.drive} else "functions"
+            section = variant.section_of(law.name)
             told = say("fault.V322", first=law.first, last=law.last, end=variant.time.end)
             line = variant.line_of(section, law.name)
             faults.append(Fault(told, variant.file, line, 0, f"{section}.{law.name}"))
@@ -283,7 +282,7 @@ def frequencies(equations: VelocityEquations) -> tuple[float, ...]:
 
 def _slopes_of_sums(equations: VelocityEquations) -> list[Expression]:
     """Return d argument/dt of the sines that make up the drives; empty if one of the drives is not such a sum."""
-    laws = {symbol(law.name) for law in (*equations.variant.drive, *equations.variant.functions)}
+    laws = {symbol(law.name) for law in equations.variant.laws}
     slopes = set()
     for law in equations.variant.drive:
         definition = equations.symbols.definitions[symbol(law.name)]

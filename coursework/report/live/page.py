@@ -205,7 +205,7 @@ def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str,
 def followed(run: SceneRun, sliders: dict[str, dict[str, Any]], step: float) -> bool:
     """Return whether steps of length `step` (s) resolve the drive at every place of the sliders."""
     variant = run.variant
-    driving = {name for law in (*variant.drive, *variant.functions) for formula in law.formulas for name in formula.names()}
+    driving = {name for law in variant.laws for formula in law.formulas for name in formula.names()}
     ends = {name: (slider["low"], slider["high"]) for name, slider in sliders.items() if name in driving}
     moved = [(name, place) for name in ends for place in np.linspace(*ends[name], _PLACES)]
     data = {name: np.full(1 + len(moved), value) for name, value in variant.values.items()}

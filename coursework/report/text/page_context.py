@@ -94,7 +94,7 @@ class PageContext:
         shown = [side for one in run.equations for side in (one.left, one.right)]
         shown += [formula for solution in run.solutions for _, formula in solution]
         shown += [formula for _, formula in run.scene.mechanism.points]
-        moving = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
+        moving = {*variant.columns, *(law.name for law in variant.laws), "t"}
         return named_angles(shown, moving, variant.names, variant.values)
 
     @property
@@ -176,7 +176,7 @@ class PageContext:
     def names(self) -> Names:
         """Return the names that may stand in a sentence about this variant."""
         variant = self.run.variant
-        others = (*(given.name for given in variant.given), *(law.name for law in (*variant.drive, *variant.functions)))
+        others = (*variant.values, *(law.name for law in variant.laws))
         columns = (*variant.columns, *(law.name for law in variant.drive))
         return Names(tuple(name for name, _ in self.run.scene.mechanism.points), columns, others)
 

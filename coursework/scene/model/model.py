@@ -92,7 +92,7 @@ class Model:
     @cached_property
     def velocities(self) -> tuple[str, ...]:
         """Return the names of the velocities: rates in file order, then unknowns."""
-        return (*self.variant.rates, *(name for name, _ in self.variant.unknowns))
+        return self.variant.velocities
 
     @property
     def blocks(self) -> tuple[Block, ...]:

@@ -40,7 +40,7 @@ class Maker:
         self.table, self.scene, self.rates = table, scene, scene.rates
         self.equations, self.reduction = scene.equations, scene.reduction
         self.scheme = scheme_of(table.motion.scheme)
-        self.laws = {law.name: law for law in (*scene.variant.drive, *scene.variant.functions)}
+        self.laws = {law.name: law for law in scene.variant.laws}
         self.solutions = dict(formula for index in self.rates.blocks for formula in scene.solutions[index])
         named_in = [name for tree in self.solutions.values() for name in tree.names()]
         self.uses = Counter([*named_in, *named_in] if self.scheme.slopes > 1 else named_in)

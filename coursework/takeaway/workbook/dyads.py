@@ -98,7 +98,7 @@ class _Known:
     def __init__(self, run: SceneRun, names: Mapping[str, str], tables: Tables, work: Work) -> None:
         self.run, self.names, self.tables, self.work = run, names, tables, work
         self.equations = run.scene.equations
-        self.laws = {law.name: law for law in (*run.variant.drive, *run.variant.functions)}
+        self.laws = {law.name: law for law in run.variant.laws}
 
     def term(self, expression: Expression) -> Term:
         tree = self._opened(as_formula(expression, self.equations.order))

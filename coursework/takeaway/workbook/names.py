@@ -27,7 +27,7 @@ def break_of(law: str, place: int) -> str:
 
 def break_times(variant: Variant) -> Iterator[tuple[str, int, float]]:
     """Yield, for every law with pieces, its name, the number of each piece that ends, and the time (s) when it ends."""
-    for law in (*variant.drive, *variant.functions):
+    for law in variant.laws:
         for place, (time, _) in enumerate(law.pieces[1:]):
             yield law.name, place, time
 

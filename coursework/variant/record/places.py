@@ -40,7 +40,7 @@ def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dime
     for given in variant.given:
         unknown = not given.si or ("given", given.name) in free
         names[given.name] = {given.name: 1} if unknown else dimension_of(given.si)
-    for law in (*variant.drive, *variant.functions):
+    for law in variant.laws:
         names[law.name] = {law.name: 1}
     for coordinate in variant.coordinates:
         # A bare number may be a length or an angle: the reader's guess does not decide this here.
@@ -57,10 +57,9 @@ def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dime
 
 def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyPath, Formula]) -> Iterator[Place]:
     """Yield constraints, geometry, drive, functions, forces and times; `times` are the formulas of [time] and of pieces."""
-    velocities = {*variant.rates, *(name for name, _ in variant.unknowns)}
     for constraint in variant.constraints:
         # An equation that is not linear is refused for that reason later, by the code that solves it.
-        if constraint.is_closure or max(_degree(side, velocities) for side in (constraint.left, constraint.right)) <= 1:
+        if constraint.is_closure or max(_degree(side, variant.velocities) for side in constraint.sides) <= 1:
             yield _constraint(constraint)
     yield from _geometry(variant)
     for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
@@ -84,7 +83,7 @@ def _constraint(constraint: Constraint) -> Place:
     )
 
 
-def _degree(tree: Formula, velocities: set[str]) -> int:
+def _degree(tree: Formula, velocities: Collection[str]) -> int:
     """Return the degree of a formula in the velocities; 2 also stands for formulas that are not polynomials."""
     if tree.op == "name":
         return int(tree.name in velocities)

@@ -137,8 +137,16 @@ class Variant:
     @property
     def names(self) -> tuple[str, ...]:
         """Return t and every scalar name that the file declares, each once."""
-        laws = (law.name for law in (*self.drive, *self.functions))
-        return tuple(dict.fromkeys(["t", *self.values, *laws, *self.columns]))
+        return tuple(dict.fromkeys(["t", *self.values, *(law.name for law in self.laws), *self.columns]))
+
+    @property
+    def laws(self) -> tuple[Law, ...]:
+        """Return the laws of [drive], then those of [functions]."""
+        return (*self.drive, *self.functions)
+
+    def section_of(self, law: str) -> str:
+        """Return the section of the file in which a law stands: "drive" or "functions"."""
+        return "drive" if any(one.name == law for one in self.drive) else "functions"
 
     @cached_property
     def rates(self) -> tuple[str, ...]:

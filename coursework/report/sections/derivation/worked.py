@@ -170,7 +170,7 @@ def _values(context: PageContext, row: int) -> dict[str, float]:
     """Return the data, and the laws and entries of a row, by name (SI)."""
     motion = context.run.motion
     values = {**context.run.variant.values, "t": float(motion.t[row]), "pi": np.pi}
-    laws = [law.name for law in (*context.run.variant.drive, *context.run.variant.functions) if law.name not in motion.names]
+    laws = [law.name for law in context.run.variant.laws if law.name not in motion.names]
     values |= _in_row(context, {name: symbol(name) for name in laws}, row)
     values |= {name: float(motion.column(name)[row]) for name in motion.names}
     if context.run.asks(ACCELERATIONS):
