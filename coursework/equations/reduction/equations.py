@@ -40,10 +40,19 @@ class VelocityEquation:
     written: tuple[Formula, Formula] | None = None
     line: int = 0
 
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """Return the coefficients, then the right side."""
+        return (*self.coefficients.values(), self.right_side)
+
+    @property
+    def terms(self) -> list[Expression]:
+        """Return the terms of the left side."""
+        return [slope * symbol(name) for name, slope in self.coefficients.items()]
+
     def shown(self, order: Order) -> tuple[Formula, Formula]:
         """Return both sides as a page shows them."""
-        left = add(*[slope * symbol(name) for name, slope in self.coefficients.items()])
-        return self.written or (as_sum(left, order), as_sum(self.right_side, order))
+        return self.written or (as_sum(add(*self.terms), order), as_sum(self.right_side, order))
 
 
 @frozen

@@ -88,7 +88,7 @@ def _is_smooth(equations: VelocityEquations) -> bool:
     """Return whether all formulas are smooth (no roots, no absolute values), so that what holds for some data holds for all."""
     both = (*equations.from_closure, *equations.equations, *equations.bound)
     written = [position.expression for position in equations.positions]
-    written += [part for equation in both for part in (*equation.coefficients.values(), equation.right_side)]
+    written += [part for equation in both for part in equation.parts]
     parts = {part for expression in written for part in expression.walk()}
     return all(part.op in _SMOOTH or (part.op == "^" and part.args[1].value.denominator == 1) for part in parts)
 

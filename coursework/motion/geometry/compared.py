@@ -64,7 +64,7 @@ def _stirred(closure: Closure) -> tuple[Array, Array]:
 
 def _depends_on_time(equations: VelocityEquations) -> bool:
     """Return whether written equations or positions depend on time otherwise than by a drive."""
-    parts = [part for one in equations.equations if one.written for part in (*one.coefficients.values(), one.right_side)]
+    parts = [part for one in equations.equations if one.written for part in one.parts]
     timed = any(
         law.pieces or law.of == "t" or any("t" in one.names() for one in law.formulas) for law in equations.variant.functions
     )

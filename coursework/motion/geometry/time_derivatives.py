@@ -68,7 +68,7 @@ def acceleration_rest(
 
     `change` is `second_rate`, as if free rates were constant, or `moved_rate`.
     """
-    moving = add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
+    moving = add(*equation.terms, -equation.right_side)
     still = {derivative(name): ZERO for name in equations.unknowns}
     return -replaced(change(equations, moving), still)
 

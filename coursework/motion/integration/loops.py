@@ -119,7 +119,7 @@ class _Shape:
     @property
     def constant(self) -> set[str]:
         """Return the names to which a line assigns one of the numbers or a literal number."""
-        set_to = ((line.targets[0], line.text.partition(" = ")[2].removeprefix("-")) for line in self.lines)
+        set_to = ((line.targets[0], line.value.removeprefix("-")) for line in self.lines)
         return {name for name, value in set_to if value in self.numbers or _WRITTEN.fullmatch(value)}
 
     def arguments(self, *own: str) -> str:

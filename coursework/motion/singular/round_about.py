@@ -52,7 +52,7 @@ def _knows_no_time(equations: VelocityEquations) -> bool:
     """Return whether time occurs only in the law of the drive, and there is no table."""
     drive = {symbol(law.name) for law in equations.variant.drive}
     others = [definition for name, definition in equations.symbols.definitions.items() if name not in drive]
-    written = [part for equation in equations.equations for part in (*equation.coefficients.values(), equation.right_side)]
+    written = [part for equation in equations.equations for part in equation.parts]
     return not equations.tables and not any(part.has(TIME) for part in (*others, *written))
 
 

@@ -108,7 +108,7 @@ class Writer:
 
     def assigned(self, line: Line) -> list[str]:
         """Return an assignment of the straight-line code in the language."""
-        value = line.text.partition(" = ")[2]
+        value = line.value
         if value.startswith("_solve("):
             return self.solved(line, parts(value, self.syntax, self.names))
         return self.wrapped(self.sets(self.names[line.targets[0]], expression(value, self.syntax, self.names)))
