@@ -120,6 +120,10 @@ class PageContext:
         """Return the symbol of a name."""
         return symbol(name, self.rates)
 
+    def label(self, name: str) -> str:
+        """Return the symbol of a name as text."""
+        return self.symbol(name).text
+
     def symbol_runs(self, names: Iterable[str], after: str = "") -> Runs:
         """Return "ω₁, ω₂" as runs, followed by `after`."""
         found: Runs = []
@@ -137,7 +141,7 @@ class PageContext:
 
     def lettering(self, name: str) -> str:
         """Return the symbol of a name as text of a sentence that is split into runs later; a single letter is marked for that."""
-        text = self.symbol(name).text
+        text = self.label(name)
         return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 and text.isascii() else text
 
     def rich(self, text: str) -> Runs:

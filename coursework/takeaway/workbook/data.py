@@ -148,7 +148,7 @@ def _formula(book: Book, path: KeyPath, value: float, names: Mapping[str, str]) 
 
 
 def _symbol(book: Book, name: str) -> str:
-    return book.context.symbol(name).text
+    return book.context.label(name)
 
 
 def _unit(book: Book, unit: str) -> str:

@@ -82,7 +82,7 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     for name, formula in _solved(context, dict(zip((one.name for one in used), rests, strict=True))):
         put = _in_numbers(context, named(name), formula, values)
         if put is not None:
-            intro = context.words("worked.solved", row=row + 1, symbol=context.symbol(name).text)
+            intro = context.words("worked.solved", row=row + 1, symbol=context.label(name))
             return [*parts, Paragraph(context.lettered(intro)), Equations([display(named(name), formula, rates), put])]
     return parts
 
