@@ -26,10 +26,10 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.chain import chain_positions, is_chain
 from coursework.motion.geometry.closed_start import require_start
 from coursework.motion.geometry.closure import Closure, compile_closure
-from coursework.motion.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
-from coursework.motion.geometry.oscillation import fastest
+from coursework.motion.geometry.drives.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
+from coursework.motion.geometry.drives.oscillation import fastest
+from coursework.motion.geometry.judging.unseen_signs import judged
 from coursework.motion.geometry.start import start_values
-from coursework.motion.geometry.unseen_signs import judged
 from coursework.motion.integration.exact_motion import NoVelocities, OutOfReach, exact_motion, no_rows, passing_motion
 from coursework.motion.integration.following import NotReached
 from coursework.motion.integration.integrate import Correction, March, left_by_scheme

@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
-from coursework.motion.geometry.drive import drive_values
+from coursework.motion.geometry.drives.drive import drive_values
 from coursework.motion.singular.event import GivenUp, NotFollowed
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.motion.singular.search import TOLERANCE, is_back

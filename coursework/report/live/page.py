@@ -17,7 +17,7 @@ import numpy as np
 
 from coursework.drawing.check_sheet.graph_words import letter_of_centres
 from coursework.equations.reduction.blocks import angles_in_determinants
-from coursework.motion.geometry.drive import breaks, resolution, resolved
+from coursework.motion.geometry.drives.drive import breaks, resolution, resolved
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.motion.settings import scheme_for

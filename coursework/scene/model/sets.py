@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.motion.geometry.drive import argument_slopes, resolved
+from coursework.motion.geometry.drives.drive import argument_slopes, resolved
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
 from coursework.scene.model.start import close, start_of

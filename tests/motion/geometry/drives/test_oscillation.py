@@ -6,8 +6,8 @@ import pytest
 
 import coursework
 from coursework.equations.reduction.symbolic import symbol
-from coursework.motion.geometry.drive import argument_slopes
-from coursework.motion.geometry.oscillation import fastest
+from coursework.motion.geometry.drives.drive import argument_slopes
+from coursework.motion.geometry.drives.oscillation import fastest
 from coursework.words.data_folders import folder
 
 BASE = (folder("variants") / "31.toml").read_text(encoding="utf-8")

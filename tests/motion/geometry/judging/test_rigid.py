@@ -3,10 +3,10 @@
 import pytest
 
 import coursework
-from coursework.motion.geometry.rigid import _is_arm
+from coursework.motion.geometry.judging.rigid import _is_arm
 from coursework.variant.formula.reader import parse
 from tests.mechanisms.library import mechanism
-from tests.motion.geometry.test_turning import closure
+from tests.motion.geometry.judging.test_turning import closure
 
 TRAMMEL = mechanism("trammel")
 # A cylinder, whose two ends are a link: its length is a coordinate.

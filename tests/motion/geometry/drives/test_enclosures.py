@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from coursework.equations.codegen.tabulated import TableLaw
-from coursework.motion.geometry.enclosures import REACH, Laws
+from coursework.motion.geometry.drives.enclosures import REACH, Laws
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import FUNCTIONS
 from coursework.variant.record.variant import Law

@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 from coursework.equations.reduction.equations import VelocityEquations, differentiate
 from coursework.equations.reduction.system import compile_values
 from coursework.mechanism.mechanism import build
-from coursework.motion.geometry.agreement import agrees
 from coursework.motion.geometry.closed_start import OPEN, closed_start
 from coursework.motion.geometry.closure import Closure, compile_closure, largest_length
-from coursework.motion.geometry.open_loops import with_closed_loops
+from coursework.motion.geometry.judging.agreement import agrees
+from coursework.motion.geometry.judging.open_loops import with_closed_loops
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, evaluate, named, signed

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from coursework.motion.geometry.swings import swinging
+from coursework.motion.geometry.drives.swings import swinging
 
 T = np.linspace(0, 1, 201)
 

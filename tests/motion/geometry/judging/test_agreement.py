@@ -7,10 +7,10 @@ import pytest
 
 import coursework
 from coursework.equations.reduction.structure import structures
-from coursework.motion.geometry import agreement
+from coursework.motion.geometry.judging import agreement
 from tests.mechanisms.library import mechanism
 
-PAGE = (Path(__file__).parents[2] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+PAGE = (Path(__file__).parents[3] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 RIGHT = "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)"
 
 

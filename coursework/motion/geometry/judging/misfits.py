@@ -13,7 +13,7 @@ from coursework.equations.algebra.expression import MINUS, ZERO
 from coursework.equations.reduction.bound import Speed
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.system import compile_system
-from coursework.motion.geometry.agreement import given_by_geometry, gives
+from coursework.motion.geometry.judging.agreement import given_by_geometry, gives
 from coursework.system.arrays import Array
 
 # Shares of the largest term of an equation, and of all: above what start values with two digits leave open, below a wrong sign.

@@ -18,8 +18,8 @@ from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_values
-from coursework.motion.geometry.enclosures import Laws
-from coursework.motion.geometry.quadrature import POINTS, WANTED, Resolution, left_open, resolve
+from coursework.motion.geometry.drives.enclosures import Laws
+from coursework.motion.geometry.drives.quadrature import POINTS, WANTED, Resolution, left_open, resolve
 from coursework.system.arrays import Array, Flags, as_columns, distinct
 from coursework.variant.record.variant import MAX_ROWS, Law, Variant
 from coursework.words.errors import Fault, InputError

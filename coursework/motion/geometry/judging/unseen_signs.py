@@ -12,11 +12,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.motion.geometry.agreement import agrees, require_agreement
 from coursework.motion.geometry.closure import Closure, compile_closure
-from coursework.motion.geometry.open_loops import require_loops_closed
-from coursework.motion.geometry.rigid import require_hinges_at_rest, require_rigid
-from coursework.motion.geometry.turning import require_turning
+from coursework.motion.geometry.judging.agreement import agrees, require_agreement
+from coursework.motion.geometry.judging.open_loops import require_loops_closed
+from coursework.motion.geometry.judging.rigid import require_hinges_at_rest, require_rigid
+from coursework.motion.geometry.judging.turning import require_turning
 from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, on_axes, signed
 from coursework.variant.record.no_value import known_value

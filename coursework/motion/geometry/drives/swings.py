@@ -13,8 +13,8 @@ import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
-from coursework.motion.geometry.drive import breaks, drive_values
-from coursework.motion.geometry.oscillation import fastest, written_out
+from coursework.motion.geometry.drives.drive import breaks, drive_values
+from coursework.motion.geometry.drives.oscillation import fastest, written_out
 from coursework.system.arrays import Array, distinct
 
 # Smallest swing that counts, as a share of the law's range: the smaller of two waves then has about a twentieth of the power of

@@ -6,7 +6,7 @@ import pytest
 
 import coursework
 from coursework.motion.geometry.closure import compile_closure
-from coursework.motion.geometry.open_loops import with_closed_loops
+from coursework.motion.geometry.judging.open_loops import with_closed_loops
 from tests.mechanisms.library import mechanism
 
 

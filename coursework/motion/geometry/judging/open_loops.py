@@ -13,9 +13,9 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.motion.geometry.agreement import agrees
 from coursework.motion.geometry.closed_start import closed_start, typed_start
 from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.judging.agreement import agrees
 from coursework.motion.geometry.start import START_TOLERANCE
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import on_axes

@@ -12,7 +12,7 @@ import numpy as np
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME
 from coursework.motion.geometry.closure import WAITING, Closure
-from coursework.motion.geometry.drive import breaks, drive_values
+from coursework.motion.geometry.drives.drive import breaks, drive_values
 from coursework.system.arrays import Array
 from coursework.words.errors import InputError
 

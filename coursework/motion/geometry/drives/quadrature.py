@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from coursework.motion.geometry.enclosures import REACH, Enclosure
+from coursework.motion.geometry.drives.enclosures import REACH, Enclosure
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.closure import CONFIGURATIONS, Closure, compile_closure
-from coursework.motion.geometry.compared import looked_at
+from coursework.motion.geometry.judging.compared import looked_at
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 from coursework.variant.record.variant import Binding

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.motion.geometry import quadrature
-from coursework.motion.geometry.drive import integrals, resolution
-from coursework.motion.geometry.enclosures import Enclosure
-from coursework.motion.geometry.quadrature import MOST, WANTED, resolve
+from coursework.motion.geometry.drives import quadrature
+from coursework.motion.geometry.drives.drive import integrals, resolution
+from coursework.motion.geometry.drives.enclosures import Enclosure
+from coursework.motion.geometry.drives.quadrature import MOST, WANTED, resolve
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from tests.hard.drives import END, KINDS, STEP, Law, drawn, four_bar

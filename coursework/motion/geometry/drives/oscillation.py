@@ -14,7 +14,7 @@ from coursework.equations.algebra.calculus import derivative, expand, replaced
 from coursework.equations.algebra.expression import Expression, number
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, local, symbol
-from coursework.motion.geometry.drive import values_of_time
+from coursework.motion.geometry.drives.drive import values_of_time
 from coursework.system.arrays import Array
 
 # A harmonic counts if it has at least this share of the strongest one's power: the first of abs(sin), the third of sin cubed.
