@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from coursework.grading.reading.documents.document import Document
-from coursework.grading.reading.documents.rtf import document_of_rtf, is_rtf
+from coursework.grading.reading.documents.office.rtf import document_of_rtf, is_rtf
 from coursework.grading.reading.limits import Refused
 
 

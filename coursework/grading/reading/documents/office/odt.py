@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import posixpath
 
-from coursework.grading.reading.documents.builder import DocumentBuilder
 from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.formulas import mathml
 from coursework.grading.reading.documents.formulas.formula_tree import FormulaTree
+from coursework.grading.reading.documents.office.builder import DocumentBuilder
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.ods import CONTENT, refuse_encrypted
 from coursework.grading.reading.files.xml_events import stream, whole

@@ -9,10 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from coursework.grading.reading.documents.builder import DocumentBuilder
 from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.formulas import omml
 from coursework.grading.reading.documents.formulas.formula_tree import FormulaTree
+from coursework.grading.reading.documents.office.builder import DocumentBuilder
 from coursework.grading.reading.documents.signs import symbol_font
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.xml_events import stream, whole

@@ -20,8 +20,8 @@ from functools import cache
 from typing import Any
 
 from coursework.grading.reading.documents.document import Document, place_of
-from coursework.grading.reading.documents.pdf_lines import MOST_BARS, Bar, Letter, lines_of, with_fractions
-from coursework.grading.reading.documents.pdf_tables import tables_in
+from coursework.grading.reading.documents.pdf.pdf_lines import MOST_BARS, Bar, Letter, lines_of, with_fractions
+from coursework.grading.reading.documents.pdf.pdf_tables import tables_in
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, INFLATED_BYTES, Refused, doubtful, other_kind, unreadable
 

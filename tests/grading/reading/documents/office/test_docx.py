@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from coursework.grading.reading.documents.document import Document
-from coursework.grading.reading.documents.docx import document_of_docx
+from coursework.grading.reading.documents.office.docx import document_of_docx
 from coursework.grading.reading.files.archive import Archive
 from tests.grading.reading.dialects import archive
 

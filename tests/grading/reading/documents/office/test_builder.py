@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from coursework.grading.reading.documents.builder import DocumentBuilder
 from coursework.grading.reading.documents.document import MOST_LINES, Document, place_of
+from coursework.grading.reading.documents.office.builder import DocumentBuilder
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
 
 MOST_ROWS, MOST_COLUMNS = 4, 5

@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from coursework.grading.reading.documents.pdf_lines import (
+from coursework.grading.reading.documents.pdf.pdf_lines import (
     Bar,
     Letter,
     PageLine,
@@ -14,7 +14,7 @@ from coursework.grading.reading.documents.pdf_lines import (
     lines_of,
     with_fractions,
 )
-from coursework.grading.reading.documents.pdf_tables import _cells, _first, _parted, _rows, tables_in
+from coursework.grading.reading.documents.pdf.pdf_tables import _cells, _first, _parted, _rows, tables_in
 
 
 def letters(text: str, base: float, left: float = 0.0, size: float = 10.0) -> list[Letter]:

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
-from coursework.grading.reading.documents.pdf_lines import PageLine, Word
+from coursework.grading.reading.documents.pdf.pdf_lines import PageLine, Word
 from coursework.grading.reading.numbers import looks_numeric
 
 _CELL_GAP = 0.62  # share of the size of letters: the gap between two cells
