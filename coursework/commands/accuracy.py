@@ -22,7 +22,7 @@ from coursework.results.accuracy.study import make_study
 from coursework.results.accuracy.timing import timed_once
 from coursework.run import Run
 from coursework.scene.quantities import problem_of
-from coursework.system.file_set import working_folder
+from coursework.system.files.file_set import working_folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 

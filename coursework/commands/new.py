@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from coursework.commands.screen import in_language, tell, tell_own_file
 from coursework.scene.model.variant_text import variant_text
 from coursework.scene.quantities import ACCELERATIONS, ANALOGS, CHECKS, GRAPH_CHECK, INVARIANTS, PLOTS, POINTS, TABLE, Quantity
-from coursework.system.whole_files import write_bytes
+from coursework.system.files.whole_files import write_bytes
 from coursework.variant.catalogue import find, load, names
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.reading.set_values import with_set

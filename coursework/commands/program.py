@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 
 import click
 
-from coursework.system.one_thread import keep_to_one_thread
+from coursework.system.processes.one_thread import keep_to_one_thread
 from coursework.system.standard_streams import patient_streams
 from coursework.words.errors import CourseworkError
 

@@ -19,9 +19,9 @@ from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.run import Run
 from coursework.scene.quantities import DYNAMICS, ENERGY, FORCES, TABLE, quantities_for
-from coursework.system.budget import Ended
-from coursework.system.file_set import files_of, working_folder
+from coursework.system.files.file_set import files_of, working_folder
 from coursework.system.on_demand import under_way
+from coursework.system.processes.budget import Ended
 from coursework.variant.reading.set_values import with_set
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count

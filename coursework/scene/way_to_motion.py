@@ -19,9 +19,9 @@ from coursework.equations.codegen.straight_line import FormulaRefused
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.equations.reduction.blocks import Reduction, angles_in_determinants, reduce
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.equations.reduction.solution import Solution
-from coursework.equations.reduction.solution import solutions as solve_blocks
 from coursework.equations.reduction.structure import Structure, structure_of
+from coursework.equations.reduction.textbook.solution import Solution
+from coursework.equations.reduction.textbook.solution import solutions as solve_blocks
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.chain import chain_positions, is_chain
 from coursework.motion.geometry.closed_start import require_start

@@ -162,7 +162,7 @@ def held_to_limits(command: Callable[..., int]) -> Callable[..., int]:
     @wraps(command)
     def watching(*, variant: str, budget: float, memory: float, **options: Any) -> int:
         from coursework.commands.screen import tell_faults
-        from coursework.system.budget import Budget, watched
+        from coursework.system.processes.budget import Budget, watched
 
         with watched(Budget(budget, memory), variant, tell_faults):
             return command(variant=variant, **options)

@@ -16,7 +16,7 @@ from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.bound import STILL, Geometry, Speed, rate_of, speed_of
 from coursework.equations.reduction.symbolic import Symbols, placed, symbol
-from coursework.equations.reduction.tidy import Order, as_sum
+from coursework.equations.reduction.tidying.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen, single
 from coursework.variant.formula.tree import Formula, FormulaFault, on_axes, spelled

@@ -14,7 +14,7 @@ from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.meaning import meaning as meaning_of
 from coursework.equations.reduction.meaning import vanishing
-from coursework.equations.reduction.tidy import as_sum
+from coursework.equations.reduction.tidying.tidy import as_sum
 from coursework.motion.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event

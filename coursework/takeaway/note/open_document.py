@@ -9,7 +9,7 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 
-from coursework.system.zipped import unpacked, zipped
+from coursework.system.files.zipped import unpacked, zipped
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note.dialects import SEQUENCES
 from coursework.takeaway.note.sections import STRUCTURAL

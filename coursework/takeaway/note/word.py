@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from coursework.system.zipped import unpacked, zipped
+from coursework.system.files.zipped import unpacked, zipped
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note.dialects import ENDED_FIELD, TURNED, UPRIGHT, begun_field, word_field
 from coursework.takeaway.note.sections import STRUCTURAL

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from coursework.equations.algebra.expression import Expression, add
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array

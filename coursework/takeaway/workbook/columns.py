@@ -16,7 +16,7 @@ from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import derivative, private
 from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.symbolic import local, symbol
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import AT_EVENT
 from coursework.motion.schemes import Sum, scheme_of

@@ -14,7 +14,7 @@ from dataclasses import field
 import numpy as np
 
 from coursework.equations.algebra.expression import Expression
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.mechanism.groups import group_kind
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.scene.scene_run import SceneRun

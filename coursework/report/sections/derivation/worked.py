@@ -16,7 +16,7 @@ import numpy as np
 from coursework.equations.algebra.calculus import expand, replaced
 from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.reduction.symbolic import expanded, symbol
-from coursework.equations.reduction.tidy import as_sum, product, quotient
+from coursework.equations.reduction.tidying.tidy import as_sum, product, quotient
 from coursework.motion.geometry.time_derivatives import acceleration_rest, compile_rows, derivative, moved_rate
 from coursework.report.formulas.display import display
 from coursework.report.text.numbers import THIN

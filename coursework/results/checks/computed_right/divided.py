@@ -16,7 +16,7 @@ from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import compile_values
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.results.checks.evidence import Evidence
 from coursework.system.frozen import frozen
 from coursework.variant.formula.made import as_read

@@ -12,7 +12,7 @@ from coursework.equations.algebra.expression import ONE, ZERO, Expression
 from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import expanded, symbol
-from coursework.equations.reduction.tidy import Order, as_sum, product, quotient
+from coursework.equations.reduction.tidying.tidy import Order, as_sum, product, quotient
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number
 

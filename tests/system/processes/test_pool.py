@@ -5,13 +5,15 @@ import time
 
 import pytest
 
-from coursework.system import pool
-from coursework.system.pool import Pool, Trade, Worker
-from tests.system.jobs import Job, Told
+from coursework.system.processes import pool
+from coursework.system.processes.pool import Pool, Trade, Worker
+from tests.system.processes.jobs import Job, Told
 
 
 def trade(folder, **limits):
-    return Trade("tests.system.jobs:opened", str(folder), Told, lambda job, late: Told(job.name, -1 if late else 0), **limits)
+    return Trade(
+        "tests.system.processes.jobs:opened", str(folder), Told, lambda job, late: Told(job.name, -1 if late else 0), **limits
+    )
 
 
 def begun(folder, name):

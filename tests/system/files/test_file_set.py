@@ -5,8 +5,8 @@ import tempfile
 
 import pytest
 
-from coursework.system import file_set
-from coursework.system.file_set import MATPLOTLIB, scratch_in
+from coursework.system.files import file_set
+from coursework.system.files.file_set import MATPLOTLIB, scratch_in
 
 
 @pytest.mark.parametrize(("named", "writable", "inside"), [

@@ -20,7 +20,7 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
-from coursework.system.file_set import discard_all
+from coursework.system.files.file_set import discard_all
 from coursework.system.frozen import frozen
 from coursework.system.on_demand import UNDER_WAY
 from coursework.words.errors import CourseworkError, Fault

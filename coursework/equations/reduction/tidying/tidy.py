@@ -15,9 +15,9 @@ from coursework.equations.algebra.calculus import content, together
 from coursework.equations.algebra.expression import HALF, MINUS, ONE, ZERO, Expression, multiply, number
 from coursework.equations.algebra.expression import power as raised
 from coursework.equations.codegen.names import private, public
-from coursework.equations.reduction.addition_theorems import common, pair_angles
-from coursework.equations.reduction.sums import gathered, written_sums
 from coursework.equations.reduction.symbolic import expanded
+from coursework.equations.reduction.tidying.addition_theorems import common, pair_angles
+from coursework.equations.reduction.tidying.sums import gathered, written_sums
 from coursework.system.frozen import frozen
 from coursework.variant.formula.made import product_of, summed
 from coursework.variant.formula.tree import Formula, named

@@ -13,9 +13,9 @@ from contextlib import suppress
 from importlib import import_module
 from typing import Any, BinaryIO
 
-from coursework.system.budget import MIB, limit_memory, memory_held
 from coursework.system.frozen import frozen
-from coursework.system.plain_lines import line_of, plain_of, read_line
+from coursework.system.processes.budget import MIB, limit_memory, memory_held
+from coursework.system.processes.plain_lines import line_of, plain_of, read_line
 
 
 @frozen

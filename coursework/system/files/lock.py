@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
-from coursework.system.whole_files import clear_leftovers, refused, take_lock
+from coursework.system.files.whole_files import clear_leftovers, refused, take_lock
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
 

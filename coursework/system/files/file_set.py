@@ -17,7 +17,7 @@ from itertools import takewhile
 from pathlib import Path
 from typing import IO
 
-from coursework.system.whole_files import refused, take_lock
+from coursework.system.files.whole_files import refused, take_lock
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
 

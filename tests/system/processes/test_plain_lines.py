@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from coursework.system.plain_lines import line_of, plain_of, read_line
+from coursework.system.processes.plain_lines import line_of, plain_of, read_line
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 

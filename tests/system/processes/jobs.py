@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from coursework.system import pool_process
+from coursework.system.processes import pool_process
 
 
 @dataclass(frozen=True, slots=True)

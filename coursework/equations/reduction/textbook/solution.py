@@ -11,7 +11,7 @@ from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import expanded, symbol
-from coursework.equations.reduction.tidy import product, quotient
+from coursework.equations.reduction.tidying.tidy import product, quotient
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, number, spelled
 

@@ -22,11 +22,11 @@ from contextlib import AbstractContextManager, contextmanager, suppress
 from itertools import islice
 from typing import Any, Generic, TypeVar
 
-from coursework.system.budget import WRONG_INPUT
 from coursework.system.frozen import frozen
-from coursework.system.one_thread import ONE_THREAD
-from coursework.system.plain_lines import line_of, plain_of, read_line, record_of
-from coursework.system.pool_process import Answered, Opening
+from coursework.system.processes.budget import WRONG_INPUT
+from coursework.system.processes.one_thread import ONE_THREAD
+from coursework.system.processes.plain_lines import line_of, plain_of, read_line, record_of
+from coursework.system.processes.pool_process import Answered, Opening
 
 Key = TypeVar("Key")
 Job = TypeVar("Job")
@@ -41,7 +41,7 @@ MOST_BYTES = 64 * 2**20  # of one answer; a page has about 40 kB, a report with 
 AHEAD = 2  # most jobs per worker that are drawn and not yet answered
 _ENDING = 2.0  # s in which a process without a job may remove its temporary files
 _PACE = 0.5  # s between two checks for an interrupt, which an endless wait would not notice on Windows
-_START = "import sys; sys.path[:] = sys.argv[1:]; from coursework.system.pool_process import main; main()"
+_START = "import sys; sys.path[:] = sys.argv[1:]; from coursework.system.processes.pool_process import main; main()"
 
 
 @frozen
