@@ -278,7 +278,7 @@ class WayToMotion:
         if isinstance(error, FormulaRefused):
             return InputError([Fault(error.faults[0].message, variant.file, 1)])
         if isinstance(error, OutsideTable):
-            line = variant.line_of(variant.section_of(error.name), error.name)
+            line = variant.line_of(*variant.path_of(error.name))
             return InputError([Fault(error.faults[0].message, variant.file, line)])
         rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
         between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))

@@ -136,10 +136,10 @@ class Symbols:
         self._parts: dict[str, tuple[str, str]] = {}
         self._partials: dict[tuple[Expression, Expression], Expression] = {}
         self._derivatives: dict[tuple[Expression, Expression], Expression] = {}
-        for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
-            for law in laws:
-                with placed(variant, f"{section}.{law.name}", variant.line_of(section, law.name)):
-                    defined[symbol(law.name)] = self._law(law)
+        for law in variant.laws:
+            path = variant.path_of(law.name)
+            with placed(variant, ".".join(path), variant.line_of(*path)):
+                defined[symbol(law.name)] = self._law(law)
         for name, formula in mechanism.points:
             with placed(variant, f"points.{name}", variant.line_of("points", name)):
                 self.vectors[name] = self.vector(formula)

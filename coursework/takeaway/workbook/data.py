@@ -134,7 +134,7 @@ def _times(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:
     formula = _formula(book, ("time", "step"), step, names)
     yield _Line("h", book.say("step"), step, _unit(book, "s"), "", STEP, formula)
     for law, place, time in break_times(variant):
-        text = _formula(book, (variant.section_of(law), law, "pieces", place + 1, 0), time, names) or repr(time)
+        text = _formula(book, (*variant.path_of(law), "pieces", place + 1, 0), time, names) or repr(time)
         value = time * (1 - 1e-14)
         told = book.say("break", symbol=_symbol(book, law))
         yield _Line("t", told, value, _unit(book, "s"), "", names[break_of(law, place)], f"({text})*{_AT_BREAK}")

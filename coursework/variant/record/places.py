@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator, Mapping
 from coursework.system.frozen import frozen
 from coursework.variant.dimensions.exponents import LENGTH, NUMBER, TIME, Dimension, added, dimension_of
 from coursework.variant.formula.tree import Formula, named
-from coursework.variant.record.variant import Constraint, Group, Law, Variant
+from coursework.variant.record.variant import Constraint, Group, Variant
 from coursework.variant.record.vocabulary import GROUP_KINDS
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import say
@@ -62,9 +62,8 @@ def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyP
         if constraint.is_closure or max(_degree(side, variant.velocities) for side in constraint.sides) <= 1:
             yield _constraint(constraint)
     yield from _geometry(variant)
-    for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
-        for law in laws:
-            yield from _law(section, law, names[law.name])
+    for path, formula in variant.formulas_of_laws():
+        yield Place(path, (formula,), names[str(path[1])], str(path[1]))
     for path, formula, si in variant.forces.measured() if variant.forces is not None else ():
         yield Place(path, (formula,), dimension_of(si), ".".join(map(str, path)))
     for path, formula in times.items():
@@ -132,10 +131,3 @@ def _group(path: KeyPath, group: Group) -> Iterator[Place]:
     yield place(("offset",), group.offset, _LENGTH)
     if group.angle is not None:
         yield place(("angle",), group.angle, NUMBER)
-
-
-def _law(section: str, law: Law, wanted: Dimension) -> Iterator[Place]:
-    if law.formula:
-        yield Place((section, law.name), (law.formula,), wanted, law.name)
-    for index, (_, formula) in enumerate(law.pieces):
-        yield Place((section, law.name, "pieces", index, 1), (formula,), wanted, law.name)

@@ -144,9 +144,9 @@ class Variant:
         """Return the laws of [drive], then those of [functions]."""
         return (*self.drive, *self.functions)
 
-    def section_of(self, law: str) -> str:
-        """Return the section of the file in which a law stands: "drive" or "functions"."""
-        return "drive" if any(one.name == law for one in self.drive) else "functions"
+    def path_of(self, law: str) -> tuple[str, str]:
+        """Return the path of a law in the file: its section, [drive] or [functions], and its name."""
+        return "drive" if any(one.name == law for one in self.drive) else "functions", law
 
     @cached_property
     def rates(self) -> tuple[str, ...]:
@@ -202,6 +202,14 @@ class Variant:
         for binding in self.bindings:
             if binding.along is not None:
                 yield ("unknowns", binding.name, "along"), binding.along
+
+    def formulas_of_laws(self) -> Iterator[tuple[KeyPath, Formula]]:
+        """Yield the formulas of the laws, those of their pieces too, each with its path."""
+        for law in self.laws:
+            path = self.path_of(law.name)
+            if law.formula:
+                yield path, law.formula
+            yield from (((*path, "pieces", place, 1), formula) for place, (_, formula) in enumerate(law.pieces))
 
     @property
     def set_values(self) -> dict[str, str]:

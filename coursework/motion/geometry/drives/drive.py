@@ -191,10 +191,9 @@ def refuse_short_tables(equations: VelocityEquations) -> None:
     variant, faults = equations.variant, []
     for law in _over_time(equations):
         if not all(law.covers(time) for time in (0.0, variant.time.end)):
-            section = variant.section_of(law.name)
+            path = variant.path_of(law.name)
             told = say("fault.V322", first=law.first, last=law.last, end=variant.time.end)
-            line = variant.line_of(section, law.name)
-            faults.append(Fault(told, variant.file, line, 0, f"{section}.{law.name}"))
+            faults.append(Fault(told, variant.file, variant.line_of(*path), 0, ".".join(path)))
     if faults:
         raise InputError(faults)
 
