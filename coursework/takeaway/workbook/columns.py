@@ -19,10 +19,9 @@ from coursework.equations.reduction.symbolic import local, symbol
 from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import AT_EVENT
-from coursework.motion.schemes import Sum, scheme_of
+from coursework.motion.schemes import Sum, scheme_of, share
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array
-from coursework.takeaway.listing.writer import weighted
 from coursework.takeaway.workbook.cells import BEFORE, NEXT, ROW, SHEET, TIME, Column, Matrix, StepTable
 from coursework.takeaway.workbook.formulas import spreadsheet
 from coursework.takeaway.workbook.names import STEP, defined_names, letters, start_of
@@ -206,7 +205,7 @@ class _Writer(Maker):
             column.formula = self._moved(positions[0][index], self.scheme.outer, rates, BEFORE)
 
     def _moved(self, own: str, row: Sum, rates: Sequence[str], at: str) -> str:
-        return f"{own}{at}+{weighted(row, [f'{rate}{at}' for rate in rates], STEP, '+')}"
+        return f"{own}{at}+{row.text([f'{rate}{at}' for rate in rates], share(row.factor, STEP), '+')}"
 
     def _later(self, stage: int, places: dict[str, str], before: list[Stage], found: list[Array]) -> Stage:
         """Return a further slope, with its time and position in columns of their own."""
