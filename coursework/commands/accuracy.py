@@ -13,7 +13,7 @@ from pathlib import Path
 import click
 
 from coursework.api import make_run, variant_of
-from coursework.commands.screen import in_language, tell, tell_own_file, title_of
+from coursework.commands.line.screen import in_language, tell, tell_own_file, title_of
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
 from coursework.report.output.write import write_set

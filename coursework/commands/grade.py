@@ -11,7 +11,7 @@ from pathlib import Path
 
 import click
 
-from coursework.commands.screen import in_language, tell, tell_own_file
+from coursework.commands.line.screen import in_language, tell, tell_own_file
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, class_tables, handed_in, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
 from coursework.grading.batch.gradebook import PAGES, Options, grade_class

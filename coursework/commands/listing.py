@@ -10,7 +10,7 @@ from pathlib import Path
 import click
 
 from coursework.api import make_run, variant_of
-from coursework.commands.screen import tell, tell_own_file
+from coursework.commands.line.screen import tell, tell_own_file
 from coursework.motion.settings import stepping
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coursework.commands.screen import in_language, tell, tell_own_file
+from coursework.commands.line.screen import in_language, tell, tell_own_file
 from coursework.scene.model.variant_text import variant_text
 from coursework.scene.quantities import ACCELERATIONS, ANALOGS, CHECKS, GRAPH_CHECK, INVARIANTS, PLOTS, POINTS, TABLE, Quantity
 from coursework.system.files.whole_files import write_bytes

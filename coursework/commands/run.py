@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import make_run, step_choice, variant_of
+from coursework.commands.line.screen import is_terminal, refuse_motor, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.commands.run_on_screen import by_folder, tell_run, tell_run_briefly
-from coursework.commands.screen import is_terminal, refuse_motor, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.motion.settings import stepping
 from coursework.report.output.formats import FORMATS, Format, chosen
 from coursework.report.output.results import Results

@@ -18,9 +18,9 @@ from typing import Any, get_args
 import click
 
 from coursework.api import make_run, variant_of
+from coursework.commands.line.screen import in_language, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.commands.line.templates import with_templates
 from coursework.commands.run import WRONG_INPUT, run_variant
-from coursework.commands.screen import in_language, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set

@@ -1,7 +1,7 @@
 """Linear algebra in one thread: the matrices of a mechanism are small, and idle worker threads slow down the start.
 
 Enters: nothing.  Leaves: environment variables that NumPy reads when it is loaded; those set by the user are kept.
-Used by `pool.py` and `commands/program.py`.
+Used by `pool.py` and `commands/line/program.py`.
 """
 
 from __future__ import annotations

@@ -54,7 +54,7 @@ class Program(click.Group):
         try:
             return int(super().main(*args, **options) or PASSED)
         except CourseworkError as error:
-            from coursework.commands.screen import tell_faults
+            from coursework.commands.line.screen import tell_faults
 
             tell_faults(error)
             return WRONG_INPUT
@@ -77,7 +77,7 @@ class Program(click.Group):
 
 
 def _tell(key: str) -> None:
-    from coursework.commands.screen import tell
+    from coursework.commands.line.screen import tell
     from coursework.words.sentences import say
 
     tell(say(key), err=True)
