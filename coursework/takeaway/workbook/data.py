@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from coursework.equations.reduction.symbolic import break_of
 from coursework.report.live.by_forces import with_weights
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
 from coursework.system.frozen import frozen
 from coursework.takeaway.workbook.dyads import Work, start_formulas
 from coursework.takeaway.workbook.formulas import spreadsheet
-from coursework.takeaway.workbook.names import STEP, break_of, break_times, letters, start_of
+from coursework.takeaway.workbook.names import STEP, break_times, letters, start_of
 from coursework.takeaway.workbook.sheet import WIDTH, Book, number, plain
 from coursework.takeaway.workbook.tables import SHEET, Tables
 from coursework.variant.formula.tree import Formula, evaluate

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from coursework.equations.reduction.symbolic import break_of
 from coursework.variant.record.variant import Variant
 
 STEP = "step"
@@ -18,11 +19,6 @@ STEP = "step"
 def start_of(coordinate: str) -> str:
     """Return the key of a coordinate's start value, from which its defined name is made."""
     return f"{coordinate}_0"
-
-
-def break_of(law: str, place: int) -> str:
-    """Return the key of the end of a piece of a law, the same as in generated expressions."""
-    return f"_end{place}_{law}"
 
 
 def break_times(variant: Variant) -> Iterator[tuple[str, int, float]]:
