@@ -17,9 +17,9 @@ from coursework.motion.settings import stepping
 from coursework.scene.motion_results import MotionResults
 from coursework.scene.quantities import Quantity, known_quantities, no_quantity
 from coursework.scene.scene_run import SceneRun
+from coursework.system.files.whole_files import write_bytes, wrong_ending
 from coursework.system.frozen import frozen
 from coursework.system.on_demand import Plan
-from coursework.system.whole_files import write_bytes, wrong_ending
 from coursework.variant.record.variant import changed
 from coursework.words.errors import CourseworkError, InputError, visible
 from coursework.words.sentences import say

@@ -26,9 +26,9 @@ from coursework.report.text.words import Words
 from coursework.scene.quantities import TABLE
 from coursework.scene.scene import Scene
 from coursework.scene.scene_run import SceneRun
-from coursework.system.csv_text import csv_text
+from coursework.system.files.csv_text import csv_text
+from coursework.system.files.whole_files import refused, write_bytes
 from coursework.system.frozen import frozen
-from coursework.system.whole_files import refused, write_bytes
 
 ROSTER, CLASS, PDF = "roster.csv", "class.html", "sheets.pdf"
 

@@ -43,8 +43,7 @@ def time_text(variant: Variant, key: str, words: Words) -> str:
 
 def lettered(variant: Variant, text: str) -> list[dict[str, str]]:
     """Return a sentence of our own as runs, with the variant's names as symbols; values in it must be clean already."""
-    laws = (law.name for law in (*variant.drive, *variant.functions))
-    return runs(printed(text), (*variant.columns, *(given.name for given in variant.given), *laws))
+    return runs(printed(text), (*variant.columns, *variant.values, *(law.name for law in variant.laws)))
 
 
 def rates_of(variant: Variant) -> Rates:

@@ -55,7 +55,7 @@ class Assignment:
             raise InputError([Fault(say("fault.A032"), template.file, line)])
         self.original = template.path.read_text(encoding="utf-8-sig")
         beside = template.path.parent
-        self.tables = {law.file: (beside / law.file).read_bytes() for law in (*template.drive, *template.functions) if law.file}
+        self.tables = {law.file: (beside / law.file).read_bytes() for law in template.laws if law.file}
         self.template, self.ranges = template, ranges
         self.model: Model = compile_model(template)
         self.acceptance = Acceptance(self.model, Lots(template, ranges, str(seed)))

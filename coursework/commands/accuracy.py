@@ -13,7 +13,7 @@ from pathlib import Path
 import click
 
 from coursework.api import make_run, variant_of
-from coursework.commands.screen import in_language, tell, tell_own_file, title_of
+from coursework.commands.line.screen import in_language, tell, tell_own_file, title_of
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
 from coursework.report.output.write import write_set
@@ -22,7 +22,7 @@ from coursework.results.accuracy.study import make_study
 from coursework.results.accuracy.timing import timed_once
 from coursework.run import Run
 from coursework.scene.quantities import problem_of
-from coursework.system.file_set import working_folder
+from coursework.system.files.file_set import working_folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from coursework.api import make_run, variant_of
-from coursework.commands.screen import tell, tell_own_file
-from coursework.system.whole_files import write_bytes
+from coursework.commands.line.screen import tell, tell_own_file
+from coursework.system.files.whole_files import write_bytes
 from coursework.words.sentences import load_phrases, say
 
 FRAMES_A_ROW = 2

@@ -11,7 +11,7 @@ import click
 
 from coursework.assigning.assign import Wishes, assign
 from coursework.assigning.variants import Assignment, load_ranges, read_file
-from coursework.commands.screen import in_language, tell, tell_own_file, tell_unprinted
+from coursework.commands.line.screen import in_language, tell, tell_own_file, tell_unprinted
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.roster import read_roster
 from coursework.report.text.words import load_words

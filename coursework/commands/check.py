@@ -6,10 +6,10 @@ Used by `cli.py`.
 from __future__ import annotations
 
 from coursework.api import make_run, variant_of
+from coursework.commands.line.screen import tell, tell_own_file, title_of
 from coursework.commands.run_on_screen import tell_remarks
-from coursework.commands.screen import tell, tell_own_file, title_of
-from coursework.equations.reduction.cramer import cramer
-from coursework.motion.geometry.rigid import hinges_with_two_names
+from coursework.equations.reduction.textbook.cramer import cramer
+from coursework.motion.geometry.judging.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_joints
 from coursework.run import Run

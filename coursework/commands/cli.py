@@ -12,7 +12,7 @@ from typing import Any
 import click
 
 from coursework.commands.line import options as line
-from coursework.commands.program import PASSED, Program
+from coursework.commands.line.program import PASSED, Program
 
 
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})

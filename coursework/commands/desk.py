@@ -9,9 +9,9 @@ import sys
 from importlib.util import find_spec
 from pathlib import Path
 
-from coursework.commands.screen import tell
-from coursework.system.budget import Budget
+from coursework.commands.line.screen import tell
 from coursework.system.extras import installed_from
+from coursework.system.processes.budget import Budget
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 

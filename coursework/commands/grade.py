@@ -11,7 +11,7 @@ from pathlib import Path
 
 import click
 
-from coursework.commands.screen import in_language, tell, tell_own_file
+from coursework.commands.line.screen import in_language, tell, tell_own_file
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, class_tables, handed_in, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
 from coursework.grading.batch.gradebook import PAGES, Options, grade_class
@@ -29,8 +29,8 @@ from coursework.grading.platforms.downloads import canvas_owner
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
 from coursework.grading.reading.submission import Submission
-from coursework.system.lock import held, refuse_link
-from coursework.system.pool import Worker
+from coursework.system.files.lock import held, refuse_link
+from coursework.system.processes.pool import Worker
 from coursework.words.custom_templates import templates_in_use
 from coursework.words.errors import Fault, InputError, OutputError, reason_of
 from coursework.words.sentences import joined, say

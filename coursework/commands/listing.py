@@ -10,11 +10,11 @@ from pathlib import Path
 import click
 
 from coursework.api import make_run, variant_of
-from coursework.commands.screen import tell, tell_own_file
+from coursework.commands.line.screen import tell, tell_own_file
 from coursework.motion.settings import stepping
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
-from coursework.system.whole_files import write_bytes, wrong_ending
+from coursework.system.files.whole_files import write_bytes, wrong_ending
 from coursework.takeaway.listing.chart import block_diagram
 from coursework.takeaway.listing.listings import listing
 from coursework.takeaway.listing.program import program_of, refuse_exact

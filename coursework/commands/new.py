@@ -13,10 +13,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coursework.commands.screen import in_language, tell, tell_own_file
+from coursework.commands.line.screen import in_language, tell, tell_own_file
 from coursework.scene.model.variant_text import variant_text
 from coursework.scene.quantities import ACCELERATIONS, ANALOGS, CHECKS, GRAPH_CHECK, INVARIANTS, PLOTS, POINTS, TABLE, Quantity
-from coursework.system.whole_files import write_bytes
+from coursework.system.files.whole_files import write_bytes
 from coursework.variant.catalogue import find, load, names
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.reading.set_values import with_set
@@ -137,6 +137,6 @@ def _copies(target: Path, original: str, set_values: Sequence[str]) -> dict[Path
     tell_own_file(original)
     source = find(original)
     variant = with_set(load(source), set_values)
-    tables = [law.file for law in (*variant.drive, *variant.functions) if law.file]
+    tables = [law.file for law in variant.laws if law.file]
     text = variant_text(variant, source.read_text(encoding="utf-8-sig"))
     return {target: text.encode("utf-8"), **{Path(name): (source.parent / name).read_bytes() for name in tables}}

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import click
 
-from coursework.commands.screen import before_a_person, in_language, tell, tell_own_file
+from coursework.commands.line.screen import before_a_person, in_language, tell, tell_own_file
 from coursework.grading.collecting.sources import collect_files
 from coursework.grading.precheck import precheck
 from coursework.variant.catalogue import load

@@ -11,17 +11,17 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import make_run, step_choice, variant_of
+from coursework.commands.line.screen import is_terminal, refuse_motor, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.commands.run_on_screen import by_folder, tell_run, tell_run_briefly
-from coursework.commands.screen import is_terminal, refuse_motor, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.motion.settings import stepping
 from coursework.report.output.formats import FORMATS, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.run import Run
 from coursework.scene.quantities import DYNAMICS, ENERGY, FORCES, TABLE, quantities_for
-from coursework.system.budget import Ended
-from coursework.system.file_set import files_of, working_folder
+from coursework.system.files.file_set import files_of, working_folder
 from coursework.system.on_demand import under_way
+from coursework.system.processes.budget import Ended
 from coursework.variant.reading.set_values import with_set
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count

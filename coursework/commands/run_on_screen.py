@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from coursework.commands.screen import in_language, speaks_english, tell, tell_wrapped, title_of
+from coursework.commands.line.screen import in_language, speaks_english, tell, tell_wrapped, title_of
 from coursework.results.checks.result import GROUPS, OF_THE_SCALE, Finding, beside, never_more
 from coursework.run import Run
 from coursework.scene.quantities import CHECKS

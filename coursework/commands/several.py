@@ -18,19 +18,19 @@ from typing import Any, get_args
 import click
 
 from coursework.api import make_run, variant_of
+from coursework.commands.line.screen import in_language, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.commands.line.templates import with_templates
 from coursework.commands.run import WRONG_INPUT, run_variant
-from coursework.commands.screen import in_language, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.results.checks.result import Verdict
 from coursework.scene.quantities import CHECKS
-from coursework.system.budget import Budget, watched
-from coursework.system.csv_text import csv_text
-from coursework.system.file_set import clear_leftovers, working_folder
+from coursework.system.files.csv_text import csv_text
+from coursework.system.files.file_set import clear_leftovers, working_folder
+from coursework.system.files.whole_files import write_bytes
 from coursework.system.frozen import frozen
-from coursework.system.whole_files import write_bytes
+from coursework.system.processes.budget import Budget, watched
 from coursework.variant.catalogue import find
 from coursework.variant.reading.set_values import with_set
 from coursework.words.errors import CourseworkError, InputError
@@ -141,7 +141,7 @@ class RunTask:
 @contextmanager
 def opened(plain_task: Any) -> Iterator[Callable[[Any], Outcome]]:
     """Yield the function that runs variants one after the other in a process of the pool."""
-    from coursework.system.plain_lines import record_of
+    from coursework.system.processes.plain_lines import record_of
 
     with record_of(RunTask, plain_task).ready() as work:
         yield lambda plain_item: work(record_of(Item, plain_item))
@@ -154,7 +154,7 @@ def outcomes(task: RunTask, items: Sequence[Item], jobs: int) -> Generator[tuple
             for index, item in enumerate(items):
                 yield index, work(item)
         return
-    from coursework.system.pool import Pool, Trade  # imported here, as only several processes need it
+    from coursework.system.processes.pool import Pool, Trade  # imported here, as only several processes need it
 
     # A run ended by its budget would take as long a second time, so it is tried only once.
     trade = Trade(OPENED, task, Outcome, task.lost, tries=1, quiet=False)

@@ -9,8 +9,8 @@ import json
 from dataclasses import dataclass, field
 from typing import Any
 
-from coursework.system.budget import Budget
 from coursework.system.frozen import frozen
+from coursework.system.processes.budget import Budget
 from coursework.words.sentences import load_phrases, say
 
 OK, FORBIDDEN, BUSY, FAULT = 200, 403, 503, 500

@@ -57,7 +57,7 @@ def build(variant: Variant) -> Mechanism:
         if group.meets and met:
             written[group.meets] = met
     points, sizes = _in_order(written, variant)
-    shown = [(say("place.constraint", name=c.name), c.line, side) for c in constraints for side in (c.left, c.right)]
+    shown = [(say("place.constraint", name=c.name), c.line, side) for c in constraints for side in c.sides]
     shown += [(say("place.holds"), variant.line_of("closure", "holds", i), hold) for i, hold in enumerate(variant.holds)]
     for what, line, formula in shown:
         if _expanded(formula, sizes) > MAX_EXPANDED:

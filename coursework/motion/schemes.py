@@ -49,6 +49,11 @@ class Sum:
             total = total + (slopes[place] if whole == 1 else whole * slopes[place])
         return q + _part(self.factor, h) * total
 
+    def text(self, slopes: Sequence[str], factor: str, plus: str = " + ") -> str:
+        """Return this sum as code: `factor` times the sum of the slopes by name."""
+        terms = [f"{'' if whole == 1 else f'{whole}*'}{slopes[place]}" for place, whole in self.terms]
+        return f"{factor}*{terms[0] if len(terms) == 1 else f'({plus.join(terms)})'}"
+
 
 @frozen
 class Scheme:
@@ -158,6 +163,12 @@ def _part(part: Fraction | int, h: Any) -> Any:
     """Return part*h computed as a lecture writes it: h, h/2, 2*h/3."""
     above = h if part.numerator == 1 else part.numerator * h
     return above if part.denominator == 1 else above / part.denominator
+
+
+def share(part: Fraction | int, step: str) -> str:
+    """Return part*h as code; `step` is the name of h."""
+    above = step if part.numerator == 1 else f"{part.numerator}*{step}"
+    return above if part.denominator == 1 else f"{above}/{part.denominator}"
 
 
 def _common(row: Sequence[Fraction | int]) -> Sum:

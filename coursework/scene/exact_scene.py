@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coursework.motion.geometry.chain import is_chain
-from coursework.motion.geometry.drive import refuse_aliasing
+from coursework.motion.geometry.drives.drive import refuse_aliasing
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE
 from coursework.motion.settings import Settings

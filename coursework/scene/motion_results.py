@@ -146,7 +146,7 @@ class MotionResults:
     )
     def evidence(self) -> Evidence:
         """Return the evidence for the checks: the rows beside the exact ones, and ways to make them again."""
-        from coursework.motion.geometry.swings import drive_frequency
+        from coursework.motion.geometry.drives.swings import drive_frequency
         from coursework.motion.integration.replay import Replay
         from coursework.results.checks.evidence import Evidence
 

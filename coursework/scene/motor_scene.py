@@ -214,14 +214,13 @@ class MotorScene(Scene):
     def _motion_of(self, found: FreeMotion, scheme: str, label: str = "", stop: Stop | None = None) -> Motion:
         variant, count = self.variant, len(found.t)
         names = tuple(c.name for c in variant.coordinates)
-        velocity_names = (*variant.rates, *(name for name, _ in variant.unknowns))
         values = self._table(found.t, found.coordinates, found.rates)
-        size = len(velocity_names)
+        size = len(variant.velocities)
         determinants = values[:, 2 * size + 2 :]
         largest = np.abs(determinants).max(axis=0, initial=1e-300)
         return Motion(
             found.t, found.coordinates, values[:, :size].copy(), determinants.copy(), determinants / largest, names,
-            velocity_names, scheme, variant.time.step, found.slopes, stop, label, residuals=np.zeros((count, 0)),
+            variant.velocities, scheme, variant.time.step, found.slopes, stop, label, residuals=np.zeros((count, 0)),
         )  # fmt: skip
 
     def _table(self, t: Array, q: Array, v: Array) -> Array:

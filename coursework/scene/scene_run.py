@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.equations.algebra.symbolic_objects import sympy_version
 from coursework.equations.reduction.blocks import Reduction
-from coursework.equations.reduction.solution import ShownEquation, Solution, shown_equations
+from coursework.equations.reduction.textbook.solution import ShownEquation, Solution, shown_equations
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.schemes import Scheme, scheme_named, title_of
 from coursework.motion.settings import Settings

@@ -19,17 +19,17 @@ from coursework.equations.codegen.straight_line import FormulaRefused
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.equations.reduction.blocks import Reduction, angles_in_determinants, reduce
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.equations.reduction.solution import Solution
-from coursework.equations.reduction.solution import solutions as solve_blocks
 from coursework.equations.reduction.structure import Structure, structure_of
+from coursework.equations.reduction.textbook.solution import Solution
+from coursework.equations.reduction.textbook.solution import solutions as solve_blocks
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.chain import chain_positions, is_chain
 from coursework.motion.geometry.closed_start import require_start
 from coursework.motion.geometry.closure import Closure, compile_closure
-from coursework.motion.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
-from coursework.motion.geometry.oscillation import fastest
+from coursework.motion.geometry.drives.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
+from coursework.motion.geometry.drives.oscillation import fastest
+from coursework.motion.geometry.judging.unseen_signs import judged
 from coursework.motion.geometry.start import start_values
-from coursework.motion.geometry.unseen_signs import judged
 from coursework.motion.integration.exact_motion import NoVelocities, OutOfReach, exact_motion, no_rows, passing_motion
 from coursework.motion.integration.following import NotReached
 from coursework.motion.integration.integrate import Correction, March, left_by_scheme
@@ -283,8 +283,8 @@ class WayToMotion:
         if isinstance(error, FormulaRefused):
             return InputError([Fault(error.faults[0].message, variant.file, 1)])
         if isinstance(error, OutsideTable):
-            section = "drive" if error.name in {law.name for law in variant.drive} else "functions"
-            return InputError([Fault(error.faults[0].message, variant.file, variant.line_of(section, error.name))])
+            line = variant.line_of(*variant.path_of(error.name))
+            return InputError([Fault(error.faults[0].message, variant.file, line)])
         rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
         between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))
         fault = law_without_value(variant, (*getattr(error, "times", ()), *rows, *between))

@@ -2,7 +2,7 @@
 
 Enters: a pattern with `HAN_HERE` in place of its signs, and the text to match; a text.  Leaves: the compiled pattern; the text.
 Used by `sentences.py`, `templates.py`, `line_ends.py`, `report/text/text_runs.py` and `variant/reading/reader.py`; for the widths
-of columns by `commands/screen.py`, `commands/line/kinds.py`, `mechanism/drafts/text.py` and `takeaway/note/blocks.py`.
+of columns by `commands/line/screen.py`, `commands/line/kinds.py`, `mechanism/drafts/text.py` and `takeaway/note/blocks.py`.
 
 Compiling a character class of 29 000 signs takes a millisecond, and ten of them take as long as the checks of a table.  For a
 text without Chinese, the pattern without them gives the same result.

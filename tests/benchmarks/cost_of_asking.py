@@ -25,7 +25,7 @@ from pathlib import Path
 import coursework
 from coursework.equations.reduction.structure import structures
 from coursework.report.output.tables import table_csv
-from coursework.system.whole_files import write_bytes
+from coursework.system.files.whole_files import write_bytes
 
 
 def _write(quantities: list[str], *kinds: str) -> None:

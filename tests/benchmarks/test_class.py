@@ -7,7 +7,7 @@ import coursework
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
-from coursework.system.file_set import working_folder
+from coursework.system.files.file_set import working_folder
 from coursework.words.data_folders import folder
 from tests.benchmarks import test_march as march
 from tests.benchmarks.timer import ROUNDS, spent

@@ -13,7 +13,7 @@ import pytest
 
 from coursework.desk.answering import bench
 from coursework.desk.job import Job, Policy, Setup
-from coursework.system.budget import Budget
+from coursework.system.processes.budget import Budget
 from coursework.words.data_folders import folder
 from tests.benchmarks import test_march as march
 from tests.benchmarks.timer import ROUNDS, ratio, spent

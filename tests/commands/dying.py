@@ -9,7 +9,7 @@ import os
 from contextlib import contextmanager
 
 from coursework.commands.several import Item, Outcome
-from coursework.system.plain_lines import record_of
+from coursework.system.processes.plain_lines import record_of
 
 
 @contextmanager

@@ -9,9 +9,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from coursework.system import budget
-from coursework.system.budget import Budget, BudgetSpent, memory_held, watched
 from coursework.system.on_demand import under_way
+from coursework.system.processes import budget
+from coursework.system.processes.budget import Budget, BudgetSpent, memory_held, watched
 from coursework.words.errors import Fault
 from coursework.words.sentences import say
 from tests.command import call
@@ -31,7 +31,7 @@ import os, shutil, sys
 import coursework.commands.accuracy
 from coursework.commands.cli import main
 from coursework.equations.reduction.structure import structures
-from coursework.system import budget
+from coursework.system.processes import budget
 
 def status(*arguments):
     try:
@@ -104,8 +104,8 @@ DEAF = """
 import sys, time
 from pathlib import Path
 from types import SimpleNamespace
-from coursework.system import budget
-from coursework.system.file_set import working_folder
+from coursework.system.processes import budget
+from coursework.system.files.file_set import working_folder
 budget.GRACE = 0.2
 with budget.watched(budget.Budget(0.1, 1000), "31.toml"), working_folder(Path("o")) as hidden:
     (hidden / "half").touch()

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.system import whole_files
+from coursework.system.files import whole_files
 from tests.commands.test_cli import QUICK, call, process
 
 pytestmark = pytest.mark.usefixtures("folder")

@@ -86,14 +86,14 @@ def test_results_into_a_device():
 HEARING = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 # The process interrupts itself, as a key does, at the moment that the n-th file is put down.
 INTERRUPTED = """
-import coursework.system.whole_files, signal
-real, count = coursework.system.whole_files.os.fsync, []
+import coursework.system.files.whole_files, signal
+real, count = coursework.system.files.whole_files.os.fsync, []
 def fsync(number):
     count.append(number)
     if len(count) == {at}:
         signal.raise_signal(signal.SIGINT)
     real(number)
-coursework.system.whole_files.os.fsync = fsync
+coursework.system.files.whole_files.os.fsync = fsync
 from coursework.commands.cli import main
 main({arguments!r})
 """

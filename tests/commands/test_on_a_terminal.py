@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from coursework.commands import screen
+from coursework.commands.line import screen
 from tests.command import call
 
 pytestmark = pytest.mark.usefixtures("folder")

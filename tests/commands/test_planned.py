@@ -8,7 +8,7 @@ from click.testing import CliRunner
 
 from coursework.commands.cli import main
 from coursework.scene.motion_results import MotionResults
-from coursework.system import budget
+from coursework.system.processes import budget
 from tests.hard.drives import Law, four_bar
 
 STEADY = Law("steady", "n", {"n": "3 rad/s"}, lambda t: 3 * t)

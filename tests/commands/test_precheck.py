@@ -154,7 +154,7 @@ def test_a_person_reads_letters_as_pages_set_them_and_a_program_names(tmp_path: 
     table = "\n".join(",".join(line[:5] + line[6:]) for line in lines).encode()  # wj is not handed in
     options = ("--variant", str(tmp_path / "own.toml"))
     piped = precheck(tmp_path, table, "", *options).output
-    monkeypatch.setattr("coursework.commands.screen.is_terminal", lambda: True)
+    monkeypatch.setattr("coursework.commands.line.screen.is_terminal", lambda: True)
     shown = precheck(tmp_path, table, "", *options).output
     assert "theta_3  column" in piped
     assert re.search(r"\n  θ₃ {7}column", shown)

@@ -7,7 +7,7 @@ import pytest
 
 from coursework.commands import several
 from coursework.commands.several import Item, Outcome, RunTask
-from coursework.system.budget import Budget
+from coursework.system.processes.budget import Budget
 from coursework.words.sentences import say
 from tests.command import call
 

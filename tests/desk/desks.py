@@ -17,7 +17,7 @@ from coursework.desk.serving.application import Application, Wish
 from coursework.desk.serving.config import opened
 from coursework.desk.serving.guard import Gate
 from coursework.desk.serving.limits import Limits
-from coursework.system.budget import Budget
+from coursework.system.processes.budget import Budget
 
 PORT, SECRET = 8531, "s" * 43
 HOST = f"127.0.0.1:{PORT}"

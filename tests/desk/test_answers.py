@@ -16,7 +16,7 @@ from coursework.equations.reduction import structure
 from coursework.equations.reduction.equations import differentiate
 from coursework.report.output.results import Results
 from coursework.report.pages.html import render_html
-from coursework.system.budget import Budget
+from coursework.system.processes.budget import Budget
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say

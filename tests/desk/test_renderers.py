@@ -11,7 +11,7 @@ from coursework.desk.job import Answer, Job, Setup
 from coursework.desk.serving import renderers
 from coursework.desk.serving.bodies import Refused
 from coursework.desk.serving.renderers import KEPT, MOST_WAITING, Renderers
-from coursework.system.budget import Budget
+from coursework.system.processes.budget import Budget
 from tests.desk.desks import ended
 
 OK = Answer(200, "text/plain", b"")

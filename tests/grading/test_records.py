@@ -5,7 +5,7 @@ from __future__ import annotations
 import coursework
 from coursework.grading.reading.expected import grid_of
 from coursework.grading.reading.submission import Submission, note, submitted_file
-from coursework.system.plain_lines import line_of, read_line
+from coursework.system.processes.plain_lines import line_of, read_line
 
 
 def test_a_submission_survives_json() -> None:

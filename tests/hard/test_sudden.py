@@ -10,8 +10,9 @@ import pytest
 
 import coursework
 from coursework.report.live.page import followed, live_part, sliders_of
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
 from coursework.variant.reading.reader import parse_variant
-from coursework.words.sentences import load_phrases
 from tests.command import call
 from tests.hard.drives import Law, four_bar
 from tests.mechanisms.library import changed
@@ -88,7 +89,7 @@ def test_folds_are_none_while_there_are_twenty_rows_a_period():
 @pytest.mark.parametrize(("times", "offered"), [(1.0, False), (300.0, True)])
 def test_the_page_has_no_laboratory_that_would_miss_the_pulse(times, offered):
     run = coursework.solve(parse_variant(four_bar(pulse(1e4 / times, times * WIDTH), scheme="rk4")))
-    part = live_part(run, load_phrases(), str, str)
+    part = live_part(PageContext(run, load_words("en")))
     assert part.laboratory == offered
     assert part.words["no_laboratory"].startswith("The laboratory is left out of this page: the drive") != offered
 

@@ -1,1 +1,1 @@
-"""The command line itself: options that commands share, completion in the shell, messages for a misused command line."""
+"""The command line itself: options that commands share, completion in the shell, misuse, the screen and the exit status."""

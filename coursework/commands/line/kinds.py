@@ -8,7 +8,7 @@ from __future__ import annotations
 import shutil
 import textwrap
 
-from coursework.commands.screen import in_language, speak
+from coursework.commands.line.screen import in_language, speak
 from coursework.mechanism.groups import GROUPS
 from coursework.variant.record.roles import roles, title
 from coursework.words.scripts import wide_letters

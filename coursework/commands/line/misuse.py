@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import click
 
-from coursework.commands.screen import in_language, speak
+from coursework.commands.line.screen import in_language, speak
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, closest, either, say

@@ -64,7 +64,7 @@ PATH = click.Path(path_type=Path)
 
 
 def _speaks(_context: click.Context, _option: click.Parameter, language: str) -> str:
-    from coursework.commands.screen import speak
+    from coursework.commands.line.screen import speak
 
     speak(language)
     return language
@@ -161,8 +161,8 @@ def held_to_limits(command: Callable[..., int]) -> Callable[..., int]:
 
     @wraps(command)
     def watching(*, variant: str, budget: float, memory: float, **options: Any) -> int:
-        from coursework.commands.screen import tell_faults
-        from coursework.system.budget import Budget, watched
+        from coursework.commands.line.screen import tell_faults
+        from coursework.system.processes.budget import Budget, watched
 
         with watched(Budget(budget, memory), variant, tell_faults):
             return command(variant=variant, **options)

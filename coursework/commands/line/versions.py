@@ -10,7 +10,7 @@ import platform
 import sys
 from importlib.metadata import PackageNotFoundError, version
 
-from coursework.commands.screen import in_language, speak, tell
+from coursework.commands.line.screen import in_language, speak, tell
 from coursework.system.extras import OWN, installed_from, packages
 from coursework.system.version import VERSION
 from coursework.words.sentences import ENGLISH, joined, say

@@ -19,8 +19,8 @@ from coursework.desk.answering import completion, derived, drag, pieces, takeawa
 from coursework.desk.answering.contradicted import naming_terms
 from coursework.desk.answering.typed import Desk, faults_of
 from coursework.desk.job import FAULT, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
-from coursework.system.budget import limit_memory, watched
-from coursework.system.plain_lines import record_of
+from coursework.system.processes.budget import limit_memory, watched
+from coursework.system.processes.plain_lines import record_of
 from coursework.words.errors import CourseworkError
 from coursework.words.sentences import say
 

@@ -17,7 +17,7 @@ from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import Results
 from coursework.report.text.symbols import with_symbols
-from coursework.system.zipped import zipped
+from coursework.system.files.zipped import zipped
 
 NO_DATA = 422
 

@@ -30,8 +30,8 @@ from coursework.desk.serving.library import Library
 from coursework.desk.serving.metrics import Metrics
 from coursework.desk.serving.renderers import Renderers
 from coursework.desk.serving.replies import language_of, refusal, reply
-from coursework.system.budget import Budget
 from coursework.system.frozen import frozen
+from coursework.system.processes.budget import Budget
 from coursework.words.errors import OutputError
 
 MOST_WORKERS = 4

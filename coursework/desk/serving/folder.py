@@ -17,9 +17,9 @@ from typing import Any
 
 from coursework.desk.inside import is_name, read_inside, refused_name
 from coursework.desk.serving.bodies import MOST_BYTES, TOO_LARGE, Refused
+from coursework.system.files.lock import held, refuse_link
+from coursework.system.files.whole_files import refused, write_bytes
 from coursework.system.frozen import frozen
-from coursework.system.lock import held, refuse_link
-from coursework.system.whole_files import refused, write_bytes
 from coursework.words.data_folders import folder as folder_of_reports
 from coursework.words.sentences import say
 

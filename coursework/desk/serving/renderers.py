@@ -17,9 +17,9 @@ from typing import Any
 
 from coursework.desk.job import BUSY, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
 from coursework.desk.serving.bodies import Refused
-from coursework.system.budget import out_of_time
-from coursework.system.plain_lines import line_of, plain_of
-from coursework.system.pool import Pool, Trade
+from coursework.system.processes.budget import out_of_time
+from coursework.system.processes.plain_lines import line_of, plain_of
+from coursework.system.processes.pool import Pool, Trade
 from coursework.words.sentences import load_phrases, say
 
 CONFLICT = 409

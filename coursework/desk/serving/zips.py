@@ -13,8 +13,8 @@ from typing import Any
 from coursework.desk.inside import is_name, read_inside
 from coursework.desk.serving.bodies import MOST_BYTES, Refused
 from coursework.desk.serving.folder import SUFFIX, Folder, Stale, tables_named
-from coursework.system.whole_files import write_bytes
-from coursework.system.zipped import zipped
+from coursework.system.files.whole_files import write_bytes
+from coursework.system.files.zipped import zipped
 from coursework.words.sentences import Phrases, say
 
 MOST_FILES = 500

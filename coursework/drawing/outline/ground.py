@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from coursework.drawing.outline.outline import Outline, Rail, Track, Wheel
+from coursework.drawing.outline.outline import Outline, Rail, Slot, Track, Wheel
 from coursework.system.angles import dot
 from coursework.system.frozen import frozen
 
@@ -27,6 +27,11 @@ class Rack:
     rail: Rail
     contact: str
     side: int
+
+    @property
+    def slot(self) -> Slot:
+        """Return the rack as a slot of the slider, along which the contact moves."""
+        return Slot(self.link, self.rail.rider, self.rail.base, self.rail.toward, (self.contact,))
 
 
 def hinge_ground(outline: Outline, places: Places, name: str) -> complex:

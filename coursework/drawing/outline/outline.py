@@ -108,6 +108,11 @@ class Outline:
         middles = (track.centre for track in self.tracks if not track.centre.startswith("~"))
         return tuple(dict.fromkeys((*self.names, *middles)))
 
+    @property
+    def circles(self) -> list[tuple[str, str]]:
+        """Return the centre of each wheel and each fixed circle, and a point of its rim."""
+        return [(one.centre, one.contact) for one in self.wheels] + [(one.centre, one.rim) for one in self.tracks]
+
     def plain(self) -> dict[str, Any]:
         """Return the outline as dicts, lists and strings, without the formulas."""
         kept = asdict(self)

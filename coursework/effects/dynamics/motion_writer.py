@@ -29,7 +29,7 @@ from coursework.equations.reduction.symbolic import constants, local, placed, sy
 from coursework.equations.reduction.system import compile_values
 from coursework.mechanism.joints import FRAME
 from coursework.motion.geometry.closure import largest_length
-from coursework.motion.geometry.drive import breaks, resolution
+from coursework.motion.geometry.drives.drive import breaks, resolution
 from coursework.motion.geometry.time_derivatives import derivative, second_rate
 from coursework.variant.record.forces import Load
 from coursework.words.errors import Fault, InputError

@@ -23,8 +23,8 @@ from coursework.effects.scheme import read_scheme
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.joints import FRAME
 from coursework.mechanism.mechanism import Mechanism
-from coursework.motion.geometry.misfits import misfits
-from coursework.motion.geometry.rigid import may_be_hinges
+from coursework.motion.geometry.judging.misfits import misfits
+from coursework.motion.geometry.judging.rigid import may_be_hinges
 from coursework.motion.integration.motion import Motion
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.system.arrays import Array, Complex

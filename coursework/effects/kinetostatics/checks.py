@@ -15,7 +15,7 @@ from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.kinetostatics.unseen_loads import unseen_loads
 from coursework.equations.five_point import NODES, five_point_derivative
 from coursework.mechanism.joints import FRAME
-from coursework.motion.geometry.drive import breaks, drive_values
+from coursework.motion.geometry.drives.drive import breaks, drive_values
 from coursework.results.checks.close_to_motion.rows import AT_ROW
 from coursework.results.checks.result import Check, Finding, Verdict, floored, skipped
 from coursework.system.arrays import Array

@@ -19,7 +19,7 @@ from coursework.equations.algebra.calculus import derivative
 from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
-from coursework.motion.geometry.agreement import given_by_geometry
+from coursework.motion.geometry.judging.agreement import given_by_geometry
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.system.arrays import Array
 

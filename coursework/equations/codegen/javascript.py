@@ -31,7 +31,7 @@ def javascript_function(name: str, arguments: Mapping[str, Sequence[str]], body:
     return out;
     };
     """
-    inside = {word for line in body.lines for word in _NAME.findall(line.text.partition(" = ")[2])}
+    inside = {word for line in body.lines for word in _NAME.findall(line.value)}
     # A result that no line reads is written directly into `out`.
     direct = {result: f"out[{place}]" for place, result in enumerate(results) if result not in inside}
     written = {target for line in body.lines for target in line.targets if len(line.targets) == 1}
@@ -55,8 +55,7 @@ def called_tables(body: Bound) -> dict[str, tuple[str, int]]:
 
 def _statement(line: Line, direct: Mapping[str, str]) -> str:
     """Return one line as JavaScript; only functions without arguments, lists and assignments differ from Python."""
-    _, _, value = line.text.partition(" = ")
-    value = _SOLVED.sub(r"_solve([\1])", value).replace("lambda: ", "() => ")
+    value = _SOLVED.sub(r"_solve([\1])", line.value).replace("lambda: ", "() => ")
     if line.targets[0] in direct and len(line.targets) == 1:
         return f"{direct[line.targets[0]]} = {value};"
     targets = line.targets[0] if len(line.targets) == 1 else f"[{', '.join(line.targets)}]"

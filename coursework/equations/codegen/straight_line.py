@@ -37,6 +37,11 @@ class Line:
     targets: tuple[str, ...]
     text: str
 
+    @property
+    def value(self) -> str:
+        """Return the expression that is assigned."""
+        return self.text.partition(" = ")[2]
+
 
 @changing
 class StraightLine:

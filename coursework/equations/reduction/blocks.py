@@ -19,7 +19,7 @@ from coursework.equations.reduction.matching import blocks as block_order
 from coursework.equations.reduction.matching import match
 from coursework.equations.reduction.meaning import meaning
 from coursework.equations.reduction.symbolic import symbol
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, factors, number
 from coursework.words.errors import Fault, InputError

@@ -16,7 +16,7 @@ from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.bound import STILL, Geometry, Speed, rate_of, speed_of
 from coursework.equations.reduction.symbolic import Symbols, placed, symbol
-from coursework.equations.reduction.tidy import Order, as_sum
+from coursework.equations.reduction.tidying.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen, single
 from coursework.variant.formula.tree import Formula, FormulaFault, on_axes, spelled
@@ -40,10 +40,19 @@ class VelocityEquation:
     written: tuple[Formula, Formula] | None = None
     line: int = 0
 
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """Return the coefficients, then the right side."""
+        return (*self.coefficients.values(), self.right_side)
+
+    @property
+    def terms(self) -> list[Expression]:
+        """Return the terms of the left side."""
+        return [slope * symbol(name) for name, slope in self.coefficients.items()]
+
     def shown(self, order: Order) -> tuple[Formula, Formula]:
         """Return both sides as a page shows them."""
-        left = add(*[slope * symbol(name) for name, slope in self.coefficients.items()])
-        return self.written or (as_sum(left, order), as_sum(self.right_side, order))
+        return self.written or (as_sum(add(*self.terms), order), as_sum(self.right_side, order))
 
 
 @frozen
@@ -99,7 +108,7 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
     """Return the velocity equations of a mechanism.  Raises `InputError` for terms that are not linear in the velocities."""
     variant = mechanism.variant
     symbols = Symbols(mechanism)
-    order = Order([f for c in mechanism.constraints for f in (c.left, c.right)], variant)
+    order = Order([side for c in mechanism.constraints for side in c.sides], variant)
     equations: list[VelocityEquation] = []
     positions: list[Position] = []
     faults: list[Fault] = []
@@ -129,7 +138,7 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
         equations += bound
         bound = ()
     positions += kept
-    tables = {law.name: TableLaw(law.name, law.table, law.method) for law in (*variant.drive, *variant.functions) if law.table}
+    tables = {law.name: TableLaw(law.name, law.table, law.method) for law in variant.laws if law.table}
     return VelocityEquations(
         variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions), tables, geometry, bound
     )

@@ -202,7 +202,7 @@ def _fault(
 
 def _moves(law: str, equations: VelocityEquations) -> bool:
     """Return whether a law of [drive] is the rate of a coordinate or occurs in an equation."""
-    parts = (part for one in equations.equations for part in (*one.coefficients.values(), one.right_side))
+    parts = (part for one in equations.equations for part in one.parts)
     return law in equations.variant.rates or any(symbol(law) in part.free_symbols for part in parts)
 
 

@@ -48,14 +48,14 @@ MOST_LEVELS = 100
 def constants(variant: Variant) -> dict[str, float]:
     """Return the numbers that the data determine, by private name: given data, and the times at which laws change."""
     known = {private(name): value for name, value in variant.values.items()}
-    for law in (*variant.drive, *variant.functions):
-        known |= {_break(law, place): later * (1 - _AT_BREAK) for place, (later, _) in enumerate(law.pieces[1:])}
+    for law in variant.laws:
+        known |= {break_of(law.name, place): later * (1 - _AT_BREAK) for place, (later, _) in enumerate(law.pieces[1:])}
     return known
 
 
-def _break(law: Law, piece: int) -> str:
+def break_of(law: str, piece: int) -> str:
     """Return the private name of the time at which a piece of a law ends."""
-    return f"_end{piece}_{law.name}"
+    return f"_end{piece}_{law}"
 
 
 @contextmanager
@@ -136,10 +136,10 @@ class Symbols:
         self._parts: dict[str, tuple[str, str]] = {}
         self._partials: dict[tuple[Expression, Expression], Expression] = {}
         self._derivatives: dict[tuple[Expression, Expression], Expression] = {}
-        for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
-            for law in laws:
-                with placed(variant, f"{section}.{law.name}", variant.line_of(section, law.name)):
-                    defined[symbol(law.name)] = self._law(law)
+        for law in variant.laws:
+            path = variant.path_of(law.name)
+            with placed(variant, ".".join(path), variant.line_of(*path)):
+                defined[symbol(law.name)] = self._law(law)
         for name, formula in mechanism.points:
             with placed(variant, f"points.{name}", variant.line_of("points", name)):
                 self.vectors[name] = self.vector(formula)
@@ -149,7 +149,7 @@ class Symbols:
             return node(f"_table_{law.name}_0", (symbol(law.of),))
         if law.pieces:
             pieces = [self.scalar(formula) for _, formula in law.pieces]
-            ends = [local(_break(law, place)) for place in range(len(pieces) - 1)]
+            ends = [local(break_of(law.name, place)) for place in range(len(pieces) - 1)]
             return piecewise(TIME, *(part for both in zip(pieces, ends, strict=False) for part in both), pieces[-1])
         assert law.formula is not None
         return self.scalar(law.formula)

@@ -149,7 +149,7 @@ def read_source(name: str, folder: Path) -> tuple[Variant, VariantSource]:
     variant = read_variant(path if is_file else find(name))
     assert variant.path is not None
     content = variant.path.read_bytes()
-    beside = [law.file for law in (*variant.drive, *variant.functions) if law.file]
+    beside = [law.file for law in variant.laws if law.file]
     return variant, VariantSource(
         variant.path.stem, content, {file: (variant.path.parent / file).read_bytes() for file in beside}
     )

@@ -20,8 +20,8 @@ from coursework.grading.batch.workers import LIMIT, Keyed, in_processes, on_clus
 from coursework.grading.collecting.sources import Source
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.platforms.names import file_stem
+from coursework.system.files.whole_files import write_bytes
 from coursework.system.frozen import frozen
-from coursework.system.whole_files import write_bytes
 
 MOST_JOBS = 8
 PAGES = "feedback"

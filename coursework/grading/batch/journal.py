@@ -11,9 +11,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import IO, Any
 
+from coursework.system.files.whole_files import refused
 from coursework.system.frozen import frozen
-from coursework.system.plain_lines import line_of, read_line
-from coursework.system.whole_files import refused
+from coursework.system.processes.plain_lines import line_of, read_line
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
 

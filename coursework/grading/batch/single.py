@@ -12,7 +12,7 @@ from typing import Any
 from coursework.grading.marking.reasons.reasons import told
 from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
-from coursework.system.whole_files import write_bytes
+from coursework.system.files.whole_files import write_bytes
 from coursework.words.sentences import Phrases, load_phrases
 
 PLATFORMS = {"gradescope": gradescope, "prairielearn": prairielearn}

@@ -17,10 +17,10 @@ from coursework.grading.batch.decisions import Override, overridden
 from coursework.grading.marking.blank import blank_grade
 from coursework.grading.marking.reasons.reasons import state_reason
 from coursework.grading.marking.rubric import read_rubric
-from coursework.grading.reading.documents import pdf
+from coursework.grading.reading.documents.pdf import pdf
 from coursework.grading.reading.submission import Submission
 from coursework.system.frozen import frozen
-from coursework.system.plain_lines import plain_of
+from coursework.system.processes.plain_lines import plain_of
 from coursework.system.version import VERSION
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases

@@ -12,8 +12,8 @@ from collections.abc import Generator, Iterable, Iterator
 from typing import Any
 
 from coursework.grading.batch.work import Outcome, Setup, Task, failed
-from coursework.system.plain_lines import line_of, plain_of, read_line, record_of
-from coursework.system.pool import Pool, Trade, Worker
+from coursework.system.processes.plain_lines import line_of, plain_of, read_line, record_of
+from coursework.system.processes.pool import Pool, Trade, Worker
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 

@@ -22,7 +22,7 @@ from coursework.grading.pages.feedback import feedback_page
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission
-from coursework.system.plain_lines import record_of
+from coursework.system.processes.plain_lines import record_of
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.custom_templates import templates_standing_in
 from coursework.words.errors import InputError

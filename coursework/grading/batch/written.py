@@ -21,8 +21,8 @@ from coursework.grading.platforms.canvas import Gradebook
 from coursework.grading.platforms.downloads import feedback_zip
 from coursework.grading.platforms.escapes import text_cell
 from coursework.grading.platforms.worksheet import Worksheet
-from coursework.system.csv_text import csv_text
-from coursework.system.whole_files import write_bytes
+from coursework.system.files.csv_text import csv_text
+from coursework.system.files.whole_files import write_bytes
 from coursework.words.sentences import ENGLISH, Phrases, load_phrases
 
 COLUMNS = (

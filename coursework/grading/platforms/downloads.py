@@ -13,8 +13,8 @@ from pathlib import PurePosixPath
 
 from coursework.grading.platforms.moodle_times import MOODLE
 from coursework.grading.platforms.names import file_stem
+from coursework.system.files.zipped import zipped
 from coursework.system.frozen import frozen
-from coursework.system.zipped import zipped
 
 # Moodle's importer reads "fullname_uniqueid_assignsubmission_plugin", then nothing, or in flat mode the file's own name.
 _MOODLE = re.compile(

@@ -20,7 +20,7 @@ from coursework.mechanism import groups
 from coursework.mechanism.groups import Guide, Pair, group_kind
 from coursework.mechanism.groups.assembly import HIDDEN
 from coursework.mechanism.groups.kind import Known
-from coursework.motion.geometry.drive import integrals
+from coursework.motion.geometry.drives.drive import integrals
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, distinct

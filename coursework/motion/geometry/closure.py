@@ -20,7 +20,7 @@ from coursework.equations.reduction.matching import blocks as block_order
 from coursework.equations.reduction.matching import match
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.system import compile_values
-from coursework.motion.geometry.drive import integrals
+from coursework.motion.geometry.drives.drive import integrals
 from coursework.system.arrays import Array, Flags, as_columns
 from coursework.system.frozen import caching
 from coursework.variant.record.variant import Variant

@@ -30,7 +30,7 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[Expression], ord
     `t` (n,), `q` (n, m) coordinates, `u` (n, k) rates then unknowns in file order, `du` (n, k) their derivatives.
     """
     variant = equations.variant
-    velocities = [*variant.rates, *(name for name, _ in variant.unknowns)] if order >= 1 else []
+    velocities = variant.velocities if order >= 1 else ()
     arguments = [private(name) for name in ("t", *(c.name for c in variant.coordinates), *velocities)]
     if order >= 2:
         arguments += map(acceleration, velocities)
@@ -48,7 +48,7 @@ def second_rate(equations: VelocityEquations, rate: Expression) -> Expression:
     """Return d rate / d t, in which `derivative(NAME)` is the derivative of the velocity NAME; that of a given rate is known."""
     symbols = equations.symbols
     total = symbols.rate(rate)
-    for name in (*equations.variant.rates, *(name for name, _ in equations.variant.unknowns)):
+    for name in equations.variant.velocities:
         if symbol(name) not in symbols.definitions:
             total += derivative_by(rate, symbol(name)) * derivative(name)
     return total
@@ -68,7 +68,7 @@ def acceleration_rest(
 
     `change` is `second_rate`, as if free rates were constant, or `moved_rate`.
     """
-    moving = add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
+    moving = add(*equation.terms, -equation.right_side)
     still = {derivative(name): ZERO for name in equations.unknowns}
     return -replaced(change(equations, moving), still)
 

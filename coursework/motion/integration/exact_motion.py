@@ -15,7 +15,7 @@ from functools import partial
 import numpy as np
 
 from coursework.motion.geometry.closure import Closure
-from coursework.motion.geometry.drive import resolution
+from coursework.motion.geometry.drives.drive import resolution
 from coursework.motion.integration.following import follow_closure
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.integration.motion import Motion

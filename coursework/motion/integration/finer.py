@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.equations.codegen.tabulated import OutsideTable
-from coursework.motion.geometry.drive import resolution
+from coursework.motion.geometry.drives.drive import resolution
 from coursework.motion.integration.exact_motion import MOST_STEPS, OutOfReach, refine
 from coursework.motion.integration.hermite import hermite
 from coursework.motion.integration.motion import Motion

@@ -17,7 +17,7 @@ from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import build, renamed, with_numbers
 from coursework.equations.codegen.straight_line import Line
 from coursework.motion.integration.rates import Rates
-from coursework.motion.schemes import Scheme, Sum
+from coursework.motion.schemes import Scheme, Sum, share
 from coursework.system.frozen import frozen
 
 Loop = Callable[..., tuple[float, ...]]
@@ -119,7 +119,7 @@ class _Shape:
     @property
     def constant(self) -> set[str]:
         """Return the names to which a line assigns one of the numbers or a literal number."""
-        set_to = ((line.targets[0], line.text.partition(" = ")[2].removeprefix("-")) for line in self.lines)
+        set_to = ((line.targets[0], line.value.removeprefix("-")) for line in self.lines)
         return {name for name, value in set_to if value in self.numbers or _WRITTEN.fullmatch(value)}
 
     def arguments(self, *own: str) -> str:
@@ -165,23 +165,15 @@ class _Stages:
     def moved(self, row: Sum, place: int) -> str:
         """Return the formula for the coordinate at index `place` after one row of the tableau."""
         rate = private(self.shape.velocities[place])
-        (first, whole), *rest = row.terms
-        total = ("" if whole == 1 else f"{whole}*") + self.name(first, rate)
-        for stage, whole in rest:
-            total += f" + {'' if whole == 1 else f'{whole}*'}{self.name(stage, rate)}"
-        return f"{self.position[place]} + {_share(row.factor)}*{f'({total})' if rest else total}"
+        slopes = [self.name(stage, rate) for stage in range(self.scheme.slopes)]
+        return f"{self.position[place]} + {row.text(slopes, _share(row.factor))}"
 
     def shares(self) -> list[str]:
         """Return the lines that compute the scheme's fractions of h, once for all steps."""
         parts = {*self.scheme.nodes, *(row.factor for row in (*self.scheme.inner, self.scheme.outer))} - {0, 1}
-        return [f"{_share(part)} = {_product(part)}" for part in sorted(parts)]
+        return [f"{_share(part)} = {share(part, '_h')}" for part in sorted(parts)]
 
 
 def _share(part: Fraction | int) -> str:
     """Return the name of part*h."""
     return "_h" if part == 1 else f"_h{part.numerator}_{part.denominator}"
-
-
-def _product(part: Fraction | int) -> str:
-    above = "_h" if part.numerator == 1 else f"{part.numerator}*_h"
-    return above if part.denominator == 1 else f"{above}/{part.denominator}"

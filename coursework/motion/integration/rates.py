@@ -19,7 +19,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
-from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.drives.drive import breaks
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import Slopes
 from coursework.system.arrays import Array, as_columns
@@ -115,11 +115,10 @@ _Parts = tuple[tuple[str, ...], tuple[str, ...], tuple[int, ...], tuple[str, ...
 def _parts(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str] | None) -> _Parts:
     """Return the parts of `Rates` that do not depend on data, the names of its results and its program."""
     variant = equations.variant
-    every = (*variant.rates, *(name for name, _ in variant.unknowns))
-    coordinates, velocities = _closure(equations, reduction, wanted) if wanted else (None, every)
+    coordinates, velocities = _closure(equations, reduction, wanted) if wanted else (None, variant.velocities)
     kept = tuple(c.name for c in variant.coordinates if coordinates is None or c.name in coordinates)
     first = tuple(c.rate for c in variant.coordinates if c.name in kept)
-    listed = first + tuple(name for name in every if name in velocities and name not in first)
+    listed = first + tuple(name for name in variant.velocities if name in velocities and name not in first)
     blocks = reduction.needed(listed)
     statements = [statement for index in blocks for statement in block_statements(reduction.blocks[index], index)]
     statements += [Assign(local(_result(name)), symbol(name)) for name in listed]

@@ -14,8 +14,7 @@ from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.meaning import meaning as meaning_of
 from coursework.equations.reduction.meaning import vanishing
-from coursework.equations.reduction.symbolic import symbol
-from coursework.equations.reduction.tidy import as_sum
+from coursework.equations.reduction.tidying.tidy import as_sum
 from coursework.motion.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event
@@ -101,9 +100,7 @@ def _together(event: Event, reduction: Reduction) -> str:
 def _unit(block: Block, equations: VelocityEquations) -> str:
     """Return the key for a velocity in m/s, or in the unit of the equations if they measure something else."""
     scalars = {constraint.name for constraint in equations.variant.constraints if constraint.is_closure}
-    left = [
-        add(*[by * symbol(u) for u, by in row.coefficients.items()]) for row in equations.equations if row.name in block.equations
-    ]
+    left = [add(*row.terms) for row in equations.equations if row.name in block.equations]
     are_speeds = all(unit_of(as_sum(one, equations.order), equations.variant) == "m" for one in left)
     return "event.in_m_per_s" if are_speeds and not scalars & set(block.equations) else "event.in_own_unit"
 

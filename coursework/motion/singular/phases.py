@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.drives.drive import breaks
 from coursework.motion.singular.scaled_flow import compile_flow
 from coursework.motion.singular.search import search_event
 from coursework.variant.formula.tree import Formula

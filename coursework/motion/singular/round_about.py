@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
-from coursework.motion.geometry.drive import drive_values
+from coursework.motion.geometry.drives.drive import drive_values
 from coursework.motion.singular.event import GivenUp, NotFollowed
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.motion.singular.search import TOLERANCE, is_back
@@ -52,7 +52,7 @@ def _knows_no_time(equations: VelocityEquations) -> bool:
     """Return whether time occurs only in the law of the drive, and there is no table."""
     drive = {symbol(law.name) for law in equations.variant.drive}
     others = [definition for name, definition in equations.symbols.definitions.items() if name not in drive]
-    written = [part for equation in equations.equations for part in (*equation.coefficients.values(), equation.right_side)]
+    written = [part for equation in equations.equations for part in equation.parts]
     return not equations.tables and not any(part.has(TIME) for part in (*others, *written))
 
 

@@ -10,8 +10,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from coursework.motion.geometry.drive import resolution
-from coursework.motion.geometry.oscillation import turns_repeat
+from coursework.motion.geometry.drives.drive import resolution
+from coursework.motion.geometry.drives.oscillation import turns_repeat
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event, GivenUp
 from coursework.motion.singular.peaks import Peaks

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.drawing.outline.ground import hinge_ground, inward, racks, rail_side
-from coursework.drawing.outline.outline import Outline, Slot
+from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import Poses, read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.motion.integration.motion import Motion
@@ -142,10 +142,8 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
 def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
     """Set the window so that both motions fit, and return its size (m)."""
     shown = [places for each in poses for name, places in each.at.items() if not name.startswith("~")]
-    circles = [(wheel.centre, wheel.contact) for wheel in outline.wheels]
-    circles += [(track.centre, track.rim) for track in outline.tracks]
     for each in poses:
-        for centre, rim in circles:
+        for centre, rim in outline.circles:
             radius = np.abs(each.at[rim] - each.at[centre])
             shown += [each.at[centre] + radius * (1 + 1j), each.at[centre] - radius * (1 + 1j)]
         for slot in outline.slots:  # a lever reaches beyond the points of the file
@@ -235,7 +233,7 @@ class Shape:
         for slot in self.outline.slots:
             yield np.array([end[frame] for end in poses.slot_ends(slot)])
         for rack in self.racks:
-            _, low, high = poses.line(Slot(rack.link, rack.rail.rider, rack.rail.base, rack.rail.toward, (rack.contact,)))
+            _, low, high = poses.line(rack.slot)
             ends, deep = np.array([min(low - BLOCK * size, 0.0), max(high + BLOCK * size, 0.0)]), 1j * rack.side * ACROSS * size
             along = poses.along(rack.rail.base, rack.rail.toward)[frame]
             yield pose[rack.rail.rider] + along * np.array([*ends, ends[1] + deep, ends[0] + deep, ends[0]])

@@ -17,14 +17,14 @@ import numpy as np
 
 from coursework.drawing.check_sheet.graph_words import letter_of_centres
 from coursework.equations.reduction.blocks import angles_in_determinants
-from coursework.motion.geometry.drive import breaks, resolution, resolved
+from coursework.motion.geometry.drives.drive import breaks, resolution, resolved
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.motion.settings import scheme_for
 from coursework.report.live.drawn import Drawn, drawn_of, frames_of
 from coursework.report.live.functions import Functions, live_functions, tableau
 from coursework.report.live.script import embedded, hash_of, packed, script_of, shortened, with_own
-from coursework.report.text.words import Words
+from coursework.report.text.page_context import PageContext
 from coursework.scene.motion_results import given_constants
 from coursework.scene.quantities import ENERGY, FORCES
 from coursework.scene.scene_run import SceneRun
@@ -76,28 +76,27 @@ class LivePart:
         return len(packed(self.script)) + len(self.data.encode())
 
 
-def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]) -> LivePart | None:
+def live_part(context: PageContext) -> LivePart | None:
     """Return the live part of a run; None if there is no row to show, or if the drive is too fast to be resolved.
 
     There is no laboratory if the table is too large, if it needs too many bytes, if the drive changes too fast for the steps
     of a script, or if forces move the mechanism against friction.
-
-    `label` writes the name of a quantity or a point, `unit` a unit, both as text.
     """
+    run = context.run
     driven = run.scene.follows_laws
     if not len(run.motion.t) or (driven and not resolution(run.scene.equations).met):
         return None
-    drawn = drawn_of(run.scene, label)
-    said = _said(run, drawn, phrases, label, unit)
-    sliders = sliders_of(run, unit) if len(run.motion.t) <= MOST_ROWS else {}
+    drawn = drawn_of(run.scene, context.label)
+    said = _said(context, drawn)
+    sliders = sliders_of(run, context.unit) if len(run.motion.t) <= MOST_ROWS else {}
     sudden = driven and bool(sliders) and not followed(run, sliders, run.step / FINE)
     if len(run.motion.t) <= MOST_ROWS and not sudden:
-        for part in _laboratories(run, drawn, said, phrases, label, unit):
+        for part in _laboratories(context, drawn, said):
             if part.size <= MOST_BYTES:
                 return part
     script = script_of("", _RECORDED)
     room = MOST_BYTES - len(script.encode()) - len(embedded(said).encode())
-    part = _part(run, phrases, script, said | frames_of(run, drawn, room))
+    part = _part(context, script, said | frames_of(run, drawn, room))
     why = "sudden" if sudden else "rubbing" if _rubs(run) else "no_laboratory"
     return replace(part, words=part.words | {"no_laboratory": part.words[why]})
 
@@ -108,10 +107,9 @@ def _rubs(run: SceneRun) -> bool:
     return not run.scene.follows_laws and forces is not None and bool(forces.friction)
 
 
-def _laboratories(
-    run: SceneRun, drawn: Drawn, said: dict[str, Any], phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
-) -> Iterator[LivePart]:
+def _laboratories(context: PageContext, drawn: Drawn, said: dict[str, Any]) -> Iterator[LivePart]:
     """Yield the laboratories that a run may have, the best first: with forces if asked for, then without."""
+    run = context.run
     if _rubs(run):
         return
     if not run.scene.follows_laws or (run.variant.forces is not None and (run.asks(FORCES) or run.asks(ENERGY))):
@@ -119,26 +117,28 @@ def _laboratories(
 
         found = moved_by(run, drawn.places)
         heavy = replace(run, scene=found.scene)
-        own = said | said_of(found, said, phrases, label, unit)
-        data = own | live_numbers(run, found.functions) | {"sliders": sliders_of(heavy, unit)} | found.numbers
+        own = said | said_of(found, said, context.words.phrases, context.label, context.unit)
+        data = own | live_numbers(run, found.functions) | {"sliders": sliders_of(heavy, context.unit)} | found.numbers
         data |= {"given": heavy.variant.values, "given_order": list(heavy.variant.values)}
         script = script_of(shortened(found.functions.text), found.pieces(_LABORATORY))
-        part = _part(run, phrases, script, data | {"most_cells": MOST_CELLS}, laboratory=True)
+        part = _part(context, script, data | {"most_cells": MOST_CELLS}, laboratory=True)
         yield replace(part, forces=True)
     if run.scene.follows_laws:
         functions = live_functions(run.scene, drawn.places)
-        data = said | live_numbers(run, functions) | {"sliders": sliders_of(run, unit), "given_order": list(run.variant.values)}
+        data = said | live_numbers(run, functions)
+        data |= {"sliders": sliders_of(run, context.unit), "given_order": list(run.variant.values)}
         script = script_of(functions.text, _LABORATORY)
-        yield _part(run, phrases, script, data | {"most_cells": MOST_CELLS}, laboratory=True)
+        yield _part(context, script, data | {"most_cells": MOST_CELLS}, laboratory=True)
 
 
-def _part(run: SceneRun, phrases: Phrases, script: str, data: dict[str, Any], *, laboratory: bool = False) -> LivePart:
+def _part(context: PageContext, script: str, data: dict[str, Any], *, laboratory: bool = False) -> LivePart:
+    phrases = context.words.phrases
     script = _speaking(script, embedded({key: data.pop(key) for key in _SAME if key in data}))
     mark = phrases.template("decimal")
     speeds = tuple((speed, phrases.template("live.speed_of").format(speed=f"{speed:g}".replace(".", mark))) for speed in SPEEDS)
-    last = max(1, len(run.motion.t) - 1)
+    last = max(1, len(context.run.motion.t) - 1)
     told = script, hash_of(script), embedded(data)
-    return LivePart(_words(phrases, run), speeds, last, laboratory, *told, drawn=bool(data["shown_points"]))
+    return LivePart(_words(phrases, context.run), speeds, last, laboratory, *told, drawn=bool(data["shown_points"]))
 
 
 @lru_cache(maxsize=16)
@@ -150,22 +150,20 @@ def _speaking(script: str, own: str) -> str:
     return with_own(script, data | {"words": words})
 
 
-def _said(
-    run: SceneRun, drawn: Drawn, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
-) -> dict[str, Any]:
+def _said(context: PageContext, drawn: Drawn) -> dict[str, Any]:
     """Return the data on the drawing, and the labels, units and words of the page."""
-    variant = run.variant
+    variant, phrases = context.run.variant, context.words.phrases
     names = ["t", *variant.columns, *variant.values, *drawn.data["shown_points"]]
-    units = {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)}
-    words = {key: marked(words) for key, words in _words(phrases, run).items()}
+    units = {name: context.unit(variant.unit_of(name)) for name in ("t", *variant.columns)}
+    words = {key: marked(words) for key, words in _words(phrases, context.run).items()}
     words |= {f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()}
     contacts = {wheel["contact"] for wheel in drawn.data["wheels"]}
     return drawn.data | {
         "centre": letter_of_centres(drawn.data["points"], contacts, [link["name"] for link in drawn.data["links"]]),
         "words": words,
-        "labels": {name: text for name in names if (text := label(name)) != name},
+        "labels": {name: text for name in names if (text := context.label(name)) != name},
         "unit_words": units,
-        "behind": {name: Words(phrases).behind(text) for name, text in units.items()},
+        "behind": {name: context.words.behind(text) for name, text in units.items()},
         "decimal": phrases.template("decimal"),
         "language": phrases.language,
     }
@@ -205,7 +203,7 @@ def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str,
 def followed(run: SceneRun, sliders: dict[str, dict[str, Any]], step: float) -> bool:
     """Return whether steps of length `step` (s) resolve the drive at every place of the sliders."""
     variant = run.variant
-    driving = {name for law in (*variant.drive, *variant.functions) for formula in law.formulas for name in formula.names()}
+    driving = {name for law in variant.laws for formula in law.formulas for name in formula.names()}
     ends = {name: (slider["low"], slider["high"]) for name, slider in sliders.items() if name in driving}
     moved = [(name, place) for name in ends for place in np.linspace(*ends[name], _PLACES)]
     data = {name: np.full(1 + len(moved), value) for name, value in variant.values.items()}

@@ -56,13 +56,11 @@ def spots_of(outline: Outline, poses: Sequence[Poses], names: Sequence[str]) -> 
 
 def scale_of(outline: Outline, poses: Sequence[Poses], width: float) -> float:
     """Return the units per metre, as `refit` in drawing.js computes them."""
-    rims = [(wheel.centre, wheel.contact, slice(None)) for wheel in outline.wheels]
-    rims += [(track.centre, track.rim, slice(0, 1)) for track in outline.tracks]
     ends = [one.at[name] for one in poses for name in outline.shown]
     for one in poses:
-        for centre, rim, rows in rims:
-            radius = np.abs(one.at[rim] - one.at[centre])[rows] * (1 + 1j)
-            ends += [one.at[centre][rows] - radius, one.at[centre][rows] + radius]
+        for centre, rim in outline.circles:
+            radius = np.abs(one.at[rim] - one.at[centre]) * (1 + 1j)
+            ends += [one.at[centre] - radius, one.at[centre] + radius]
     every = np.concatenate(ends)
     return float(min((width - 90) / max(np.ptp(every.real), 1e-12), (0.2 * width + 200) / max(np.ptp(every.imag), 1e-12)))
 
@@ -224,8 +222,7 @@ def _moving_lines(
         yield from itertools.pairwise(at[wheel.centre] + np.abs(at[wheel.contact] - at[wheel.centre]) * RIM[:, None])
         yield at[wheel.centre], at[wheel.contact]
     for rack in racks(outline, poses.pose(0)):
-        slot = Slot(rack.link, rack.rail.rider, rack.rail.base, rack.rail.toward, (rack.contact,))
-        yield from (along(slot, 0.0), along(slot, RACK * rack.side))
+        yield from (along(rack.slot, 0.0), along(rack.slot, RACK * rack.side))
 
 
 def _fixed_lines(outline: Outline, poses: Poses, scale: float, at: dict[str, Complex]) -> Iterator[tuple[complex, complex]]:

@@ -70,8 +70,8 @@ class Formulas:
 
     def of_motion(self) -> Reason | None:
         """Return the first law or constraint without a value in some row, as the reason why the table lacks one; else None."""
-        for section, law in in_order(self.variant):
-            if reason := self._of_law(section, law):
+        for law in in_order(self.variant):
+            if reason := self._of_law(law):
                 return reason
         for constraint in self.variant.constraints:
             for side in constraint.sides:
@@ -99,8 +99,9 @@ class Formulas:
                 return reason
         return None
 
-    def _of_law(self, section: str, law: Law) -> Reason | None:
-        path, label = (section, law.name), f"{section}.{law.name}"
+    def _of_law(self, law: Law) -> Reason | None:
+        path = self.variant.path_of(law.name)
+        label = ".".join(path)
         if law.table:
             self._tabulate(law)
             return None

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array
-from coursework.system.csv_text import csv_text
+from coursework.system.files.csv_text import csv_text
 
 if TYPE_CHECKING:
     from coursework.results.accuracy.record import AccuracyStudy

@@ -14,8 +14,8 @@ from coursework.report.output.formats import Format, formats_for
 from coursework.report.output.record import as_json
 from coursework.report.output.results import Results
 from coursework.scene.scene_run import SceneRun
-from coursework.system.file_set import publish
-from coursework.system.whole_files import refused, write_bytes, write_through, wrong_ending
+from coursework.system.files.file_set import publish
+from coursework.system.files.whole_files import refused, write_bytes, write_through, wrong_ending
 from coursework.words.errors import NotToBeHad, OutputError
 from coursework.words.sentences import either, say
 

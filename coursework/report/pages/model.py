@@ -90,7 +90,7 @@ def build_model(
         copied=words("title.copied"),
         enlarge=words("title.enlarge"),
         sections=tuple(_numbered(all_sections(context), words)),
-        live=live_part(run, words.phrases, lambda name: context.symbol(name).text, context.unit) if live else None,
+        live=live_part(context) if live else None,
         scripts=live,
     )
 

@@ -43,5 +43,5 @@ def dead_point(context: PageContext) -> list[Part]:
 
 def _values(context: PageContext, values: Mapping[str, float]) -> str:
     unit_of = context.run.variant.unit_of
-    listed = [f"{context.symbol(name).text} = {context.quantity(value, unit_of(name))}" for name, value in values.items()]
+    listed = [f"{context.label(name)} = {context.quantity(value, unit_of(name))}" for name, value in values.items()]
     return context.words("join.comma").join(listed)

@@ -182,7 +182,7 @@ def _rider(mechanism: Mechanism, through: Formula) -> str:
 def _moves(mechanism: Mechanism, name: str) -> bool:
     """Return whether a point or value changes with time, or is defined by something that does."""
     variant, points = mechanism.variant, dict(mechanism.points)
-    changing = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
+    changing = {*variant.columns, *(law.name for law in variant.laws), "t"}
     return not changing.isdisjoint(reached([name], points))
 
 

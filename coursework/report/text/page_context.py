@@ -94,7 +94,7 @@ class PageContext:
         shown = [side for one in run.equations for side in (one.left, one.right)]
         shown += [formula for solution in run.solutions for _, formula in solution]
         shown += [formula for _, formula in run.scene.mechanism.points]
-        moving = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
+        moving = {*variant.columns, *(law.name for law in variant.laws), "t"}
         return named_angles(shown, moving, variant.names, variant.values)
 
     @property
@@ -120,6 +120,10 @@ class PageContext:
         """Return the symbol of a name."""
         return symbol(name, self.rates)
 
+    def label(self, name: str) -> str:
+        """Return the symbol of a name as text."""
+        return self.symbol(name).text
+
     def symbol_runs(self, names: Iterable[str], after: str = "") -> Runs:
         """Return "ω₁, ω₂" as runs, followed by `after`."""
         found: Runs = []
@@ -137,7 +141,7 @@ class PageContext:
 
     def lettering(self, name: str) -> str:
         """Return the symbol of a name as text of a sentence that is split into runs later; a single letter is marked for that."""
-        text = self.symbol(name).text
+        text = self.label(name)
         return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 and text.isascii() else text
 
     def rich(self, text: str) -> Runs:
@@ -176,7 +180,7 @@ class PageContext:
     def names(self) -> Names:
         """Return the names that may stand in a sentence about this variant."""
         variant = self.run.variant
-        others = (*(given.name for given in variant.given), *(law.name for law in (*variant.drive, *variant.functions)))
+        others = (*variant.values, *(law.name for law in variant.laws))
         columns = (*variant.columns, *(law.name for law in variant.drive))
         return Names(tuple(name for name, _ in self.run.scene.mechanism.points), columns, others)
 

@@ -10,8 +10,8 @@ import math
 from fractions import Fraction
 
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.motion.geometry.drive import breaks
-from coursework.motion.geometry.swings import drive_frequency, turning_cranks
+from coursework.motion.geometry.drives.drive import breaks
+from coursework.motion.geometry.drives.swings import drive_frequency, turning_cranks
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.singular.search import Search
 from coursework.results.checks.close_to_motion.rows import AT_ROW, ROWS_A_PERIOD, between_rows

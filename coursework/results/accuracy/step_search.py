@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from coursework.motion.geometry.drive import resolution
+from coursework.motion.geometry.drives.drive import resolution
 from coursework.motion.integration.exact_motion import refine
 from coursework.motion.integration.loops import Loop, generate_loop
 from coursework.motion.integration.rates import Rates

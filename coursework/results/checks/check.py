@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.motion.geometry.drive import resolution
+from coursework.motion.geometry.drives.drive import resolution
 from coursework.results.checks import advice
 from coursework.results.checks.close_to_motion import closeness, continuity, drift, period, rows, sinusoid
 from coursework.results.checks.close_to_motion.stiffness import stiff

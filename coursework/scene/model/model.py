@@ -26,7 +26,7 @@ from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.structure import structure_of
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
-from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.drives.drive import breaks
 from coursework.motion.geometry.start import start_values
 from coursework.motion.settings import Settings
 from coursework.scene.exact_scene import scene_of
@@ -92,7 +92,7 @@ class Model:
     @cached_property
     def velocities(self) -> tuple[str, ...]:
         """Return the names of the velocities: rates in file order, then unknowns."""
-        return (*self.variant.rates, *(name for name, _ in self.variant.unknowns))
+        return self.variant.velocities
 
     @property
     def blocks(self) -> tuple[Block, ...]:

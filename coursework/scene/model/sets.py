@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.equations.reduction.symbolic import symbol
-from coursework.motion.geometry.drive import argument_slopes, resolved
+from coursework.motion.geometry.drives.drive import argument_slopes, resolved
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
 from coursework.scene.model.start import close, start_of
@@ -68,7 +67,7 @@ def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
     held = [*unused, *model.equations.from_closure]
     if not held:
         return sound
-    parts = [[-e.right_side, *(slope * symbol(name) for name, slope in e.coefficients.items())] for e in held]
+    parts = [[-e.right_side, *e.terms] for e in held]
     function = model.compiled(tuple(term for terms in parts for term in terms), model.variant.sought)
     first = np.cumsum([0, *map(len, parts[:-1])])
     sought = [model.velocities.index(name) for name in model.variant.sought]

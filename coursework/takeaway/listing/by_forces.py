@@ -105,5 +105,5 @@ def _needed(lines: Sequence[Line], wanted: Iterable[str]) -> tuple[Line, ...]:
     for line in reversed(lines):
         if any(name in read or name.startswith("_det") for name in line.targets):
             found.append(line)
-            read |= {*_WORD.findall(line.text.partition(" = ")[2])}
+            read |= {*_WORD.findall(line.value)}
     return tuple(reversed(found))

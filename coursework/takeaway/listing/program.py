@@ -114,7 +114,7 @@ class Program:
     def calls(self) -> set[str]:
         """Return every word on the right-hand sides of the lines."""
         lines = [*self.known, *(line for block in self.blocks for line in block.lines)]
-        return {word for line in lines for word in re.findall(r"[A-Za-z_]\w*", line.text.partition(" = ")[2])}
+        return {word for line in lines for word in re.findall(r"[A-Za-z_]\w*", line.value)}
 
 
 def program_of(context: PageContext) -> Program:
@@ -197,7 +197,7 @@ def _blocks(context: PageContext, found: Moving, taken: int) -> Iterator[BlockOf
             own.append(line)
             left -= set(line.targets)
         determinant = f"_det{index}"
-        value = next((line.text.partition(" = ")[2] for line in own if determinant in line.targets), "")
+        value = next((line.value for line in own if determinant in line.targets), "")
         fixed = value.removeprefix("-") in known or value.removeprefix("-").replace(".", "").isdigit()
         told = context.words(
             "listing.block", names=", ".join(block.unknowns),

@@ -5,11 +5,10 @@ Enters: a `Program`, a syntax, the words of the comments.  Leaves: lines.  Used 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from fractions import Fraction
+from collections.abc import Iterable
 
 from coursework.equations.codegen.straight_line import Line
-from coursework.motion.schemes import SEMI_IMPLICIT, Sum
+from coursework.motion.schemes import SEMI_IMPLICIT, Sum, share
 from coursework.report.text.words import Words
 from coursework.takeaway.listing.program import Box, Program
 from coursework.takeaway.listing.syntax import Names, Syntax, expression, filled, parts
@@ -108,7 +107,7 @@ class Writer:
 
     def assigned(self, line: Line) -> list[str]:
         """Return an assignment of the straight-line code in the language."""
-        value = line.text.partition(" = ")[2]
+        value = line.value
         if value.startswith("_solve("):
             return self.solved(line, parts(value, self.syntax, self.names))
         return self.wrapped(self.sets(self.names[line.targets[0]], expression(value, self.syntax, self.names)))
@@ -174,7 +173,7 @@ class Writer:
 
     def moved(self, name: str, row: Sum, rates: list[str]) -> str:
         """Return the value of a coordinate after one row of the tableau; `rates` are its rates in the slopes so far."""
-        return f"{name} + {weighted(row, rates, self.h)}" if row.terms else name
+        return f"{name} + {row.text(rates, share(row.factor, self.h))}" if row.terms else name
 
     def arguments(self, stage: int) -> list[str]:
         """Return the arguments of a slope: its time and position."""
@@ -205,19 +204,6 @@ class Writer:
         """Return the free rate of each coordinate that is moved by forces."""
         free = [name for name, out in zip(self.coordinates, self.program.velocities, strict=False) if out.startswith("_rate_")]
         return dict(zip(free, self.coordinates[len(self.coordinates) - len(free) :], strict=True))
-
-
-def share(part: Fraction | int, step: str) -> str:
-    """Return an expression for a part of the step."""
-    above = step if part.numerator == 1 else f"{part.numerator}*{step}"
-    return above if part.denominator == 1 else f"{above}/{part.denominator}"
-
-
-def weighted(row: Sum, rates: Sequence[str], step: str, plus: str = " + ") -> str:
-    """Return what a row of the tableau adds to a coordinate: a part of the step times a sum of rates."""
-    terms = [f"{'' if whole == 1 else f'{whole}*'}{rates[place]}" for place, whole in row.terms]
-    total = terms[0] if len(terms) == 1 else f"({plus.join(terms)})"
-    return f"{share(row.factor, step)}*{total}"
 
 
 def held(around: tuple[str, str], lines: Iterable[str], **names: object) -> list[str]:

@@ -9,11 +9,11 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 
-from coursework.system.zipped import unpacked, zipped
+from coursework.system.files.zipped import unpacked, zipped
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note.dialects import SEQUENCES
 from coursework.takeaway.note.sections import STRUCTURAL
-from coursework.takeaway.note.styles import PAGE, House, open_document_styles, xml_of
+from coursework.takeaway.note.styles import PAGE, House, open_document_styles, restyled, xml_of
 from coursework.takeaway.note.tree import printed
 
 CONTENT, STYLES, MANIFEST = "content.xml", "styles.xml", "META-INF/manifest.xml"
@@ -45,13 +45,7 @@ def contents_of(title: str, listed: Sequence[tuple[str, str]], _width: float) ->
 def finished(content: bytes, house: House | None, drawings: Mapping[bytes, Picture]) -> bytes:
     """Return the finished document; `house` None keeps a department's styles; `drawings` maps each PNG to its drawing."""
     files = unpacked(content)
-    styles = files[STYLES].decode()
-    for name, made in open_document_styles(house).items():
-        found = re.search(_STYLE.format(re.escape(name)), styles, re.S)
-        if found is None:
-            styles = styles.replace("</office:styles>", f"{made}</office:styles>", 1)
-        elif house is not None:
-            styles = styles[: found.start()] + made + styles[found.end() :]
+    styles = restyled(files[STYLES].decode(), open_document_styles(house), _STYLE, "</office:styles>", house)
     files[STYLES] = (_with_pages(styles, house) if house is not None else styles).encode()
     text = files[CONTENT].decode()
     if "<text:sequence-decls" not in text:

@@ -10,6 +10,8 @@ figures below and centred, of tables above and left; page numbers below and cent
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from coursework.system.frozen import frozen
@@ -48,11 +50,9 @@ class House:
 STANDARD = House(size=14.0, line=1.5, margins=(30.0, 15.0, 20.0, 20.0), indent=12.5, by_standard=True)
 HOUSES = {
     "ru": STANDARD,
-    "uk": House(
-        size=14.0, line=1.5, margins=(30.0, 15.0, 20.0, 20.0), indent=12.5, by_standard=True, page_number="header right"
-    ),
+    "uk": replace(STANDARD, page_number="header right"),
     "zh": House(eastern="SimSun", size=12.0, line=1.25, indent=8.5),
-}  # fmt: skip
+}
 
 
 @frozen
@@ -143,3 +143,17 @@ def open_document_styles(house: House | None) -> dict[str, str]:
     known: dict[str, Any] = {"house": house or House(), "lent": house is None}
     named = {OPEN_NAMES.get(one.name, one.name.replace(" ", "_20_")): one for one in styles_of(house or House())}
     return {name: xml_of("opendocument", "style", one=one, name=name, **known) for name, one in named.items()}
+
+
+def restyled(styles: str, made: Mapping[str, str], pattern: str, end: str, house: House | None) -> str:
+    """Return a file's styles with those `made`; to the styles of a department (no house) only missing ones are added.
+
+    `pattern` finds a style by its name, new styles stand before `end`.
+    """
+    for name, style in made.items():
+        own = re.compile(pattern.format(re.escape(name)), re.S)
+        if not own.search(styles):
+            styles = styles.replace(end, f"{style}{end}", 1)
+        elif house is not None:
+            styles = own.sub(lambda _, style=style: style, styles, count=1)  # type: ignore[misc]
+    return styles

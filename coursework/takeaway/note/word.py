@@ -8,11 +8,11 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from coursework.system.zipped import unpacked, zipped
+from coursework.system.files.zipped import unpacked, zipped
 from coursework.takeaway.figures.drawings import Picture
 from coursework.takeaway.note.dialects import ENDED_FIELD, TURNED, UPRIGHT, begun_field, word_field
 from coursework.takeaway.note.sections import STRUCTURAL
-from coursework.takeaway.note.styles import MANY, PAGE, House, twips, word_styles, xml_of
+from coursework.takeaway.note.styles import MANY, PAGE, House, restyled, twips, word_styles, xml_of
 
 DOCUMENT, STYLES, RELATIONS = "word/document.xml", "word/styles.xml", "word/_rels/document.xml.rels"
 TYPES = "[Content_Types].xml"
@@ -57,13 +57,8 @@ def _lettered(found: re.Match[str]) -> str:
 
 
 def _with_styles(styles: str, house: House | None) -> str:
-    """Return the styles of the house; to the styles of a department only missing ones are added."""
-    for identifier, made in word_styles(house).items():
-        pattern = re.compile(_STYLE.format(re.escape(identifier)), re.S)
-        if not pattern.search(styles):
-            styles = styles.replace("</w:styles>", f"{made}</w:styles>")
-        elif house is not None:
-            styles = pattern.sub(lambda _, made=made: made, styles, count=1)  # type: ignore[misc]
+    """Return the styles of the house, of its tables too."""
+    styles = restyled(styles, word_styles(house), _STYLE, "</w:styles>", house)
     if house is None:
         return styles
     return re.sub(_STYLE.format("Table"), lambda _: xml_of("word", "table_style"), styles, count=1, flags=re.S)

@@ -106,7 +106,7 @@ class _Writer:
             for line in self.found.closing:
                 (made,) = renamed([line], known)
                 (target,) = line.targets
-                self._lines([Line((own[target],), f"{own[target]} = {made.text.partition(' = ')[2]}")])
+                self._lines([Line((own[target],), f"{own[target]} = {made.value}")])
                 known[target] = own[target]
         for name, _ in self.found.closed if self.found.closing else ():
             last = f"{name}_t{CORRECTIONS}"
@@ -124,7 +124,7 @@ class _Writer:
         computed = self._computed(listed, names)
         for line, values in zip(listed, computed, strict=True):
             (target,) = line.targets
-            text = line.text.partition(" = ")[2]
+            text = line.value
             self.values[target] = values
             if text in self.cells or _NUMBER.fullmatch(text):
                 self.cells[target] = self.cells.get(text, f"({text})")

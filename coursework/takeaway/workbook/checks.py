@@ -10,9 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from coursework.equations.algebra.expression import Expression
-from coursework.equations.reduction.symbolic import symbol
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.algebra.expression import Expression, add
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array
@@ -132,7 +131,6 @@ def residuals_of(book: Book, table: StepTable) -> Iterator[Residual]:
     known = {"zero": False, "start": True}  # an equation for a driven coordinate is no residual
     zero = [(one.told, one.expression, known[one.target]) for one in scene.equations.positions if one.target in known]
     for one in scene.equations.equations:
-        terms = [slope * symbol(name) for name, slope in one.coefficients.items()]
-        zero.append((f"({book.context.equation(one.name)})", sum(terms[1:], terms[0]) - one.right_side, False))
+        zero.append((f"({book.context.equation(one.name)})", add(*one.terms) - one.right_side, False))
     for head, expression, is_kept in zero:
         yield head, table.text(as_formula(expression, order)), expression, is_kept

@@ -16,13 +16,12 @@ from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import derivative, private
 from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.symbolic import local, symbol
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import AT_EVENT
-from coursework.motion.schemes import Sum, scheme_of
+from coursework.motion.schemes import Sum, scheme_of, share
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array
-from coursework.takeaway.listing.writer import weighted
 from coursework.takeaway.workbook.cells import BEFORE, NEXT, ROW, SHEET, TIME, Column, Matrix, StepTable
 from coursework.takeaway.workbook.formulas import spreadsheet
 from coursework.takeaway.workbook.names import STEP, defined_names, letters, start_of
@@ -40,7 +39,7 @@ class Maker:
         self.table, self.scene, self.rates = table, scene, scene.rates
         self.equations, self.reduction = scene.equations, scene.reduction
         self.scheme = scheme_of(table.motion.scheme)
-        self.laws = {law.name: law for law in (*scene.variant.drive, *scene.variant.functions)}
+        self.laws = {law.name: law for law in scene.variant.laws}
         self.solutions = dict(formula for index in self.rates.blocks for formula in scene.solutions[index])
         named_in = [name for tree in self.solutions.values() for name in tree.names()]
         self.uses = Counter([*named_in, *named_in] if self.scheme.slopes > 1 else named_in)
@@ -206,7 +205,7 @@ class _Writer(Maker):
             column.formula = self._moved(positions[0][index], self.scheme.outer, rates, BEFORE)
 
     def _moved(self, own: str, row: Sum, rates: Sequence[str], at: str) -> str:
-        return f"{own}{at}+{weighted(row, [f'{rate}{at}' for rate in rates], STEP, '+')}"
+        return f"{own}{at}+{row.text([f'{rate}{at}' for rate in rates], share(row.factor, STEP), '+')}"
 
     def _later(self, stage: int, places: dict[str, str], before: list[Stage], found: list[Array]) -> Stage:
         """Return a further slope, with its time and position in columns of their own."""

@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from coursework.equations.reduction.symbolic import break_of
 from coursework.report.live.by_forces import with_weights
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
 from coursework.system.frozen import frozen
 from coursework.takeaway.workbook.dyads import Work, start_formulas
 from coursework.takeaway.workbook.formulas import spreadsheet
-from coursework.takeaway.workbook.names import STEP, break_of, break_times, letters, start_of
+from coursework.takeaway.workbook.names import STEP, break_times, letters, start_of
 from coursework.takeaway.workbook.sheet import WIDTH, Book, number, plain
 from coursework.takeaway.workbook.tables import SHEET, Tables
 from coursework.variant.formula.tree import Formula, evaluate
@@ -134,8 +135,7 @@ def _times(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:
     formula = _formula(book, ("time", "step"), step, names)
     yield _Line("h", book.say("step"), step, _unit(book, "s"), "", STEP, formula)
     for law, place, time in break_times(variant):
-        section = "drive" if law in {one.name for one in variant.drive} else "functions"
-        text = _formula(book, (section, law, "pieces", place + 1, 0), time, names) or repr(time)
+        text = _formula(book, (*variant.path_of(law), "pieces", place + 1, 0), time, names) or repr(time)
         value = time * (1 - 1e-14)
         told = book.say("break", symbol=_symbol(book, law))
         yield _Line("t", told, value, _unit(book, "s"), "", names[break_of(law, place)], f"({text})*{_AT_BREAK}")
@@ -149,7 +149,7 @@ def _formula(book: Book, path: KeyPath, value: float, names: Mapping[str, str]) 
 
 
 def _symbol(book: Book, name: str) -> str:
-    return book.context.symbol(name).text
+    return book.context.label(name)
 
 
 def _unit(book: Book, unit: str) -> str:

@@ -14,7 +14,7 @@ from dataclasses import field
 import numpy as np
 
 from coursework.equations.algebra.expression import Expression
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.mechanism.groups import group_kind
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.scene.scene_run import SceneRun
@@ -98,7 +98,7 @@ class _Known:
     def __init__(self, run: SceneRun, names: Mapping[str, str], tables: Tables, work: Work) -> None:
         self.run, self.names, self.tables, self.work = run, names, tables, work
         self.equations = run.scene.equations
-        self.laws = {law.name: law for law in (*run.variant.drive, *run.variant.functions)}
+        self.laws = {law.name: law for law in run.variant.laws}
 
     def term(self, expression: Expression) -> Term:
         tree = self._opened(as_formula(expression, self.equations.order))

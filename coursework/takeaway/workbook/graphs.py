@@ -27,7 +27,7 @@ def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:
         chart = book.file.add_chart({"type": "scatter", "subtype": "straight"})
         for number, name in enumerate(names):
             colour = COLOURS[number % len(COLOURS)]
-            symbol = plain(book.context.symbol(name).text)
+            symbol = plain(book.context.label(name))
             marker = {"type": "circle", "size": 4, "border": {"color": colour}, "fill": {"color": colour}}
             own = table.number(name)
             chart.add_series(_series(SHEET, own, table.last, symbol) | {"marker": marker, "line": {"none": True}})
@@ -36,7 +36,7 @@ def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:
                 told = f"{symbol}, {book.say('exact')}"
                 line = {"line": {"color": colour, "width": 1.25}, "marker": {"type": "none"}}
                 chart.add_series(_series(EXACT, column, last, told) | line)
-        shown = ", ".join(plain(book.context.symbol(name).text) for name in names)
+        shown = ", ".join(plain(book.context.label(name)) for name in names)
         chart.set_y_axis({"name": f"{shown}{book.context.words.behind(book.context.words.unit(unit))}", **_AXIS})
         second = book.context.words.behind(book.context.words.unit("s"))
         chart.set_x_axis({"name": f"t{second}", "min": 0, "label_position": "low", **_AXIS})

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from coursework.equations.reduction.symbolic import break_of
 from coursework.variant.record.variant import Variant
 
 STEP = "step"
@@ -20,14 +21,9 @@ def start_of(coordinate: str) -> str:
     return f"{coordinate}_0"
 
 
-def break_of(law: str, place: int) -> str:
-    """Return the key of the end of a piece of a law, the same as in generated expressions."""
-    return f"_end{place}_{law}"
-
-
 def break_times(variant: Variant) -> Iterator[tuple[str, int, float]]:
     """Yield, for every law with pieces, its name, the number of each piece that ends, and the time (s) when it ends."""
-    for law in (*variant.drive, *variant.functions):
+    for law in variant.laws:
         for place, (time, _) in enumerate(law.pieces[1:]):
             yield law.name, place, time
 

@@ -24,17 +24,16 @@ def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fa
     has a formula that needs it.  Formulas with points, tables or coordinates that a chain will give are not checked here.
     """
     laws = {law.name: law for law in (*variant.functions, *variant.drive)}
-    sections = dict.fromkeys((law.name for law in variant.functions), "functions")
-    places = {name: source.path_of((sections.get(name, "drive"), name)) for name in laws}
+    places = {name: source.path_of(variant.path_of(name)) for name in laws}
     circles = {name: circle for name in laws if (circle := _circle(name, laws))}
     if circles:
         return [source.fault(places[name], say("fault.V057", circle=" → ".join(circle))) for name, circle in circles.items()]
     placed = [c for c in variant.coordinates if c.start is not None and not broken.has("coordinates", c.name)]
     values = {"t": 0.0, **broken.sound(variant).values, **{c.name: c.start for c in placed if c.start is not None}}
     faults: list[Fault] = []
-    for section, law in in_order(variant):
+    for law in in_order(variant):
         path = (*places[law.name], "pieces", 0, 1) if law.pieces else places[law.name]
-        for formula in () if broken.has(section, law.name) else law.formulas[:1]:
+        for formula in () if broken.has(*variant.path_of(law.name)) else law.formulas[:1]:
             if (value := _value(formula, values, path, source, faults)) is not None:
                 values[law.name] = value
     if (forces := variant.forces) is not None:

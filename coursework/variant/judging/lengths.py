@@ -104,7 +104,7 @@ def _lost(variant: Variant, source: Source) -> list[Fault]:
     kept: set[str] = set()
     beside: dict[str, tuple[str, int]] = {}
     for index, constraint in enumerate(variant.constraints):
-        for side in (constraint.left, constraint.right):
+        for side in constraint.sides:
             for name, zero in _beside_zero(side, variant, ""):
                 if zero:
                     beside.setdefault(name, (zero, index))

@@ -266,11 +266,7 @@ def _place(path: KeyPath, variant: Variant) -> str:
 
 
 def _laws(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
-    for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
-        for law in laws:
-            if law.formula:
-                yield (section, law.name), law.formula
-            yield from (((section, law.name, "pieces", place, 1), formula) for place, (_, formula) in enumerate(law.pieces))
+    yield from variant.formulas_of_laws()
     for constraint in variant.constraints:
         yield from ((constraint.path, side) for side in constraint.sides)
     yield from variant.times.items()

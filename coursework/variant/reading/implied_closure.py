@@ -96,7 +96,7 @@ def _derivatives(
     points = dict(variant.points)
     needs = {name: points.keys() & {*formula.names()} for name, formula in points.items()}
     try:
-        laws = [(law.name, law.formulas[0]) for _, law in in_order(variant) if law.formulas]
+        laws = [(law.name, law.formulas[0]) for law in in_order(variant) if law.formulas]
         order = [*laws, *((name, points[name]) for name in TopologicalSorter(needs).static_order())]
         known = {"pi": math.pi, "t": 0.0, **variant.values, **start}
         moved = [[_values(rows, order, {**known, name: start[name] + way}) for way in (-_NUDGE, _NUDGE)] for name in names]

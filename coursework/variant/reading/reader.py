@@ -137,7 +137,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     canonical = parts.names.canonical
     points = tuple((canonical(key), parts.formula(("points", key), text, "vector")) for key, text in file.points.items())
     holds = tuple(parts.formula(("closure", "holds", i), text, "scalar") for i, text in enumerate(file.closure.holds))
-    used = [f for c in constraints for f in (c.left, c.right)] + [f for _, f in points] + list(holds)
+    used = [f for c in constraints for f in c.sides] + [f for _, f in points] + list(holds)
     angles = _angle_names(used, groups)
     coordinates = tuple(_coordinate(key, entry, parts, angles) for key, entry in file.coordinates.items())
     unknowns = tuple(read_unknown(key, entry, parts) for key, entry in file.unknowns.items())

@@ -16,7 +16,7 @@ kinds crank, RRR, RRP, RPR, RPP, PRP; see `variants/example-1.toml` to `example-
     [functions]                 a length as formula, pieces, or { table = …, of = "phi1" }  variants/variable-crank-table.toml
     [unknowns] of, along        which velocity of the geometry an unknown is, so that its equations are judged  variants/v102.toml
     [unknowns] relative         … against the material of another link  coursework/equations/reduction/bound.py
-    [drive] table               { table = "v.csv", of = "t" }: measured over time  coursework/motion/geometry/drive.py
+    [drive] table               { table = "v.csv", of = "t" }: measured over time  coursework/motion/geometry/drives/drive.py
     [drive] pieces              [["0 s", "0"], ["0.1 s", "V"]]: a drive that changes its formula  variants/engine-start.toml
     [links] slides              the link along which this one slides (a sleeve on a bar)  variants/v107.toml
     [frame] circles             a fixed cylinder that a wheel rolls on  variants/v108.toml

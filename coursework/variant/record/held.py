@@ -133,7 +133,7 @@ def unit_of(formula: Formula, variant: Variant) -> str:
     within = (inner for node in formula.walk() if node.op in {"*", "/", "^", "call"} for arg in node.args for inner in arg.walk())
     if has_parts and all(inner.op != "part" for inner in within):
         return "m"
-    laws = {law.name: law for law in (*variant.drive, *variant.functions)}
+    laws = {law.name: law for law in variant.laws}
 
     def value(factor: float) -> float:
         values: dict[str, complex] = {"t": 0.37, "pi": math.pi}

@@ -27,12 +27,12 @@ def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> 
     """
     values: dict[str, complex] = {"pi": math.pi, **variant.values, "t": t, **position}
     values |= dict.fromkeys((name for name in variant.sought if name not in values), 1.0)
-    for section, law in in_order(variant):
+    for law in in_order(variant):
         if law.table:
             values |= {law.name: _within(law, values[law.of].real)} if law.of in values else {}
             continue
         place = next((place for place in reversed(range(len(law.pieces))) if law.pieces[place][0] <= t), 0)
-        path: KeyPath = (section, law.name, "pieces", place, 1) if law.pieces else (section, law.name)
+        path: KeyPath = (*variant.path_of(law.name), *(("pieces", place, 1) if law.pieces else ()))
         formula = law.pieces[place][1] if law.pieces else law.formula
         if formula is not None and (fault := _judged(variant, path, law.name, formula, values, t)):
             return fault
@@ -55,12 +55,11 @@ def known_value(formula: Formula, values: Mapping[str, float]) -> float | None:
     return None
 
 
-def in_order(variant: Variant) -> list[tuple[str, Law]]:
-    """Return section and law of every law, each after those it needs.  Raises `graphlib.CycleError` if one needs itself."""
-    laws = {law.name: (section, law) for section in ("drive", "functions") for law in getattr(variant, section)}
+def in_order(variant: Variant) -> list[Law]:
+    """Return every law after those it needs.  Raises `graphlib.CycleError` if one needs itself."""
+    laws = {law.name: law for law in variant.laws}
     needs = {
-        name: [needed for formula in law.formulas for needed in formula.names() if needed in laws]
-        for name, (_, law) in laws.items()
+        name: [needed for formula in law.formulas for needed in formula.names() if needed in laws] for name, law in laws.items()
     }
     return [laws[name] for name in TopologicalSorter(needs).static_order()]
 

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator, Mapping
 from coursework.system.frozen import frozen
 from coursework.variant.dimensions.exponents import LENGTH, NUMBER, TIME, Dimension, added, dimension_of
 from coursework.variant.formula.tree import Formula, named
-from coursework.variant.record.variant import Constraint, Group, Law, Variant
+from coursework.variant.record.variant import Constraint, Group, Variant
 from coursework.variant.record.vocabulary import GROUP_KINDS
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import say
@@ -40,7 +40,7 @@ def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dime
     for given in variant.given:
         unknown = not given.si or ("given", given.name) in free
         names[given.name] = {given.name: 1} if unknown else dimension_of(given.si)
-    for law in (*variant.drive, *variant.functions):
+    for law in variant.laws:
         names[law.name] = {law.name: 1}
     for coordinate in variant.coordinates:
         # A bare number may be a length or an angle: the reader's guess does not decide this here.
@@ -57,15 +57,13 @@ def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dime
 
 def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyPath, Formula]) -> Iterator[Place]:
     """Yield constraints, geometry, drive, functions, forces and times; `times` are the formulas of [time] and of pieces."""
-    velocities = {*variant.rates, *(name for name, _ in variant.unknowns)}
     for constraint in variant.constraints:
         # An equation that is not linear is refused for that reason later, by the code that solves it.
-        if constraint.is_closure or max(_degree(side, velocities) for side in (constraint.left, constraint.right)) <= 1:
+        if constraint.is_closure or max(_degree(side, variant.velocities) for side in constraint.sides) <= 1:
             yield _constraint(constraint)
     yield from _geometry(variant)
-    for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
-        for law in laws:
-            yield from _law(section, law, names[law.name])
+    for path, formula in variant.formulas_of_laws():
+        yield Place(path, (formula,), names[str(path[1])], str(path[1]))
     for path, formula, si in variant.forces.measured() if variant.forces is not None else ():
         yield Place(path, (formula,), dimension_of(si), ".".join(map(str, path)))
     for path, formula in times.items():
@@ -84,7 +82,7 @@ def _constraint(constraint: Constraint) -> Place:
     )
 
 
-def _degree(tree: Formula, velocities: set[str]) -> int:
+def _degree(tree: Formula, velocities: Collection[str]) -> int:
     """Return the degree of a formula in the velocities; 2 also stands for formulas that are not polynomials."""
     if tree.op == "name":
         return int(tree.name in velocities)
@@ -133,10 +131,3 @@ def _group(path: KeyPath, group: Group) -> Iterator[Place]:
     yield place(("offset",), group.offset, _LENGTH)
     if group.angle is not None:
         yield place(("angle",), group.angle, NUMBER)
-
-
-def _law(section: str, law: Law, wanted: Dimension) -> Iterator[Place]:
-    if law.formula:
-        yield Place((section, law.name), (law.formula,), wanted, law.name)
-    for index, (_, formula) in enumerate(law.pieces):
-        yield Place((section, law.name, "pieces", index, 1), (formula,), wanted, law.name)

@@ -137,8 +137,16 @@ class Variant:
     @property
     def names(self) -> tuple[str, ...]:
         """Return t and every scalar name that the file declares, each once."""
-        laws = (law.name for law in (*self.drive, *self.functions))
-        return tuple(dict.fromkeys(["t", *self.values, *laws, *self.columns]))
+        return tuple(dict.fromkeys(["t", *self.values, *(law.name for law in self.laws), *self.columns]))
+
+    @property
+    def laws(self) -> tuple[Law, ...]:
+        """Return the laws of [drive], then those of [functions]."""
+        return (*self.drive, *self.functions)
+
+    def path_of(self, law: str) -> tuple[str, str]:
+        """Return the path of a law in the file: its section, [drive] or [functions], and its name."""
+        return "drive" if any(one.name == law for one in self.drive) else "functions", law
 
     @cached_property
     def rates(self) -> tuple[str, ...]:
@@ -194,6 +202,14 @@ class Variant:
         for binding in self.bindings:
             if binding.along is not None:
                 yield ("unknowns", binding.name, "along"), binding.along
+
+    def formulas_of_laws(self) -> Iterator[tuple[KeyPath, Formula]]:
+        """Yield the formulas of the laws, those of their pieces too, each with its path."""
+        for law in self.laws:
+            path = self.path_of(law.name)
+            if law.formula:
+                yield path, law.formula
+            yield from (((*path, "pieces", place, 1), formula) for place, (_, formula) in enumerate(law.pieces))
 
     @property
     def set_values(self) -> dict[str, str]:

@@ -17,9 +17,9 @@ from coursework.equations.algebra.calculus import derivative, expand, piecewise,
 from coursework.equations.algebra.expression import HALF, PI, ZERO, absolute, node, number, power, value
 from coursework.equations.algebra.functions import call
 from coursework.equations.algebra.symbolic_objects import symbolic, sympy_version
-from coursework.equations.reduction.cramer import cramer
-from coursework.equations.reduction.solution import shown_equations, solutions
 from coursework.equations.reduction.symbolic import local
+from coursework.equations.reduction.textbook.cramer import cramer
+from coursework.equations.reduction.textbook.solution import shown_equations, solutions
 from coursework.scene.model.model import model_of
 from coursework.variant.catalogue import entries
 from coursework.variant.formula.tree import spelled

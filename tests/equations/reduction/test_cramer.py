@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 import coursework
 from coursework.equations.algebra.calculus import expand, replaced
 from coursework.equations.algebra.expression import ZERO, add
-from coursework.equations.reduction.cramer import cramer
-from coursework.equations.reduction.sums import gathered, written_sums
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import compile_system
+from coursework.equations.reduction.textbook.cramer import cramer
+from coursework.equations.reduction.tidying.sums import gathered, written_sums
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import evaluate, spelled
 from coursework.variant.reading.reader import parse_variant

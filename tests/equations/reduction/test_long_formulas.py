@@ -5,8 +5,9 @@ import pytest
 
 import coursework
 from coursework.equations.algebra.functions import sine
-from coursework.equations.reduction import solution, tidy
 from coursework.equations.reduction.symbolic import local
+from coursework.equations.reduction.textbook import solution
+from coursework.equations.reduction.tidying import tidy
 from coursework.report.pages import build_model
 from coursework.report.pages.html import render_html
 from coursework.variant.formula.tree import evaluate, spelled

@@ -5,7 +5,7 @@ import time
 from pathlib import Path
 
 from coursework.grading.batch import workshop
-from coursework.system import pool_process
+from coursework.system.processes import pool_process
 
 _grade = workshop.Workshop.grade
 held = [100]  # MiB, said to be held

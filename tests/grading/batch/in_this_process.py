@@ -15,8 +15,8 @@ from coursework.grading.batch import gradebook
 from coursework.grading.batch.work import Outcome, Setup, Task
 from coursework.grading.batch.workers import Keyed, trade_of
 from coursework.grading.batch.workshop import opened
-from coursework.system.plain_lines import line_of, plain_of, read_line
-from coursework.system.pool import Trade
+from coursework.system.processes.plain_lines import line_of, plain_of, read_line
+from coursework.system.processes.pool import Trade
 
 
 class Here(ExitStack):

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 from coursework.commands.cli import main
 from coursework.grading.batch import workers
-from coursework.system import pool
+from coursework.system.processes import pool
 from tests.grading.batch.classroom import hand_in, small_class
 from tests.grading.batch.in_this_process import in_this_process
 from tests.grading.marking import students

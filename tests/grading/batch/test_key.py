@@ -3,7 +3,7 @@
 from coursework.grading.batch import work
 from coursework.grading.batch.decisions import Override
 from coursework.grading.batch.work import Setup, Task, VariantSource
-from coursework.grading.reading.documents import pdf
+from coursework.grading.reading.documents.pdf import pdf
 from coursework.grading.reading.submission import Submission, note, submitted_file
 from coursework.words.sentences import say
 

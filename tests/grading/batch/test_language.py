@@ -5,7 +5,7 @@ import re
 
 from coursework.grading.batch.work import Setup
 from coursework.grading.reading.submission import Submission
-from coursework.system.plain_lines import line_of, read_line
+from coursework.system.processes.plain_lines import line_of, read_line
 from coursework.words.sentences import load_phrases, say
 from tests.grading.batch.classroom import hand_in, small_class
 from tests.grading.batch.test_batch import grade, rows, submissions

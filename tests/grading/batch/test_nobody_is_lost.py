@@ -13,7 +13,7 @@ import pytest
 
 from coursework.grading.batch.journal import Entry, Journal
 from coursework.grading.platforms.escapes import text_cell
-from coursework.system import lock
+from coursework.system.files import lock
 from coursework.words.data_folders import folder
 from coursework.words.errors import OutputError
 from tests.grading.batch.classroom import EQUATIONS, csv, hand_in, small_class

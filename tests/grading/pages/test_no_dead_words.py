@@ -19,7 +19,7 @@ from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.class_page import class_page
 from coursework.grading.reading.submission import Submission, submitted_file
-from coursework.system.plain_lines import plain_of
+from coursework.system.processes.plain_lines import plain_of
 from coursework.words.sentences import Phrases, load_phrases, say
 from tests.grading.pages.more_cases import RUBRIC, cases_of_all
 from tests.grading.pages.truths import VARIANT

@@ -11,7 +11,7 @@ from coursework.grading.batch.work import Setup, Task, VariantSource
 from coursework.grading.batch.workshop import Workshop
 from coursework.grading.marking.reasons.reasons import told
 from coursework.grading.reading.submission import Submission, submitted_file
-from coursework.system.plain_lines import plain_of
+from coursework.system.processes.plain_lines import plain_of
 from coursework.words.sentences import load_phrases
 from tests.grading.batch.classroom import EQUATIONS
 from tests.grading.pages.truths import VARIANT, files

@@ -22,7 +22,7 @@ from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
 from coursework.grading.reading.submission import Submission, submitted_file
-from coursework.system.plain_lines import plain_of, record_of
+from coursework.system.processes.plain_lines import plain_of, record_of
 from tests.grading.reading.dialects import DIALECTS, STYLES, archive, written
 from tests.grading.scenes import expected, times
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.motion.geometry import agreement
+from coursework.motion.geometry.judging import agreement
 
 DERIVED = np.array([[1.0, 1.0, 2.0], [1.0, -1.0, 0.5]])  # rows (A | b)
 

@@ -5,7 +5,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 import coursework
-from coursework.motion.geometry.drive import integrals
+from coursework.motion.geometry.drives.drive import integrals
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.data_folders import folder
 from tests.mechanisms.library import mechanism

@@ -13,8 +13,9 @@ from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.report.live.by_forces import moved_by
 from coursework.report.live.page import MOST_BYTES, live_numbers, live_part
 from coursework.report.live.script import script_of, shortened
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
-from coursework.words.sentences import load_phrases
 from tests.effects.massed import of_text
 from tests.effects.moved import free_31
 from tests.mechanisms.library import mechanism
@@ -152,14 +153,14 @@ def test_reactions_are_arrows_and_both_drives_are_told(written: Any, opened: Any
 
 @pytest.mark.parametrize("name", ["31-forces", "example-2-motor", "whitworth-forces", "andrews-forces", "free 31"])
 def test_a_page_with_forces_has_its_laboratory_in_sixty_kilobytes(name: str) -> None:
-    part = live_part(moving(name, end=0.04) if name == "free 31" else solved(name), load_phrases(), str, str)
+    part = live_part(PageContext(moving(name, end=0.04) if name == "free 31" else solved(name), load_words("en")))
     assert part is not None
     assert (part.laboratory, part.forces) == (True, True)
     assert part.size <= MOST_BYTES
 
 
 def test_a_page_without_forces_has_nothing_of_them() -> None:
-    part = live_part(solved("31"), load_phrases(), str, str)
+    part = live_part(PageContext(solved("31"), load_words("en")))
     assert part is not None
     assert not part.forces
     assert "acting" not in part.script

@@ -16,15 +16,16 @@ import pytest
 import coursework
 from coursework.report.live.page import MOST_BYTES, LivePart, live_part
 from coursework.report.live.script import embedded, hash_of, packed
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
 from coursework.variant.catalogue import names
-from coursework.words.sentences import load_phrases
 from tests.sample import sampled
 
 HOOKS = {"coordinates", "velocities", "start", "step", "rows", "given", "points", "links"}
 
 
 def part_of(variant: Any, **options: Any) -> LivePart:
-    found = live_part(coursework.solve(variant, **options), load_phrases(), str, str)
+    found = live_part(PageContext(coursework.solve(variant, **options), load_words("en")))
     assert found is not None
     return found
 

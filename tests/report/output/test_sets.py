@@ -14,8 +14,8 @@ import pytest
 
 import coursework
 from coursework.report.output.record import stamp_of
-from coursework.system import file_set
-from coursework.system.file_set import files_of, publish, working_folder
+from coursework.system.files import file_set
+from coursework.system.files.file_set import files_of, publish, working_folder
 from coursework.words.errors import OutputError
 from tests.command import call
 

@@ -3,7 +3,7 @@
 import pytest
 
 import coursework
-from coursework.motion.geometry import drive
+from coursework.motion.geometry.drives import drive
 from coursework.motion.integration import loops
 from coursework.report.graphs import accuracy_figures
 from coursework.report.output.results import Results

@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 
 import coursework
-from coursework.motion.geometry.drive import resolved
+from coursework.motion.geometry.drives.drive import resolved
 from coursework.motion.schemes import SCHEMES
 from coursework.scene.model.sets import prepare
 from coursework.scene.model.start import start_of

@@ -188,7 +188,7 @@ THREE = scene(
 
 @pytest.mark.parametrize(("text", "scheme"), [(THREE, "euler"), (THREE, "heun"), (two_by_two(5), "euler")])
 def test_a_block_without_a_formula_is_solved_over_hidden_columns(text, scheme, monkeypatch):
-    monkeypatch.setattr("coursework.equations.reduction.solution.MOST_LETTERS", 300)
+    monkeypatch.setattr("coursework.equations.reduction.textbook.solution.MOST_LETTERS", 300)
     run = solve(text, scheme=scheme)
     assert () in run.solutions
     content = workbook_of(run, "en")

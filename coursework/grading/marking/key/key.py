@@ -23,7 +23,7 @@ from coursework.grading.marking.key.misread import misread
 from coursework.grading.reading.expected import Grid, grid_of
 from coursework.many import Solutions, solve_many
 from coursework.mechanism.mechanism import build
-from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.drives.drive import breaks
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Model, model_of

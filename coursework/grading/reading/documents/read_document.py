@@ -12,15 +12,15 @@ from dataclasses import replace
 from functools import partial
 
 from coursework.grading.reading.documents.document import Document, DocumentLine, place_of
-from coursework.grading.reading.documents.docx import document_of_docx, main_part
 from coursework.grading.reading.documents.json_data import document_of_json
 from coursework.grading.reading.documents.json_text import is_json
 from coursework.grading.reading.documents.markdown import document_of_markdown, is_markdown
 from coursework.grading.reading.documents.notebook import document_of_notebook, is_notebook
-from coursework.grading.reading.documents.odt import document_of_odt, is_odt
+from coursework.grading.reading.documents.office.docx import document_of_docx, main_part
+from coursework.grading.reading.documents.office.odt import document_of_odt, is_odt
+from coursework.grading.reading.documents.office.rtf import document_of_rtf, is_rtf
 from coursework.grading.reading.documents.page import document_of_latex, document_of_page, has_tables
-from coursework.grading.reading.documents.pdf import document_of_pdf, is_pdf
-from coursework.grading.reading.documents.rtf import document_of_rtf, is_rtf
+from coursework.grading.reading.documents.pdf.pdf import document_of_pdf, is_pdf
 from coursework.grading.reading.equations.equations import Names, names_for, names_of, read_line
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.names_in_text import BUILT_IN

@@ -10,7 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from coursework.equations.reduction.solution import ShownEquation
+from coursework.equations.reduction.textbook.solution import ShownEquation
 from coursework.mechanism.derivation.contours import Contour, contours_of
 from coursework.mechanism.derivation.derive import Combination, Derivation, Numbered, derive
 from coursework.mechanism.derivation.paths import Path, Term

@@ -6,8 +6,8 @@ Enters: a `PageContext`.  Leaves: displayed equations with the words around them
 from __future__ import annotations
 
 from coursework.equations.reduction.blocks import Block
-from coursework.equations.reduction.cramer import Cramer, cramer
-from coursework.equations.reduction.solution import Solution
+from coursework.equations.reduction.textbook.cramer import Cramer, cramer
+from coursework.equations.reduction.textbook.solution import Solution
 from coursework.report.formulas import typst_math as setting
 from coursework.report.formulas.display import display, marked_text
 from coursework.report.sections.derivation.first_step import first_step

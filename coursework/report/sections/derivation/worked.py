@@ -16,7 +16,7 @@ import numpy as np
 from coursework.equations.algebra.calculus import expand, replaced
 from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.reduction.symbolic import expanded, symbol
-from coursework.equations.reduction.tidy import as_sum, product, quotient
+from coursework.equations.reduction.tidying.tidy import as_sum, product, quotient
 from coursework.motion.geometry.time_derivatives import acceleration_rest, compile_rows, derivative, moved_rate
 from coursework.report.formulas.display import display
 from coursework.report.text.numbers import THIN
@@ -82,7 +82,7 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     for name, formula in _solved(context, dict(zip((one.name for one in used), rests, strict=True))):
         put = _in_numbers(context, named(name), formula, values)
         if put is not None:
-            intro = context.words("worked.solved", row=row + 1, symbol=context.symbol(name).text)
+            intro = context.words("worked.solved", row=row + 1, symbol=context.label(name))
             return [*parts, Paragraph(context.lettered(intro)), Equations([display(named(name), formula, rates), put])]
     return parts
 
@@ -170,7 +170,7 @@ def _values(context: PageContext, row: int) -> dict[str, float]:
     """Return the data, and the laws and entries of a row, by name (SI)."""
     motion = context.run.motion
     values = {**context.run.variant.values, "t": float(motion.t[row]), "pi": np.pi}
-    laws = [law.name for law in (*context.run.variant.drive, *context.run.variant.functions) if law.name not in motion.names]
+    laws = [law.name for law in context.run.variant.laws if law.name not in motion.names]
     values |= _in_row(context, {name: symbol(name) for name in laws}, row)
     values |= {name: float(motion.column(name)[row]) for name in motion.names}
     if context.run.asks(ACCELERATIONS):

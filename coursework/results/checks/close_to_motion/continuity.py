@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.equations.codegen.tabulated import OutsideTable
-from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.drives.drive import breaks
 from coursework.motion.integration.exact_motion import refine
 from coursework.motion.integration.hermite import hermite
 from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, worst

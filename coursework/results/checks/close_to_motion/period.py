@@ -12,7 +12,7 @@ from functools import cache
 
 import numpy as np
 
-from coursework.motion.geometry.drive import drive_values
+from coursework.motion.geometry.drives.drive import drive_values
 from coursework.motion.integration.finer import prolonged
 from coursework.motion.integration.motion import Motion
 from coursework.results.checks.close_to_motion.several_periods import (

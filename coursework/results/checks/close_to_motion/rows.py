@@ -11,8 +11,8 @@ from collections.abc import Iterable
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.motion.geometry.drive import breaks, drive_values, resolution
-from coursework.motion.geometry.swings import turning_cranks
+from coursework.motion.geometry.drives.drive import breaks, drive_values, resolution
+from coursework.motion.geometry.drives.swings import turning_cranks
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, percent, skipped
 from coursework.variant.record.variant import Variant

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.motion.geometry.drive import frequencies
+from coursework.motion.geometry.drives.drive import frequencies
 from coursework.motion.integration.finer import finer
 from coursework.motion.integration.motion import Motion
 from coursework.results.checks.evidence import NEAR_PERIOD, Evidence

@@ -12,7 +12,7 @@ import numpy as np
 from coursework.motion.geometry.closed_start import closed_start, typed_start
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.gaps import gaps
-from coursework.motion.geometry.rigid import bent_by_start
+from coursework.motion.geometry.judging.rigid import bent_by_start
 from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped

@@ -14,7 +14,7 @@ from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.magnitude import largest
 from coursework.equations.reduction.system import compile_system
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.results.checks.computed_right.divided import DIGITS, FEWEST, division
 from coursework.results.checks.evidence import LIMIT, Evidence

@@ -64,7 +64,7 @@ class Noise:
 
 def table_digits(evidence: Evidence) -> Finding:
     """The printed digits of every tabulated law leave velocities and accelerations within 5 % of their scales."""
-    laws = [law for law in (*evidence.variant.drive, *evidence.variant.functions) if law.table]
+    laws = [law for law in evidence.variant.laws if law.table]
     if not laws:
         return skipped(say("check.TABLE-DIGITS.skip"))
     if evidence.exact is None or not len(evidence.exact.t) or evidence.restricted:

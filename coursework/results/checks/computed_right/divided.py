@@ -16,7 +16,7 @@ from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import compile_values
-from coursework.equations.reduction.tidy import as_formula
+from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.results.checks.evidence import Evidence
 from coursework.system.frozen import frozen
 from coursework.variant.formula.made import as_read
@@ -68,6 +68,6 @@ def division(evidence: Evidence, used: Sequence[VelocityEquation]) -> Division |
 def _divisors(used: Sequence[VelocityEquation], equations: VelocityEquations) -> list[tuple[str, Expression]]:
     """Return the names of equations, each with what it divides by and what depends on the position."""
     moving = {symbol(one.name) for one in equations.variant.coordinates}
-    parts = ((one.name, part) for one in used for part in (*one.coefficients.values(), one.right_side))
+    parts = ((one.name, part) for one in used for part in one.parts)
     every = dict.fromkeys((name, by) for name, part in parts for by in divisors(part))
     return [(name, by) for name, by in every if not moving.isdisjoint(by.free_symbols)]

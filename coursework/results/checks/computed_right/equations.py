@@ -14,9 +14,9 @@ import numpy as np
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.proposal import proposals
 from coursework.motion.geometry.closure import Closure
-from coursework.motion.geometry.misfits import misfits
-from coursework.motion.geometry.rigid import may_be_hinges
-from coursework.motion.geometry.turning import said_otherwise
+from coursework.motion.geometry.judging.misfits import misfits
+from coursework.motion.geometry.judging.rigid import may_be_hinges
+from coursework.motion.geometry.judging.turning import said_otherwise
 from coursework.results.checks.evidence import Evidence, worst
 from coursework.results.checks.result import Finding, skipped
 from coursework.words.sentence import Sentence

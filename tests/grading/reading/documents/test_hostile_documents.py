@@ -14,7 +14,8 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from coursework.grading.reading.documents import document, pdf
+from coursework.grading.reading.documents import document
+from coursework.grading.reading.documents.pdf import pdf
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.read_submission import read_submission

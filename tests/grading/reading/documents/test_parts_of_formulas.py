@@ -10,9 +10,9 @@ from coursework.grading.reading.documents.formulas.formula_tree import FormulaNo
 from coursework.grading.reading.documents.formulas.mathml import text_of_mathml
 from coursework.grading.reading.documents.formulas.omml import text_of_omml
 from coursework.grading.reading.documents.formulas.starmath import text_of_starmath
-from coursework.grading.reading.documents.odt import document_of_odt
-from coursework.grading.reading.documents.pdf_lines import PageLine, Word
-from coursework.grading.reading.documents.rtf import document_of_rtf
+from coursework.grading.reading.documents.office.odt import document_of_odt
+from coursework.grading.reading.documents.office.rtf import document_of_rtf
+from coursework.grading.reading.documents.pdf.pdf_lines import PageLine, Word
 from coursework.grading.reading.equations.systems.parts import parts_of
 from coursework.grading.reading.files.archive import Archive
 from tests.grading.reading.dialects import archive

@@ -10,10 +10,10 @@ import docx
 import pytest
 
 from coursework.grading.reading.documents.document import Document
-from coursework.grading.reading.documents.docx import document_of_docx
-from coursework.grading.reading.documents.odt import document_of_odt
+from coursework.grading.reading.documents.office.docx import document_of_docx
+from coursework.grading.reading.documents.office.odt import document_of_odt
+from coursework.grading.reading.documents.office.rtf import document_of_rtf
 from coursework.grading.reading.documents.page import document_of_page
-from coursework.grading.reading.documents.rtf import document_of_rtf
 from coursework.grading.reading.files.archive import Archive
 from tests.grading.reading.dialects import archive
 from tests.grading.reading.documents.test_parts_of_formulas import ODT

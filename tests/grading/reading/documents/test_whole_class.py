@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 from coursework.commands.cli import main
 from coursework.grading.batch.work import Setup, Task, VariantSource
-from coursework.grading.reading.documents import pdf
+from coursework.grading.reading.documents.pdf import pdf
 from coursework.grading.reading.submission import Submission
 from tests.grading.batch.in_this_process import in_this_process
 from tests.grading.marking import students

@@ -1,0 +1,1 @@
+"""The files of word processors, Word, OpenDocument and RTF, element by element -> a document."""

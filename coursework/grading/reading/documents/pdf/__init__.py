@@ -1,0 +1,1 @@
+"""A PDF -> its letters, lines and tables."""

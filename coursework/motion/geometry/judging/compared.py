@@ -1,0 +1,103 @@
+"""The times and positions at which written equations, and rates of links, are compared with the geometry.
+
+Enters: velocity equations and their closure.  Leaves: times and positions.  Used by `agreement.py`, `turning.py`.
+"""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+import numpy as np
+
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import TIME
+from coursework.motion.geometry.closure import WAITING, Closure
+from coursework.motion.geometry.drives.drive import breaks, drive_values
+from coursework.system.arrays import Array
+from coursework.words.errors import InputError
+
+# Times at which drives are looked at, and the share of its largest value below which a drive is at rest.
+_LOOKS, _AT_REST = 200, 1e-4
+_STIRRED = 1e-2  # rad or m from one configuration to the next
+
+
+def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Array]:
+    """Return times and closed positions at which velocities are compared; positions of no time only if none depends on it.
+
+    A velocity that is zero hides its sign: times at which each drive moves are among them.  At a position all velocities are
+    possible, so those of another time will do where nothing else depends on time; else the motion is followed to that time.
+    """
+    times, positions = closure.configurations
+    depends = _depends_on_time(equations)
+    if not depends and len(closure.driven) + sum(map(bool, closure.drives)) > 1:
+        times, positions = (np.concatenate(pair) for pair in zip((times, positions), _stirred(closure), strict=True))
+    later = _with_drives_on(equations, times)
+    if not len(later):
+        return times, positions
+    if depends:
+        then, there = _followed(closure, later)
+    else:
+        then, there = np.repeat(later, len(times)), np.tile(positions, (len(later), 1))
+    return np.concatenate([times, then]), np.concatenate([positions, there])
+
+
+def _stirred(closure: Closure) -> tuple[Array, Array]:
+    """Return the closure's configurations with drives that wait moved a little too: they close, but at no time of the run.
+
+    Where such a drive leaves an angle at zero, its sine would hide the sign before it.
+    """
+    times, positions = closure.configurations
+    kept, known = (part.copy() for part in closure.targets(times))
+    for values, is_driven in (
+        (kept, np.array([bool(name) for name in closure.drives], dtype=bool)),
+        (known, np.ones(len(closure.driven), bool)),
+    ):
+        waits = is_driven & (np.ptp(values, axis=0) <= WAITING * closure.scale)
+        values[:, waits] += _STIRRED * np.arange(len(times))[:, None]
+    guess = positions.copy()
+    guess[:, list(closure.driven)] = known
+    with suppress(np.linalg.LinAlgError, ArithmeticError, ValueError):
+        q, closed = closure.newton_rows(times, guess, kept)
+        return times[closed], q[closed]
+    return times[:0], positions[:0]
+
+
+def _depends_on_time(equations: VelocityEquations) -> bool:
+    """Return whether written equations or positions depend on time otherwise than by a drive."""
+    parts = [part for one in equations.equations if one.written for part in one.parts]
+    timed = any(
+        law.pieces or law.of == "t" or any("t" in one.names() for one in law.formulas) for law in equations.variant.functions
+    )
+    return timed or any(TIME in part.free_symbols for part in (*parts, *(one.expression for one in equations.positions)))
+
+
+def _with_drives_on(equations: VelocityEquations, times: Array) -> Array:
+    """Return times of the run at which drives move that are at rest at all of `times`."""
+    variant, laws = equations.variant, [law.name for law in equations.variant.drive]
+    if not laws:
+        return np.zeros(0)
+    changes = np.array([0.0, *(time for time in breaks(variant) if time < variant.time.end), variant.time.end])
+    looked = np.concatenate([np.linspace(0.0, variant.time.end, _LOOKS), (changes[1:] + changes[:-1]) / 2])
+    sizes, here = (np.abs(np.nan_to_num(drive_values(equations, laws, at), posinf=0, neginf=0)) for at in (looked, times))
+    most = np.max(sizes, axis=0)
+    resting = (np.max(here, axis=0) <= _AT_REST * most) & (most > 0)
+    return np.array(sorted({float(looked[place]) for place in np.argmax(sizes[:, resting], axis=0)}))
+
+
+def _followed(closure: Closure, times: Array) -> tuple[Array, Array]:
+    """Return those of some times (n,) to which Newton's method follows the motion in small steps, and the positions there."""
+    grid = np.unique(np.concatenate([np.linspace(0.0, closure.equations.variant.time.end, _LOOKS), times]))
+    try:
+        kept, known = closure.targets(grid)
+    except InputError:  # a drive without a value later on is told where it is followed
+        return times[:0], closure.start[None][:0]
+    q, found = closure.start, {}
+    for time, target, driven in zip(grid.tolist(), kept, known, strict=True):
+        guess = q.copy()
+        guess[list(closure.driven)] = driven
+        near = closure.newton(time, guess, target)
+        if near is None:
+            break
+        q = found[time] = near
+    reached = [time for time in times.tolist() if time in found]
+    return np.array(reached), np.array([found[time] for time in reached]).reshape(len(reached), len(closure.start))

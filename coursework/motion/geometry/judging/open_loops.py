@@ -1,0 +1,57 @@
+"""Whether written equations contradict the geometry only because the start leaves open what [closure] holds.
+
+Enters: velocity equations that disagree with the geometry, and their closure.  Leaves: nothing.  Raises `InputError` naming the
+start.  Used by `unseen_signs.py`, `rigid.py`.  A held quantity keeps its start value: a slot whose pin starts beside it becomes a
+slot with an offset, and equations written for no offset contradict it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.motion.geometry.closed_start import closed_start, typed_start
+from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.judging.agreement import agrees
+from coursework.motion.geometry.start import START_TOLERANCE
+from coursework.system.arrays import Array
+from coursework.variant.formula.tree import on_axes
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+
+def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None:
+    """Raise `InputError` if the equations agree with the geometry once its loops are closed at the start.
+
+    Closed means that everything held is zero, except single components of points.
+    """
+    if not closure.names:
+        return
+    near, residual = with_closed_loops(closure)
+    worst = int(np.argmax(np.abs(residual)))
+    if near is None or abs(residual[worst]) <= START_TOLERANCE * closure.scale:
+        return
+    try:
+        agrees(equations, near)
+    except InputError:
+        return
+    variant, held = equations.variant, equations.positions[worst]
+    known = {"value": float(residual[worst]), "unit": held.unit, "nearest": typed_start(variant, near.start)}
+    told = say("fault.V310", held=held.written or held.name, **known)
+    raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
+
+
+def with_closed_loops(closure: Closure, most: float = math.inf) -> tuple[Closure | None, Array]:
+    """Return the closure moved to the nearest closed start (None if there is none), and the residual (k,) of its own start.
+
+    A residual larger than `most` is taken as intended, like the angle between two gears, and is kept.
+    """
+    equations, holds = closure.equations, iter(closure.equations.variant.holds)
+    held = np.array([one.target == "start" and on_axes(next(holds)).op != "part" for one in equations.positions], dtype=bool)
+    left = closure.residual(0.0, closure.start, np.where(held, 0.0, closure.origin))[0]
+    near = closure.at_zero((held & (np.abs(left) <= most)).tolist())
+    residual, start = closed_start(near)
+    return None if start is None else replace(near, start=start, asked={}), residual

@@ -1,0 +1,1 @@
+"""Limits of time and memory, and watched processes that do jobs."""

@@ -1,0 +1,37 @@
+"""Where only the start is wrong it is told, not the equations; a wrong equation is told whatever the start."""
+
+import math
+
+import pytest
+
+import coursework
+from coursework.motion.geometry.closure import compile_closure
+from coursework.motion.geometry.judging.open_loops import with_closed_loops
+from tests.mechanisms.library import mechanism
+
+
+def lever(start, turns):
+    """Return a lever in whose slot the pin of a crank stands at atan2(d, r) when the crank lies on x, with a start (deg) of its
+    own, and its rate by the cosine of the angle between crank and lever or by its sine.
+    """
+    return mechanism("slotted-lever", ("68.19859051363818", str(start)), ("r*w1*cos(phi1 - th)", f"r*w1*{turns}(phi1 - th)"))
+
+
+@pytest.mark.parametrize(("start", "turns", "told"), [(60, "cos", "V310"), (60, "sin", "V302"), (68.19859051, "sin", "V302")])
+def test_the_start_or_the_equation_is_told(start, turns, told):
+    with pytest.raises(coursework.InputError) as caught:
+        assert coursework.solve(coursework.parse_variant(lever(start, turns))).scene.closure
+    assert [fault.code for fault in caught.value.faults] == [told]
+    if told == "V310":
+        off = math.hypot(0.1, 0.25) * math.sin(math.radians(60) - math.atan2(0.25, 0.1))
+        assert f"{off:.6g} m. Correct the start; the nearest with zero is phi1 = 0 deg, th = 68.19859051" in str(caught.value)
+
+
+@pytest.mark.parametrize(("most", "start"), [(math.inf, 68.19859051), (2e-3, 68.19859051), (1e-4, 68.0)])
+def test_a_loop_that_is_open_by_no_more_than_is_allowed_is_closed(most, start):
+    """The pin is 0.9 mm beside the slot, 0.2 degrees of a lever 0.27 m long."""
+    scene = coursework.solve(coursework.parse_variant(lever(68, "cos"))).scene
+    near, left = with_closed_loops(compile_closure(scene.equations, [0.0, math.radians(68)]), most)
+    assert near.start[1] == pytest.approx(math.radians(start), abs=1e-9)
+    beside = math.hypot(0.1, 0.25) * math.sin(math.radians(0.19859051))
+    assert abs(left[0]) == (pytest.approx(beside, rel=1e-6) if start > 68 else 0.0)  # what is kept is not open
