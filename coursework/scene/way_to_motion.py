@@ -136,8 +136,7 @@ class WayToMotion:
             return found
         except NotFollowed as error:
             refuse_endless(self.equations, error.time)
-            line = self.variant.nearest_line("time", "end")
-            fault = Fault(error.faults[0].message, self.variant.file, line)
+            fault = Fault(error.faults[0].message, self.variant.file, self.variant.nearest_line("time", "end"))
             raise self.charged(error) or InputError([fault]) from None
 
     @computed("search", "flow", "equations", "reduction")
@@ -283,15 +282,13 @@ class WayToMotion:
         if isinstance(error, FormulaRefused):
             return InputError([Fault(error.faults[0].message, variant.file, 1)])
         if isinstance(error, OutsideTable):
-            line = variant.line_of(*variant.path_of(error.name))
-            return InputError([Fault(error.faults[0].message, variant.file, line)])
+            return InputError([Fault(error.faults[0].message, variant.file, variant.line_of(*variant.path_of(error.name)))])
         rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
         between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))
         fault = law_without_value(variant, (*getattr(error, "times", ()), *rows, *between))
         kept: Motion | None = vars(self).get("motion")
         positions: list[tuple[float, Sequence[float]]] = [(0.0, self.start)] if "start" in vars(self) else []
-        if isinstance(error, NoVelocities):
-            positions.append((error.times[0], error.position))
+        positions += [(error.times[0], error.position)] if isinstance(error, NoVelocities) else []
         if isinstance(error, NotFollowed):
             positions += [(t, position) for *position, t in error.ahead]
         if kept is not None and kept.coordinates.shape[1] == len(variant.coordinates):

@@ -15,7 +15,8 @@ import numpy as np
 from coursework.system.arrays import Array
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import MAX_NUMBER, UnitFault, read_as
-from coursework.variant.record.variant import Variant, not_by_name
+from coursework.variant.record.other_values import not_by_name
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say

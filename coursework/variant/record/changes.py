@@ -15,7 +15,8 @@ from typing import Any
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import UnitFault, exact_size, read_as
 from coursework.variant.record.held import closed_loops
-from coursework.variant.record.variant import Changes, Variant
+from coursework.variant.record.other_values import Changes
+from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence

@@ -11,7 +11,7 @@ from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from coursework.system.frozen import caching, frozen
+from coursework.system.frozen import caching
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.entries import (
     Binding,
@@ -28,11 +28,11 @@ from coursework.variant.record.entries import (
     Time,
     whole_steps,
 )
+from coursework.variant.record.other_values import Changes, Values, by_name
 from coursework.variant.record.texts import Texts
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import InputError, visible
 from coursework.words.html_table import html_table
-from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
@@ -43,28 +43,12 @@ __all__ = [
     "Link", "Quote", "Remark", "Time", "Variant", "whole_steps",
 ]  # fmt: skip
 
-Values = Mapping[str, float | str]
-
 # The text between point and axis in the name of a column -> the unit of the column.
 LEVELS = {"": "m", "v": "m/s", "a": "m/s²"}
 # Nobody reads more rows than this; a step much smaller than the coursework needs is a slip.
 MAX_ROWS = 200_000
 MAX_NUMBERS = 4_000_000  # in a table: rows times columns
 MOST_PERIODS = 10_000  # in one run
-
-
-def not_by_name(values: object) -> Sentence:
-    """Return the message about data without names."""
-    return say("fault.D017", found=type(values).__name__)
-
-
-def _by_name(values: Values | None) -> Values:
-    """Return data by name; a pandas Series is accepted, although it iterates over its values and has no truth value."""
-    if values is None:
-        return {}
-    if not hasattr(values, "keys"):
-        raise InputError(not_by_name(values))
-    return {name: values[name] for name in values.keys()}  # noqa: SIM118  a Series iterates over its values
 
 
 def no_column(name: object, known: tuple[str, ...]) -> InputError:
@@ -75,16 +59,6 @@ def no_column(name: object, known: tuple[str, ...]) -> InputError:
 def changed(values: Mapping[str, str]) -> str:
     """Return " (alpha = 0.02 rad)" for values that differ from the file, "" if there are none."""
     return f" ({', '.join(f'{name} = {value}' for name, value in values.items())})" if values else ""
-
-
-@frozen
-class Changes:
-    """Other values by name: for data, starts, drives, and times of the run."""
-
-    given: Values
-    start: Values
-    drive: Values
-    times: Values
 
 
 @caching
@@ -313,4 +287,4 @@ class Variant:
             raise InputError(say("fault.D004", name=self.name))
         asked = {"step": step, "end": end, "period": period, "check_row": check_row}
         times = {key: value for key, value in asked.items() if value is not None}
-        return self.reread(self, Changes(_by_name(given), _by_name(start), _by_name(drive), times))
+        return self.reread(self, Changes(by_name(given), by_name(start), by_name(drive), times))
