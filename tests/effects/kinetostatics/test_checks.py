@@ -36,7 +36,7 @@ def moved(power, count=9, spoilt=None, pieces=()):
     rows = np.zeros((count, 1))
     if spoilt is not None:
         rows[spoilt] = NAN
-    variant = SimpleNamespace(drive=[], functions=[SimpleNamespace(pieces=[(time, None) for time in pieces])])
+    variant = SimpleNamespace(laws=[SimpleNamespace(pieces=[(time, None) for time in pieces])])
     return SimpleNamespace(
         rows=SimpleNamespace(motion=SimpleNamespace(t=t)), energy=energy, reactions=SimpleNamespace(rows=rows),
         equations=SimpleNamespace(variant=variant),

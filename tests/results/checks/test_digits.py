@@ -146,6 +146,6 @@ def test_few_decimals_of_a_tabulated_drive_are_too_coarse_for_accelerations(driv
 ])  # fmt: skip
 def test_what_digits_do_is_not_known_without_the_motion_or_without_all_its_columns(exact, restricted):
     law = SimpleNamespace(name="r", table=((0.0, 1.0),))
-    variant = SimpleNamespace(drive=(), functions=(law,))
+    variant = SimpleNamespace(laws=(law,))
     judged = digits.table_digits(SimpleNamespace(variant=variant, exact=exact, restricted=restricted))
     assert judged.verdict == "SKIP"
