@@ -12,7 +12,6 @@ SAMPLE, MANY = 40, 2000
 QUESTIONS = 0.02
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("first", [0, pytest.param(10_000, marks=pytest.mark.long)])
 def test_right_equations_are_read_or_a_question_in_any_hand(first):
     count, asked = MANY if first else SAMPLE, []
@@ -46,3 +45,8 @@ def test_a_number_or_a_bracket_at_the_beginning_is_the_equation_s(line):
 def test_an_aside_or_a_number_is_not(line):
     found = marked("\n".join(line.format(one) for one in PLAIN["31"].split("\n")), "31")
     assert found.share == 1.0, [(mark.verdict, mark.line.repaired) for mark in found.marks]
+
+
+def test_the_number_of_an_equation_behind_an_index_is_no_entry_of_a_vector():
+    lines = ["−ω_1 · k=ω_4 (1)", "ω_4 · r_4 · sin(φ_4)−ω_1 · r_1 · sin(φ_1)+r_3 · ω_3 · sin(φ_3) =ω_2 · r_2 · sin(φ_2) (2)"]
+    assert [mark.verdict for mark in marked("\n".join(lines), "geared").marks] == ["right", "right"]

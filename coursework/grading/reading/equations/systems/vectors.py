@@ -17,9 +17,11 @@ from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.record.variant import Variant
 
 _ROW = r"(?:([ijkn](?:\s*[-+]\s*1)?)\s*(?:,|\]\s*\[)\s*)?"  # the row in Y[k, 0] and Y[k][0]
-# An entry; a number in brackets that is set apart at the end of a line, "= VMx [11]", is the line's label.
+# An entry; a number in brackets that is set apart at the end of a line, "= VMx [11]" or "= ω_4 (1)", is the line's label.
 _ENTRY = re.compile(
-    rf"(?<![\w.\\'])([^\W\d]\w{{0,20}})(?! \[\d{{1,2}}\][ \t.;]*$) ?([\[(])\s*{_ROW}(\d{{1,2}})\s*[\])]", re.MULTILINE
+    rf"(?<![\w.\\'])([^\W\d]\w{{0,20}})(?! \[\d{{1,2}}\][ \t.;]*$|(?<=\d) \(\d{{1,2}}\)[ \t.;]*$)"
+    rf" ?([\[(])\s*{_ROW}(\d{{1,2}})\s*[\])]",
+    re.MULTILINE,
 )
 _NAMES = r"((?:[^\W\d]\w{0,20}\s*[,;]\s*)+[^\W\d]\w{0,20})"
 _LIST = re.compile(rf"(?:[\[({{]|\breturn )\s*{_NAMES}\s*(?:[\])}}]|$)", re.MULTILINE)
