@@ -72,7 +72,7 @@ def test(python: Path, wanted: list[str]) -> int:
     """
     marked = ["-m", ""] if LONG in wanted else []
     wanted = [word for word in wanted if word != LONG]
-    workers = str(2 + (os.cpu_count() or 1))  # two wait for browsers and processes while the others work
+    workers = str(1 + (os.cpu_count() or 1))  # one waits for a browser or a process while the others work
     # A file stays with one worker: what its tests share is made once.
     spread = ["-n", workers, "--dist", "loadfile", "--no-loadscope-reorder"]
     everywhere = [*spread, "--benchmark-disable", "--ignore", MEASURED]

@@ -68,6 +68,7 @@ def test_a_copy_of_a_tabulated_variant_runs_where_it_is(folder):
     assert not (folder / "third.toml").exists()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("more", [(), ("--groups", "crank,RRR")])
 def test_the_page_of_an_unedited_file_has_no_text_of_the_template(more, folder):
     assert call("new", "mine", *more).exit_code == 0

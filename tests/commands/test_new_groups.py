@@ -106,6 +106,7 @@ def test_the_page_of_a_chain_is_written(folder):
     assert (folder / "coursework-mine" / "invariants.csv").exists()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
 def test_every_key_has_a_comment_in_the_language_asked(language):
     text = written(("crank", "RRR", "PRP", "RPP", "RPR", "RRP"), "--language", language)
@@ -125,6 +126,7 @@ def test_comments_name_the_points_of_the_file():
     assert "# +1: D to the left of the ray from B to C; -1: D to its right" in text
 
 
+@pytest.mark.long
 def test_the_same_kinds_give_the_same_file():
     first = written(("crank", "RRR", "RPR"))
     Path("mine.toml").unlink()
@@ -159,6 +161,7 @@ def test_what_makes_no_chain_is_refused_in_one_message(groups, more, told):
     assert not Path("mine.toml").exists()
 
 
+@pytest.mark.long
 def test_as_many_groups_as_are_allowed_run():
     written(("crank", *["RPP", "RRP"] * 9, "RPP"))
     assert coursework.solve("mine", quantities=["table"]).stop is None

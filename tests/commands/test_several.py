@@ -68,6 +68,7 @@ def test_the_same_as_one_by_one(folder):
         assert files_below(Path("alone")) == files_below(Path("o") / name.removesuffix(".toml"))
 
 
+@pytest.mark.long
 def test_the_same_bytes_from_several_processes(folder):
     names = ["31", "bad.toml", "stops.toml", "example-2", "mine"]
     results = [call("run", *names, *CSV, "--out", f"o{jobs}", "--jobs", jobs) for jobs in (1, 2)]

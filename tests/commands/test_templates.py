@@ -147,6 +147,7 @@ def test_several_variants_are_one_pdf_each_with_pages_of_its_own(tmp_path: Path)
     assert "combined.pdf" in done.output
 
 
+@pytest.mark.long
 def test_the_same_bytes_from_processes_of_their_own(tmp_path: Path) -> None:
     (tmp_path / "looks").mkdir()
     (tmp_path / "looks" / "report.css").write_text("body { color: #123456 }")
@@ -170,6 +171,7 @@ def test_own_templates_come_and_go_in_one_process(tmp_path: Path) -> None:
     assert not inside.exists()
 
 
+@pytest.mark.long
 def test_feedback_pages_of_a_class_take_own_pieces_and_a_change_of_them_is_marked_anew(tmp_path: Path) -> None:
     hand_in(tmp_path / "in" / "ada")
     looks = tmp_path / "looks"

@@ -97,6 +97,7 @@ def test_two_free_rates_with_a_closed_loop_keep_energy_and_length():
     assert np.abs(forces.column("M1")).max() < 1e-8 * forces.reactions.largest  # nothing drives it
 
 
+@pytest.mark.long
 def test_a_limit_of_the_free_coordinates_stops_the_rows():
     run = coursework.solve(coursework.parse_variant(free_31()), scheme="exact", step=0.001, end=0.2)
     assert run.stop.kind == "dead point"

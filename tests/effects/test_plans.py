@@ -71,6 +71,7 @@ def test_the_lever_gives_the_drive(name):
         assert lever.read == pytest.approx(lever.computed, rel=0.02)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
 def test_the_page(language):
     run = coursework.solve("example-1-forces")

@@ -27,6 +27,7 @@ def off(run) -> np.ndarray:
     return np.max(np.abs(run.motion.coordinates[24::24] - START), axis=1)
 
 
+@pytest.mark.long
 def test_h20_one_projection_a_step_holds_for_a_thousand_periods():
     run = long_run(1000, project=1)
     found = off(run)
@@ -77,6 +78,7 @@ def test_h20_drift_per_period_is_told():
     assert check(one, "DRIFT-PER-PERIOD").verdict == "SKIP"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("share", [0.25, 0.5, 1.0, 1.5, 1.9])
 def test_h20_baumgarte_keeps_the_error_but_not_as_well_as_projection(share):
     run = long_run(150, gain=share / (PERIOD / 24))

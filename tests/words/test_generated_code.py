@@ -127,6 +127,7 @@ print(len(generated), file=sys.stderr)
 """
 
 
+@pytest.mark.long
 def test_a_page_is_the_same_with_and_without_kept_code(tmp_path: Path) -> None:
     free = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     (tmp_path / "a file").touch()

@@ -104,6 +104,7 @@ def rod(r, **data):
     return coursework.solve(coursework.parse_variant(rod_of(r, **data)), scheme="exact")
 
 
+@pytest.mark.long
 def test_a_rod_shorter_than_its_crank_stops_it_where_the_rod_stands_across_its_guide():
     """0.61730816 s by SciPy's DOP853 (1e-12) from Lagrange's equations with two multipliers, which pass that place."""
     run = rod(r=0.36, M1=1, M2=2, T=0)

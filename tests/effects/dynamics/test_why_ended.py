@@ -21,6 +21,7 @@ def led_by_its_crank():
     return piston("w1").motion
 
 
+@pytest.mark.long
 def test_a_piston_that_leads_stops_at_its_dead_centre_and_the_crank_that_leads_passes_it(led_by_its_crank):
     run, whole = piston("u3"), led_by_its_crank
     assert run.stop.kind == "dead point"
@@ -31,6 +32,7 @@ def test_a_piston_that_leads_stops_at_its_dead_centre_and_the_crank_that_leads_p
     assert "(s3) is at its limit" in run.stop.cause and "such as w1 or w2" in run.stop.meaning
 
 
+@pytest.mark.long
 def test_rows_of_a_scheme_that_reach_the_limit_are_told_so():
     run = piston("u3", "rk4", step=0.0005)
     assert run.motion.stop.kind == "dead point" and run.motion.stop.time == pytest.approx(0.3826, abs=1e-3)

@@ -32,6 +32,7 @@ def test_an_even_torque_and_a_highest_harmonic_without_a_phase_have_no_excess(wa
     assert _excess(np.array(wave), 0.0, 2 * math.pi) == (0.0, ())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", [23, 24, 25, 37])
 def test_zeros_where_the_turn_begins_are_not_lost(count):
     """A sin x + B sin 2x + C sin 3x, as of a slider-crank that begins in its dead point, is zero at 0 and 180 degrees."""

@@ -25,6 +25,7 @@ def test_a_load_that_breaks_between_two_rows_is_found_at_its_time(force, time, i
     assert found.time == pytest.approx(time, abs=1e-5)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("force", [
     "F0", "F0*sin(20*w0*t)", "F0*exp(-(9*(w0*t - 3.3))^2)", "F0*sqrt(abs(w0*t - 3.3))", "F0*1e-3/(1e-3 + abs(w0*t - 3.3))",
     "F0*(1 + 0.001*atan2(sin(w0*t - 1), cos(w0*t - 1)))", "F0*abs(theta1 - pi/2)/(theta1 - pi/2 + 1e-9)",

@@ -200,6 +200,7 @@ def test_killers_hangs_and_hogs_are_told_apart_and_stop_nobody_else(tmp_path, mo
     assert {entry["status"] for entry in submissions(out).values()} == {"graded", "unreadable"}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("leaks", "children"), [("leaks 355", 1), ("leaks 356", 2)])
 def test_a_child_that_has_grown_by_256_mib_is_replaced(tmp_path, monkeypatch, leaks, children):
     for student in ("a", leaks, "z"):

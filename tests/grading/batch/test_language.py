@@ -3,6 +3,8 @@
 import json
 import re
 
+import pytest
+
 from coursework.grading.batch.work import Setup
 from coursework.grading.reading.submission import Submission
 from coursework.system.processes.plain_lines import line_of, read_line
@@ -14,6 +16,7 @@ PAGE_WORDS = re.compile(r"<style>.*?</style>|<code>.*?</code>|<[^>]*>", re.DOTAL
 ENGLISH_WORD = re.compile(r"\b(the|of|is|are|and|row|marked|table|right|wrong|points|class|submissions)\b", re.IGNORECASE)
 
 
+@pytest.mark.long
 def test_a_class_in_ukrainian(tmp_path):
     source, out = small_class(tmp_path / "in"), tmp_path / "out"
     decided = tmp_path / "overrides.csv"

@@ -55,6 +55,7 @@ def test_folders_of_random_bytes_are_all_found(tmp_path):
     assert len(submissions(tmp_path / "out")) == len([*(tmp_path / "in").iterdir()])
 
 
+@pytest.mark.long
 @posix
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_two_spellings_of_one_name_are_two_people_whom_somebody_must_look_at(tmp_path, jobs):
@@ -173,6 +174,7 @@ def test_a_folder_is_held_by_one_process_and_let_go_when_it_ends(tmp_path):
     assert [path.name for path in tmp_path.rglob("*")] == ["feedback"]
 
 
+@pytest.mark.long
 def test_two_graders_at_once_leave_the_bytes_of_one(tmp_path):
     source = small_class(tmp_path / "in")
     assert grade(source, tmp_path / "alone").exit_code == 0

@@ -49,6 +49,7 @@ def marked(request, tmp_path_factory):
     return truth, {entry["id"]: entry for entry in json.loads(text)["submissions"]}
 
 
+@pytest.mark.long
 def test_slips_are_blamed_in_their_cell_and_in_no_other(marked):
     truth, found = marked
     slips = {name: cell for name, (cell, _) in truth.items() if cell}

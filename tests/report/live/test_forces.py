@@ -67,6 +67,7 @@ def moving(name: str, **options: Any) -> SceneRun:
     return coursework.solve(coursework.parse_variant(free_31()) if name == "free 31" else name, **options)
 
 
+@pytest.mark.long
 @pytest.mark.browser
 @pytest.mark.parametrize("name", ["example-2-motor", "falling-arm", "free 31"])
 @pytest.mark.parametrize("scheme", ["euler", "semi-implicit", "rk4"])

@@ -114,6 +114,7 @@ def test_what_is_not_back_then_is_not_explained(monkeypatch):
     assert finding("PERIOD-POSITION", evidence_of(run)).verdict == "FAIL"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("ring", ["0.7", "0.75", "0.9", repr(0.3 * (1 + math.sqrt(2)))])
 @pytest.mark.parametrize("turns", [1, 3, 4])
 def test_an_independent_integration_says_the_same(ring, turns):
