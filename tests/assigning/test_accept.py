@@ -137,6 +137,7 @@ def sixty():
     return acceptance().accepted([f"s{number}" for number in range(60)])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [2, 3, 5, 30])
 def test_nobody_is_farther_than_the_band_from_the_median_of_any_class(size):
     """Of 60 students the worst class of each size is taken: the easiest with the one hardest, and the other way round."""

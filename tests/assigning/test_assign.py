@@ -170,6 +170,7 @@ def test_two_students_with_equal_data_are_told(tmp_path):
     assert "Equal data" in page.read_text(encoding="utf-8")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("template", "most"), [("31", 100), ("homework", 60)])
 @pytest.mark.parametrize("count", first(1, (2, 4)))
 def test_what_each_student_runs_and_hands_in_earns_full_marks(tmp_path, template, most, count):

@@ -87,6 +87,7 @@ def test_a_relative_angle_and_one_counted_clockwise(tmp_path):
         assert math.remainder(turned, math.tau) == pytest.approx(0, abs=1e-9)
 
 
+@pytest.mark.long
 def test_turning_counted_clockwise_is_promised_only_where_the_rubric_accepts_it(tmp_path):
     promise = "If you count all rotation the other way round, you are marked as if the signs were those above"
     (tmp_path / "rubric.toml").write_text('[conventions]\nclockwise = "misconception"\n', encoding="utf-8")

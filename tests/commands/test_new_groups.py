@@ -77,6 +77,7 @@ def loops(data, run):
             at[group["meets"]] = slides[0][0] + own[1] * slides[0][1]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kinds", first(len(SHORT) + 2, [[*kinds] for kinds in (*SHORT, *LONG)]), ids=",".join)
 def test_any_sequence_closes_along_the_whole_motion(kinds):
     data = tomllib.loads(written(kinds))

@@ -62,6 +62,7 @@ def test_what_comes_into_view_later_is_left_out_until_it_is_asked_for(client):
     assert [name for name, text in lean if re.fullmatch(r"<h2>.*?</h2>\s*", text)] == found["later"]
 
 
+@pytest.mark.long
 def test_a_page_is_written_again_where_something_on_it_is_another(client, monkeypatch):
     written = []
     monkeypatch.setattr(variant_page, "render_html", lambda model, **how: written.append(model) or render_html(model, **how))

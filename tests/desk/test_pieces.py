@@ -31,6 +31,7 @@ def test_each_kind_is_shown_with_what_it_asks(client):
     assert all("<animate" in each["svg"] and each["title"] for each in found)
 
 
+@pytest.mark.long
 def test_from_an_empty_text_to_a_chain_of_every_kind(client):
     text = put(client, "", "crank")["text"]
     assert "coursework run" not in text  # nor of what it is a chain, which it is not for long

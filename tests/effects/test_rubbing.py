@@ -98,6 +98,7 @@ def test_what_friction_holds_goes_on_when_the_force_has_grown():
     assert run.scene.exact_accelerations[:, 0] == pytest.approx(4 / 2 * after, abs=1e-11)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("more", "kind"), [(1.0, "held"), (1.0 - 1e-9, "held"), (1.0 + 1e-9, None)])
 def test_a_force_as_large_as_what_friction_holds_does_not_move_it(more, kind):
     """Written so that it differs by round-off from moment to moment: nothing of it begins a motion."""

@@ -21,6 +21,7 @@ def test_nothing_that_passes_is_wrong(seed, draw=drawn):
     assert not wrong, (edge.told, wrong, told, spent, edge.text)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", first(5, range(1000, 1012)))
 def test_nothing_that_passes_is_wrong_in_more_families(seed):
     test_nothing_that_passes_is_wrong(seed, drawn_more)

@@ -55,6 +55,7 @@ def test_many_sets_are_each_as_alone(data):
         assert np.allclose(kept, alone.motion.rows, rtol=0, atol=1e-12)
 
 
+@pytest.mark.long
 def test_the_step_found_by_itself_follows_the_pulse(tmp_path):
     (tmp_path / "one.toml").write_text(four_bar(pulse(), scheme="rk4", end=0.6), encoding="utf-8")
     wish = ["--step", "auto", "--error", "0.001", "--format", "csv"]

@@ -11,6 +11,7 @@ from tests.mechanisms.library import FOLDERS, changed, mechanism
 FILES = sorted(FOLDERS[0].glob("*.toml"))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_each_runs_as_it_is(file: Path) -> None:
     assert len(coursework.solve(file, quantities=["table"]).table) > 2

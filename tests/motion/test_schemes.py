@@ -68,6 +68,7 @@ def test_time_is_a_multiple_of_the_step_and_no_running_sum(step, end, count):
     assert motion.t.tolist() == [i * step for i in range(count)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("text", [WRITTEN, GEOMETRY], ids=["written", "geometry"])
 def test_a_mechanism_twice_as_large_and_fast_has_the_same_angles(scheme, text):

@@ -58,6 +58,7 @@ def written(*equations, text=FIVE_BAR):
     return coursework.parse_variant(text + "".join(f'[[constraint]]\nequation = "{one}"\n' for one in equations))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("equation", ["wa = n1", *PRECEDING, *MORE])
 def test_a_rate_given_by_a_constraint_is_a_drive(equation):
     run, same = coursework.solve(written(equation, "0 = wd/2 + n1*(1 + t/T)")), coursework.solve(DRIVEN)

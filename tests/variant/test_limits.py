@@ -145,6 +145,7 @@ def test_thousands_of_faults_are_counted_and_not_all_told():
     assert lines[-1] == f"… +{3_000 - MOST_SHOWN}"
 
 
+@pytest.mark.long
 def test_thousands_of_unknown_names_do_not_take_minutes():
     rows = "".join(f'[[constraint]]\nequation = "{"+".join(f"x{i}y{j}" for j in range(120))} = 0"\n' for i in range(40))
     data = "".join(f'g{i} = "1 m"\n' for i in range(1_000))

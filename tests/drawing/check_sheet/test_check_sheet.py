@@ -45,6 +45,7 @@ def test_no_word_of_the_sheet_lies_on_another(name: str) -> None:
     assert measured.beyond(svg_of(name)) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["31", "v101", "v102", "v104", "v105", "v107", "v108", "v110", "v112"])
 def test_a_velocity_is_named_beside_its_own_arrow(name: str) -> None:
     """A reader takes the nearest tip: in v102 the words of two arrows, one above the other, had changed places."""

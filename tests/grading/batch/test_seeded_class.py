@@ -57,6 +57,7 @@ def test_slips_are_blamed_in_their_cell_and_in_no_other(marked):
     assert {found[name]["table"]["wrong_cells"] for name in slips} == {1}
 
 
+@pytest.mark.long
 def test_what_is_right_has_full_points(marked):
     truth, found = marked
     assert {found[name]["score"] for name in truth if name.startswith("right")} == {100.0}

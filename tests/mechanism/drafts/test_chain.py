@@ -9,6 +9,7 @@ from coursework.mechanism.drafts.text import text_of
 from coursework.mechanism.groups import group_kind
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("swinging", [set(), {1}])
 def test_points_go_in_the_file_where_the_groups_on_them_were_fitted(swinging):
     """B = A + r1 at phi1 on the crank, D = C + r3 at phi3 where the dyad meets, over a whole turn or swing."""
@@ -24,6 +25,7 @@ def test_points_go_in_the_file_where_the_groups_on_them_were_fitted(swinging):
         assert np.abs(found[:-1] - end.path[::every]).max() < 1e-9, end.name
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("taken", "new"), [((), ["A", "C"]), (("A", "B"), ["C", "D"]), (("A", "B", "C", "E"), ["D", "F"])])
 def test_a_group_drafted_on_a_point_takes_letters_and_numbers_that_are_free(taken, new):
     """It hangs on B, the pin of a crank; a name of nothing else is left out."""

@@ -159,6 +159,7 @@ def test_no_position_where_the_links_may_turn_freely() -> None:
         rrr(ORIGIN, ORIGIN, lengths=(1.0, 0.5), mode=1)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("mode", [1, -1])
 def test_grashof_neutral_linkage_folds_at_any_scale(mode: int) -> None:
     lengths = hard_case("H05")["data"]

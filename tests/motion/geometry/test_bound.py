@@ -56,6 +56,7 @@ def test_every_equation_of_a_right_file_is_judged(file):
     assert closure.unjudged == ()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("file", "place"), CASES)
 def test_no_turned_sign_passes(file, place):
     name, text = [*turned(FILES[file])][place]

@@ -95,6 +95,7 @@ def test_links_and_wheels_have_their_lengths_in_both_drawings(name: str) -> None
             assert has(page.circles, 2 * radius * size), (radius, page.circles)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("name", "sheets"), [("31", 1), ("v107", 2), ("jansen", 2)])
 def test_the_bar_is_100_mm_on_each_sheet(name: str, sheets: int) -> None:
     """Where no centre can be drawn, or it lies off the sheet, there is a plan of velocities beside the position."""

@@ -218,6 +218,7 @@ def test_a_break_leaves_enough_rows_on_both_sides(part: Part, before: int, after
         assert min(shown[-1] for shown in parted if len(shown) > 1) == after
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("flow", [True, False])
 def test_words_that_lead_to_formulas_stay_with_them(flow: bool) -> None:
     items = [Display(f"x_{n} = frac(y, z)", f"x{n}", name="" if flow else "7") for n in range(24 if flow else 4)]

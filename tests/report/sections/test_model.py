@@ -167,6 +167,7 @@ def test_a_datum_called_t_is_not_the_period(real: ModuleType) -> None:
     assert "The drive repeats after T = 0.480366\u00a0s." in told(real.full())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "sentence"),
     [

@@ -22,6 +22,7 @@ def page(tmp_path_factory):
     return re.sub(r"\s+", " ", re.sub("<[^>]*>", "", render_html(build_model(run))))
 
 
+@pytest.mark.long
 def test_two_arrows_are_two(page):
     assert "The bent arrows are the given ω1 and ω2." in page
 

@@ -147,6 +147,7 @@ def test_a_key_that_does_not_exist_is_a_fault() -> None:
         say("check.NOTHING")
 
 
+@pytest.mark.long
 def test_every_finding_of_the_words_file_is_said_somewhere() -> None:
     """Keys are searched in the source and the templates: literally, or as the f-string that makes them."""
     spoken = {
@@ -224,6 +225,7 @@ def test_words_beside_a_part_of_one_have_a_form_of_their_own(language: str, besi
     assert words.written(say("unit.rows", number=24.0)) == words.written(say("unit.rows", number=24))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", first(1, ("epicyclic", "31", "andrews")))
 def test_numbers_have_the_decimal_sign_of_the_page_and_chinese_has_no_spaces(name: str, reading: ModuleType) -> None:
     run = solved(name)

@@ -165,6 +165,7 @@ def test_a_function_in_cyrillic_letters_is_told_in_latin(language: str, said: st
     assert said in refused.value.told(load_phrases(language).written)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("language", "said"),
     [

@@ -62,6 +62,7 @@ def test_a_sine_is_a_sine_over_any_number_of_periods(periods):
     assert (sine.verdict, sine.value) == ("PASS", pytest.approx(0.993, abs=0.0015))
 
 
+@pytest.mark.long
 def test_31_to_ten_periods_with_m_half_a_metre_off():
     run = solve("31", end=4.8)
     drift = found(run, "DRIFT")

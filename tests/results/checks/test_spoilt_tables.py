@@ -30,6 +30,7 @@ def test_the_honest_run_is_computed_right_and_not_close(run):
     assert (run.status(), run.status(strict=True)) == (0, 1)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("options", [{}, {"scheme": "rk4"}, {"project": 1}, {"project": 2, "scheme": "heun"}, {"gain": 20.0}])
 @pytest.mark.parametrize("column", ["phi1", "phi3", "w1", "w4"])
 def test_a_changed_cell_is_found_beyond_round_off_and_only_there(options, column):

@@ -55,6 +55,7 @@ def same(name, data, **options):
 NARROW = {"variable-crank-table": 0.0}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", sampled(names()))
 def test_every_variant_of_the_catalogue(name):
     same(name, spread(name, NARROW.get(name, 0.01), 2))
@@ -244,6 +245,7 @@ def test_a_table_is_asked_for_by_the_number_of_its_set():
         _ = many[0:1]
 
 
+@pytest.mark.long
 def test_sets_that_forces_move_are_solved_one_by_one():
     """They had the velocities of a law of nobody's."""
     lengths = ["1.1 m", "1.2 m"]

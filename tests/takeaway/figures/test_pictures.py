@@ -29,6 +29,7 @@ def as_on_the_page(svg):
     return PARTED.sub(r"\1\2\3\6\4</text></g>", re.sub(r'<text fill="#fff"[^\n]*?</text>', "", svg))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "suffix"), sampled_pairs(names(), ["figures"], {("31", "figures"), ("v107", "figures"), ("cardan", "figures")})
 )

@@ -36,6 +36,7 @@ def places(root: ElementTree.Element) -> Iterator[tuple[float, float]]:
             yield from ((left, top), (right, bottom))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["31", "v107", "31-forces", "example-1-forces", "variable-crank-table"])
 def test_a_drawing_lies_on_its_sheet(name: str) -> None:
     for title, picture in pictures_of(model_of(solved(name))).items():

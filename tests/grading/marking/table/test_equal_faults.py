@@ -43,6 +43,7 @@ def test_a_mistyped_start_costs_the_same_in_a_chain_of_groups():
         assert repr(first_wrong(desk.key, marked.cells).sentence.values["expected"]) != "-0.0"  # phi4 begins at 0
 
 
+@pytest.mark.long
 def test_a_start_value_typed_wrong_and_not_used_is_one_cell():
     for desk in variants():
         table = desk.machine.table()
@@ -132,6 +133,7 @@ def test_a_datum_of_any_other_value_is_named_and_worth_the_same(number, names):
         close([found for found, _ in marked])
 
 
+@pytest.mark.long
 @of_each
 def test_exchanged_columns_are_named_both(numbers):
     for desk in (variants()[number] for number in numbers):

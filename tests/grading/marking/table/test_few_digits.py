@@ -65,6 +65,7 @@ def test_a_fault_is_named_and_costs_the_same_with_any_decimals(number, fewer):
             assert all(code in codes(found) for _, found in marked), (code, [codes(found) for _, found in marked])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", DOZEN)
 def test_rounding_on_the_way_costs_little_with_any_decimals(number):
     desk, h = of(number), of(number).machine.h

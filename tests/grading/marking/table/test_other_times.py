@@ -107,6 +107,7 @@ def test_rows_left_out_at_the_beginning_stand_where_their_times_say():
         assert marks.table.rows_present[:3] == (False, False, True) and not marks.cells.wrong.any()
 
 
+@pytest.mark.long
 def test_a_table_truly_made_with_another_step_is_told_so():
     for desk in variants()[::2]:
         machine = desk.machine

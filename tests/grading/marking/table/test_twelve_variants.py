@@ -72,6 +72,7 @@ def faulty(desk):
             yield f"sign {number} of {constraint.name}", Machine(desk.variant, lines={constraint.name: text}).table()
 
 
+@pytest.mark.long
 def test_a_column_that_is_wrong_throughout_costs_the_same_however_near_the_others_stay():
     """A bar twice as long halves its own rate; the others stay the task's to the last digit in a few rows, or in nearly all."""
     tables = [(desk, Machine(desk.variant, data={"r2": 2 * desk.variant.values["r2"]}).table()) for desk in desks("31", 2)]

@@ -164,6 +164,7 @@ def test_repeated_and_spanned_cells_are_bounded() -> None:
     assert read(b"[" + b"[1,2]," * 200_000 + b"[1,2]]").table is None
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "text",
     [

@@ -55,6 +55,7 @@ def stretches(seed, count=60, longest=2.0):
     return begin, begin + longest * 10 ** -random.uniform(0, 7, count)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", EVERY)
 def test_no_value_on_a_stretch_lies_outside(name):
     text = EVERY[name]
