@@ -25,6 +25,8 @@ def in_one_line(text: str) -> str:
 
     >>> in_one_line("[ 2*a   0 ] [w1]   [ -e ]\n[ c  -d ] [w2] = [ 0 ]\nx = 1")
     '[2*a, 0; c, -d]*[w1; w2] = [-e; 0]\n\nx = 1'
+    >>> in_one_line("[a 0] [w1]   [e]\n[c + d  -b] [w2] = [f]")
+    '[a, 0; c + d, -b]*[w1; w2] = [e; f]\n'
     """
     lines = text.split("\n")
     begun = (len(line) < _LONGEST and sum(map(line.count, "[|(⎡⎢⎣⎛⎝")) > _FEWEST for line in lines)
