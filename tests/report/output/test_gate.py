@@ -15,6 +15,7 @@ import coursework
 from coursework.report.output import gate
 from coursework.report.output.gate import pass_gate
 from coursework.results.checks import check
+from coursework.scene.scene_run import SceneRun
 from coursework.words.data_folders import folder as data_folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases
@@ -245,6 +246,15 @@ def test_a_block_without_a_column_of_its_own_keeps_no_check_from_being_written(n
     assert run.graph_check is not None
     assert any(math.isnan(row[2]) for row in run.graph_check.rows), "or this tests nothing"
     pass_gate(run, pages=True)
+
+
+def test_a_measured_value_that_is_none_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    run = coursework.solve("31", quantities=["table", "graph_check"])
+    first, *others = run.graph_check.rows
+    spoilt = SimpleNamespace(rows=[(first[0], np.nan, *first[2:]), *others])
+    monkeypatch.setattr(SceneRun, "graph_check", spoilt)
+    with pytest.raises(InputError, match="measured"):
+        pass_gate(run, pages=True)
 
 
 @pytest.mark.parametrize(

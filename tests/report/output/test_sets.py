@@ -69,7 +69,11 @@ def test_the_stamp_follows_variant_options_and_version_alone(folder, monkeypatch
     copy = folder / "31.toml"
     copy.write_bytes(coursework.load("31").path.read_bytes())
     assert stamp(variant=copy) == plain
+    forces = coursework.load("31-forces").path.read_text(encoding="utf-8")
+    other = forces.replace('mass = "6 kg"', 'mass = "7 kg"', 1)
+    assert other != forces
     others = [
+        *(stamp(variant=coursework.parse_variant(text)) for text in (forces, other)),
         stamp(variant="v108"), stamp(scheme="heun"), stamp(step=0.01), stamp(end=0.4), stamp(quantities=["table"]),
         stamp(student="A"), stamp(group="A"), stamp(date="A"), stamp(project=1), stamp(gain=1.0), stamp(quantities=["phi3"]),
         stamp_of(coursework.solve("31"), "uk"),
