@@ -27,9 +27,12 @@ from tests.mechanisms.library import mechanism
 from tests.sample import sampled
 from tests.solved import solved
 
-# What lies at no point drawn, or changes with the motion: an origin, a drive's radius, the law of a crank's length.
+# What lies at no point drawn, or changes with the motion: an origin, a drive's radius, the law of a crank's length, centres of
+# mass and the ends of a spring; and the way between two pins one of which lies on the other.
 ABSENT = {
     "andrews": {"rr"},
+    "andrews-forces": {"xc", "yc", "sc", "sd", "ra", "da", "sa", "sb", "ea", "fa", "ta", "tb", "ua", "ub"},
+    "epicyclic": {"rho"},
     "v112": {"xC0"},
     "variable-crank-exact": {"l1"},
 }
