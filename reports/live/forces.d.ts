@@ -34,6 +34,7 @@ interface Forces {
   at(true_: boolean, t: number): boolean;
   columns(rows: Rows): Float64Array[];
   arrows(): Arrow[];
+  clear(px: number, py: number, dx: number, dy: number, half: number, taken: number[][]): Point;
   draw(t: number): void;
   tell(first: Arrow[], energy: number, t: number, found?: number[]): void;
   renew(): void;

@@ -35,18 +35,30 @@ const forces = {
       return { name, at: acts.place(unknowns[columns[0]][3]), x, y, size: Math.hypot(x, y) };
     });
   },
+  // Where the name of an arrow stands: ahead of its tip, or, where another word stands there, beside the tip or the shaft.
+  clear(px, py, dx, dy, half, taken) {
+    const far = Math.hypot(dx, dy), ux = dx / far, uy = dy / far;
+    /** @type {Point[]} */
+    const tried = [[far + 9, 0], [far, 14], [far, -14], [far / 2, 14], [far / 2, -14]].map(([on, off]) => [
+      Math.max(half + 3, Math.min(px + on * ux - off * uy + Math.sign(dx) * half, drawing.WIDE - half - 3)),
+      Math.max(14, Math.min(py + 5 + on * uy + off * ux, drawing.HIGH - 8)),
+    ]);
+    return tried.find(([x, y]) => taken.every(([ox, oy, room]) => Math.abs(x - ox) > half + room || Math.abs(y - oy) > 14)) ?? tried[0];
+  },
   draw(t) {
     this.layer.replaceChildren();
     if (!this.at(true, t)) return this.tell([], NaN, t);
     const all = this.arrows(), found = acts.reactions(), { energy } = acts;
     if (additions.on.forces && this.largest > 0) {
+      /** @type {number[][]} */
+      const taken = words.all.map(({ made }) => [Number(made.getAttribute("x")), Number(made.getAttribute("y")) + 5, 4 * made.textContent.length]);
       for (const { name, at, x, y } of all) {
-        const px = drawing.x(at[0]), py = drawing.y(at[1]), dx = x * this.long, dy = -y * this.long, far = Math.hypot(dx, dy);
+        const px = drawing.x(at[0]), py = drawing.y(at[1]), dx = x * this.long, dy = -y * this.long;
         additions.arrow(this.layer, px, py, dx, dy);
-        if (far < 14) continue;
-        const word = [px + dx + (9 * dx) / far, py + dy + 5 + (9 * dy) / far].map((value, k) => f1(Math.max(k ? 14 : 30, Math.min(value, k ? drawing.HIGH - 8 : drawing.WIDE - 30))));
-        const text = svg("text", { x: word[0], y: word[1], "text-anchor": dx < 0 ? "end" : "start" }, this.layer);
-        symbolic(text, name);
+        if (Math.hypot(dx, dy) < 14) continue;
+        const half = 4 * name.replace("_", "").length, [middle, base] = this.clear(px, py, dx, dy, half, taken);
+        taken.push([middle, base, half]);
+        symbolic(svg("text", { x: f1(middle), y: f1(base), "text-anchor": "middle" }, this.layer), name);
       }
       for (const path of this.layer.querySelectorAll("path")) Object.assign(path.style, { stroke: COLOUR, fill: COLOUR });
     }

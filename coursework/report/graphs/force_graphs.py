@@ -77,7 +77,8 @@ def _polar(context: PageContext, found: ForceAnalysis, pair: str) -> Panel | Non
     for value, text in graph_paper.ticks(field.first, field.last, 5, context.numbers):
         inside += graph_paper.words(field.x(value), field.height - BOTTOM + 3.6, text, "middle")
     for value, text in graph_paper.ticks(field.low, field.high, 5, context.numbers):
-        inside += graph_paper.words(field.left - 0.8, field.y(value) + 1.0, text, "end")
+        if field.y(value) < field.height - BOTTOM - 1.5:  # one in the corner would touch the first number below
+            inside += graph_paper.words(field.left - 0.8, field.y(value) + 1.0, text, "end")
     inside += f'<path {EXACT_PEN} d="{way([at_x, at_y])}"/>'
     inside += f'<circle cx="{at_x[0]:.2f}" cy="{at_y[0]:.2f}" r="0.9" fill="{SCHEME_INK}"/>'
     inside += graph_paper.words(field.left + 1.2, TOP - 2.2, graph_paper.letters(symbol) + escape(context.words.behind(unit)))
