@@ -24,14 +24,14 @@ from coursework.words.data_folders import folder
 _SYMBOL = re.compile(r'<symbol id="([^"]+)"[^>]*>\s*<path d="([^"]+)"\s*/>\s*</symbol>')
 _RUN = re.compile(r'<g transform="matrix\(1 0 0 -1 (\S+) (\S+)\)"\s*>((?:\s*<use [^>]*/>)*)\s*</g>')
 _COPY = re.compile(r'href="#([^"]+)" x="([^"]+)" y="([^"]+)"')
-_NOTHING = re.compile(r"<g [^>]*/>|</g>|</svg>")
+_NOTHING = re.compile(r"<g [^>]*/>|</g>(?:<g[^>]*>|</svg>)?$|</svg>$")  # the last: where the next formula begins
 # A bar of a fraction or a root; its line ends, corners and their limit are those of every line, so they are not kept.
 _BAR = re.compile(
     r'<path fill="none" stroke="#000000" stroke-width="(\S+)"[^>]*? transform="translate\((\S+) (\S+)\)" d="([^"]*)"/>'
 )
 _OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (?P<wide>\S+) (?P<high>\S+)"[^>]*>')
 # The frame with which `equation.typ` tells the size of a formula; what follows is placed from its corner.
-_FRAME = re.compile(r'<g(?: [^>]*)?><path fill="none" stroke="#f012be"[^>]* d="M 0 0v (?P<high>\S+)h (?P<wide>\S+)v \S+Z "/>')
+_FRAME = re.compile(r'<path fill="none" stroke="#f012be"[^>]* d="M 0 0v (?P<high>\S+)h (?P<wide>\S+)v \S+Z "/>')
 _OTHER = "Typst's SVG has another shape than this version of it wrote"
 _NAMED = re.compile(r'class="(g[0-9A-F]+)"')
 # A marker is drawn in units of the width of its line, which is 1.
