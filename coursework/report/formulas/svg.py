@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import lru_cache
+from itertools import zip_longest
 from pathlib import Path
 from string import ascii_letters
 from sys import intern
@@ -23,12 +24,15 @@ from coursework.words.data_folders import folder
 _SYMBOL = re.compile(r'<symbol id="([^"]+)"[^>]*>\s*<path d="([^"]+)"\s*/>\s*</symbol>')
 _RUN = re.compile(r'<g transform="matrix\(1 0 0 -1 (\S+) (\S+)\)"\s*>((?:\s*<use [^>]*/>)*)\s*</g>')
 _COPY = re.compile(r'href="#([^"]+)" x="([^"]+)" y="([^"]+)"')
-_NOTHING = re.compile(r"<g [^>]*/>|</svg>")
+_NOTHING = re.compile(r"<g [^>]*/>|</g>(?:<g[^>]*>|</svg>)?$|</svg>$")  # the last: where the next formula begins
 # A bar of a fraction or a root; its line ends, corners and their limit are those of every line, so they are not kept.
 _BAR = re.compile(
     r'<path fill="none" stroke="#000000" stroke-width="(\S+)"[^>]*? transform="translate\((\S+) (\S+)\)" d="([^"]*)"/>'
 )
-_OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (\S+) (\S+)"[^>]*>')
+_OPENING = re.compile(r'<svg[^>]*?viewBox="0 0 (?P<wide>\S+) (?P<high>\S+)"[^>]*>')
+# The frame with which `equation.typ` tells the size of a formula; what follows is placed from its corner.
+_FRAME = re.compile(r'<path fill="none" stroke="#f012be"[^>]* d="M 0 0v (?P<high>\S+)h (?P<wide>\S+)v \S+Z "/>')
+_OTHER = "Typst's SVG has another shape than this version of it wrote"
 _NAMED = re.compile(r'class="(g[0-9A-F]+)"')
 # A marker is drawn in units of the width of its line, which is 1.
 MARKERS = ".math{width:var(--wide)}.formula .math,.math{fill:none}marker{overflow:visible}"
@@ -68,8 +72,9 @@ def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
         except RuntimeError as error:  # typst.TypstError
             raise refusal(error) from error
         pages = pages if isinstance(pages, list) else [pages]
-        for piece, page in zip(missing, pages, strict=True):
-            _cache[looks, piece] = _taken_apart(page.decode("utf-8"))
+        found = (formula for page in pages for formula in _taken_apart(page.decode("utf-8")))
+        for piece, formula in zip(missing, found, strict=True):
+            _cache[looks, piece] = formula
     glyphs: dict[str, str] = {}
     for piece in wanted:
         glyphs |= _cache[looks, piece][1]
@@ -97,18 +102,21 @@ def _joined(parts: list[Picture]) -> Picture:
     return Picture("".join(part.svg for part in parts), len(parts))
 
 
-def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
-    """Return the picture without its glyphs, and their outlines by id.  Raises `ValueError` if the SVG has another form."""
-    before, _, rest = svg.partition("<defs")
-    definitions, _, after = rest.partition("</defs>")
-    body = before + after
-    # One string per glyph, not one per formula.
-    glyphs = {intern(found[1]): intern(found[2]) for found in _SYMBOL.finditer(definitions)}
-    opening = _OPENING.match(body)
-    if not opening:
-        raise ValueError("Typst's SVG has another shape than this version of it wrote")
-    wide, high = map(float, opening.groups())
-    body = body[opening.end() :]
+def _taken_apart(svg: str) -> Iterator[tuple[Picture, dict[str, str]]]:
+    """Yield every formula of a page without its glyphs, and their outlines by id; an own template may set one on each page.
+
+    Raises `ValueError` if the SVG has another form.
+    """
+    body, _, definitions = svg.partition("<defs")
+    glyphs = {intern(found[1]): intern(found[2]) for found in _SYMBOL.finditer(definitions)}  # one string for all formulas
+    begins = list(_FRAME.finditer(body)) or list(_OPENING.finditer(body))
+    if not begins:
+        raise ValueError(_OTHER)
+    for begin, after in zip_longest(begins, begins[1:]):
+        yield _formula(float(begin["wide"]), float(begin["high"]), body[begin.end() : after and after.start()], glyphs)
+
+
+def _formula(wide: float, high: float, body: str, outlines: dict[str, str]) -> tuple[Picture, dict[str, str]]:
     placed = [
         (copy[1], round(UNITS * (float(run[1]) + float(copy[2]))), round(UNITS * (float(run[2]) - float(copy[3]))))
         for run in _RUN.finditer(body)  # heights inside a run count upwards
@@ -120,13 +128,13 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     for glyph, x, y in placed:
         places.setdefault(glyph, []).append((x, y - line))
     bars = _BAR.sub(lambda bar: _bar(bar, line), _NOTHING.sub("", _RUN.sub("", body)))
-    if "<use" in bars or "<defs" in bars or "transform" in bars or not places.keys() <= glyphs.keys():
-        raise ValueError("Typst's SVG has another shape than this version of it wrote")
+    if "<use" in bars or "<g" in bars or "transform" in bars or not places.keys() <= outlines.keys():
+        raise ValueError(_OTHER)
     size = f'style="--wide:{wide:.2f}pt"'
     # Two digits more than the eye needs: the height decides on which pixels the text beside the formula stands.
     head = f'<svg class="math" viewBox="0 {-line} {UNITS * wide:.7g} {UNITS * high:.7g}" {size} aria-hidden="true">'
     letters = "".join(_set(glyph, where) for glyph, where in places.items())
-    return Picture(f"{head}{letters}{bars.strip()}</svg>"), glyphs
+    return Picture(f"{head}{letters}{bars.strip()}</svg>"), {glyph: outlines[glyph] for glyph in places}
 
 
 def _bar(bar: re.Match[str], line: int) -> str:

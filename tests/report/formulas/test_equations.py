@@ -7,6 +7,7 @@ import random
 import re
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
 from string import ascii_lowercase, ascii_uppercase
 from types import ModuleType
 from typing import Any
@@ -21,6 +22,7 @@ from coursework.report.formulas.typesetting import typeset
 from coursework.report.text.symbols import Rates
 from coursework.variant.formula.reader import parse, parse_equation
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
+from coursework.words.custom_templates import templates_of
 
 NAMES = ("r1", "r3", "w3", "phi1", "phi3", "VMx", "alpha", "t", "speed", "speed2", "AB", "wA", "p")
 
@@ -86,7 +88,7 @@ def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shi
     dice = random.Random(8)
     sources = list({typst_math.math(random_tree(dice, 4)): None for _ in range(40)})
     sources.append("mat(a_1; b; c; d; e) = sqrt(frac(x, sqrt(y + 1)))")
-    pictures, pages = draw(sources).pictures, [page.decode() for page in typeset("equation.typ", sources, "svg")]
+    pictures, pages = draw(sources).pictures, [typeset("equation.typ", [one], "svg").decode() for one in sources]
     letters = sorted({letter for page in pages for letter in re.findall(r'<symbol id="([^"]+)"', page)})
     used = Counter(letter for page in pages for letter in {glyph for glyph, *_ in placed(ElementTree.fromstring(page))})
     often = sorted(letters, key=lambda letter: (-used[letter], letter))  # the shortest names are for what stands everywhere
@@ -112,6 +114,15 @@ def test_a_formula_that_repeats_is_drawn_once() -> None:
     assert drawn.glyphs.count('<g id="f') == 1
     assert re.search(r'<use href="#(f\d+)"/></svg>', drawn.pictures["x_1 = y"].svg)[1] in drawn.glyphs
     assert "<use" not in drawn.pictures["y"].svg
+
+
+def test_an_own_template_may_set_each_formula_on_a_page_of_its_own(tmp_path: Path) -> None:
+    each = 'page(width: auto, height: auto, margin: (x: 0pt, y: 2pt), math.equation(block: true, eval(source, mode: "math")))'
+    (tmp_path / "equation.typ").write_text(f'#for source in json("/data.json").last() {{ {each} }}', encoding="utf-8")
+    with templates_of(tmp_path):
+        drawn = draw(["x_1 = y", "frac(a, b)"])
+    assert [picture.svg.count("<path class=") for picture in drawn.pictures.values()] == [4, 2]
+    assert drawn.glyphs.count("<marker") == 6
 
 
 def test_a_letter_of_many_formulas_is_kept_once() -> None:
