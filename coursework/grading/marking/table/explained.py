@@ -69,7 +69,8 @@ class Explained:
             explained |= self._as_before(holds, explained)
         steps = explained[rows[1:], :m] & explained[rows[:-1], m : 2 * m] & (self._moves | self._hardly)
         counts[rows[1:], :m] |= steps
-        follows, motion = following(self.cells.student.values[rows, :m], steps | self._left_open, self._moves.any(axis=1))
+        moves = np.asarray(self._moves.any(axis=1))
+        follows, motion = following(self.cells.student.values[rows, :m], steps | self._left_open, moves)
         found = np.zeros_like(explained)
         found[rows, m:] = explained[rows, m:] & follows[:, None]
         counts |= found & ~but(found, motion)

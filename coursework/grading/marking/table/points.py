@@ -77,8 +77,9 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     right = ~cells.wrong & ~cells.missing & counted
     sound, rows = (right & ~untold) | cells.fitted, handed_in(cells)  # `fitted` were right before others were put right
     made = sound[rows, m:]
+    excused = put_right(marks[rows, :m] == KEY).any(axis=1, keepdims=True)  # all may have been made from what stood there
     rows_enough = bool(len(rows)) and (
-        np.mean(np.all(made | excused(cells.marks[rows, :m] == KEY, made), axis=1)) >= ENOUGH_ROWS
+        np.mean(np.all(made | excused, axis=1)) >= ENOUGH_ROWS
         or np.mean(np.mean(marks[rows, m:] == KEY, axis=0) >= ENOUGH_ROWS) >= _COLUMNS
     )
     follows, motion = rows_that_follow(key, cells)
@@ -111,14 +112,6 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     # Start values are given and earn nothing; one that is copied wrong costs as much as any other wrong cell.
     earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
     return TablePoints(earned / count if count else 0.0, count, counts, uncounted)
-
-
-def excused(as_key: Flags, sound: Flags) -> Flags:
-    """Return the velocities (n, r) that are not `sound` but may have been so before coordinates of their row were put right.
-
-    One velocity alone cannot tell from what it was made: each coordinate `as_key` (n, m), in a column with few such, excuses one.
-    """
-    return np.asarray(~sound & (np.cumsum(~sound, axis=1) <= put_right(as_key).sum(axis=1, keepdims=True)))
 
 
 def handed_in(cells: Cells) -> Places:
@@ -170,7 +163,7 @@ def left_open(key: Key, cells: Cells, rows: Places) -> Flags:
     """
     m, right = len(key.coordinates), alike(key, cells.student, key.table)[rows]
     used = right[:-1, : 2 * m] & ~constant(key)[: 2 * m]
-    put = put_right(right[:, :m])[:-1].any(axis=1)[:, None]
+    put = put_right(right[:, :m])[:-1].any(axis=1, keepdims=True)
     return np.asarray(right[1:, :m] | used[:, :m] | used[:, m:] | put)
 
 
