@@ -83,6 +83,18 @@ def test_a_jump_in_a_steady_column_takes_no_digits_from_it(step):
     assert not grade.table.cells.too_coarse.any()
 
 
+def test_rows_that_stand_twice_in_a_steady_column_take_no_digits_from_it():
+    """The key's angle has two decimals in every row, so a row put right among shifted ones tells nothing of how coarse it is."""
+    desk = Desk(parse_variant(STEADY, "own.toml", {}))
+    right = desk.machine.table()
+    table = np.vstack([right[:8], right[9:], right[-1:]])
+    table[21] = right[21]
+    lines = [",".join(desk.key.names), *(",".join(short(value, 3) for value in row) for row in table)]
+    files = (submitted_file("table.csv", "\n".join(lines).encode()),)
+    grade = Marker(desk.key, Rubric()).grade(read_submission(Submission("a", None, files), desk.expected))
+    assert not grade.table.cells.too_coarse.any()
+
+
 def test_zeros_that_the_key_has_too_tell_nothing_of_how_coarse_a_column_is():
     """Steps of exactly 1 rad from 0.01 instead of 0: a last mistyped cell put right left only zeros and took all cells along."""
     desk = Desk(parse_variant(mechanism("crank").encode(), "own.toml", {}))

@@ -15,7 +15,7 @@ from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.by_rows import marked
 from coursework.grading.marking.table.causes.misconceptions import FEWEST, FEWEST_SHARE
 from coursework.grading.marking.table.cells import Cells, alike
-from coursework.grading.marking.table.ways import ANGLES, KEY
+from coursework.grading.marking.table.ways import ANGLES, KEY, put_right
 from coursework.system.arrays import Array, Flags
 
 # A wrong cell is a near miss up to so many tolerances; few of the near misses are this part of those on the side of what was cut
@@ -38,11 +38,13 @@ def with_the_rest(key: Key, cells: Cells) -> Cells | None:
         off = side * (expected - student.values)
         return np.asarray((which & (off > 0) & (off <= most)).any(axis=0))
 
+    put = put_right(alike(key, student, key.table))  # right cells count for what they may have been
     found = []
     toward_zero = np.where(student.values == 0, np.sign(key.table), np.sign(student.values))
     for side in (toward_zero, np.ones_like(toward_zero)):
         missed, other = (on(by, cells.wrong, _NEAR * tolerance) for by in (side, -side))
-        if not missed.any() or other.sum() > _FEW * missed.sum():
+        few_of_them = _FEW * (missed | put).sum()
+        if not missed.any() or other.sum() > few_of_them:
             continue
         lies, opposite = (on(by, ~cells.wrong, student.units).sum() for by in (side, -side))
         few = missed.sum() <= slips
@@ -50,6 +52,6 @@ def with_the_rest(key: Key, cells: Cells) -> Cells | None:
             continue
         values = np.where(alike(key, student, key.table), student.values, student.values + side * student.units / 2)
         made = marked(key, replace(student, values=values))
-        if (made.wrong & missed).sum() <= _FEW * missed.sum() and not (few and made.wrong.sum() > slips):
+        if (made.wrong & missed).sum() <= few_of_them and not (few and made.wrong.sum() > slips):
             found.append(made)
     return min(found, key=lambda made: int(made.wrong.sum()), default=None)

@@ -13,16 +13,16 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.points import (
-    FEW_PUT,
     constant,
     following,
     handed_in,
     in_a_run,
+    left_open,
     moves_as_it_may,
     stands_still,
 )
 from coursework.grading.marking.table.untold import but, ramp
-from coursework.grading.marking.table.ways import KEY, Places
+from coursework.grading.marking.table.ways import KEY, Places, put_right
 from coursework.system.arrays import Flags
 from coursework.system.frozen import caching, frozen
 
@@ -69,7 +69,8 @@ class Explained:
             explained |= self._as_before(holds, explained)
         steps = explained[rows[1:], :m] & explained[rows[:-1], m : 2 * m] & (self._moves | self._hardly)
         counts[rows[1:], :m] |= steps
-        follows, motion = following(self.cells.student.values[rows, :m], steps, np.asarray(self._moves.any(axis=1)))
+        moves = np.asarray(self._moves.any(axis=1))
+        follows, motion = following(self.cells.student.values[rows, :m], steps | self._left_open, moves)
         found = np.zeros_like(explained)
         found[rows, m:] = explained[rows, m:] & follows[:, None]
         counts |= found & ~but(found, motion)
@@ -83,8 +84,8 @@ class Explained:
         Put right are cells of columns with few of the key's values. Where few of a column's other cells are explained, or few
         are left, few were explained.
         """
-        rows, few = self._rows, np.mean(self._by_key[self._rows], axis=0) <= FEW_PUT
-        put = np.asarray((self._by_key & ~holds & self._spoken & few)[rows].any(axis=1))
+        rows = self._rows
+        put = np.asarray((put_right(self._by_key[rows]) & (~holds & self._spoken)[rows]).any(axis=1))
         beside = np.zeros(len(holds), dtype=bool)
         beside[rows] = put
         beside[rows[1:]] |= put[:-1]
@@ -116,6 +117,10 @@ class Explained:
     @cached_property
     def _moves(self) -> Flags:
         return moves_as_it_may(self.key, self.cells)
+
+    @cached_property
+    def _left_open(self) -> Flags:
+        return left_open(self.key, self.cells, self._rows)
 
     @cached_property
     def _hardly(self) -> Flags:

@@ -12,9 +12,9 @@ from typing import Literal
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.cells import MISSING, Cells
+from coursework.grading.marking.table.cells import MISSING, Cells, alike
 from coursework.grading.marking.table.untold import but, ramp, untold_steps
-from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places, StudentTable
+from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE, Places, StudentTable, put_right
 from coursework.system.arrays import Array, Flags, neighbours, shifted
 from coursework.system.frozen import frozen
 
@@ -27,10 +27,6 @@ _CONSTANT = 1e-9
 _SPARE, _MOST, FEW_FOLLOWING, FOLLOWING = 0.25, 0.66, 0.35, 0.75
 # A coordinate that moves in this part of the rows may stand still in the others.
 _MOVES = 0.33
-# Part of a coordinate's steps that may be broken because the row above was put right; with more there is no motion.
-_EXCUSED = 0.25
-# In a column with at most this part of the key's values, those were put right one by one.
-FEW_PUT = 0.5
 
 
 Rule = Literal["cells", "start", "misconception", "own_equations"]
@@ -81,8 +77,9 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     right = ~cells.wrong & ~cells.missing & counted
     sound, rows = (right & ~untold) | cells.fitted, handed_in(cells)  # `fitted` were right before others were put right
     made = sound[rows, m:]
+    excused = put_right(marks[rows, :m] == KEY).any(axis=1, keepdims=True)  # all may have been made from what stood there
     rows_enough = bool(len(rows)) and (
-        np.mean(np.all(made | excused(cells.marks[rows, :m] == KEY, made), axis=1)) >= ENOUGH_ROWS
+        np.mean(np.all(made | excused, axis=1)) >= ENOUGH_ROWS
         or np.mean(np.mean(marks[rows, m:] == KEY, axis=0) >= ENOUGH_ROWS) >= _COLUMNS
     )
     follows, motion = rows_that_follow(key, cells)
@@ -115,15 +112,6 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     # Start values are given and earn nothing; one that is copied wrong costs as much as any other wrong cell.
     earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
     return TablePoints(earned / count if count else 0.0, count, counts, uncounted)
-
-
-def excused(as_key: Flags, sound: Flags) -> Flags:
-    """Return the velocities (n, r) that are not `sound` but may have been so before coordinates of their row were put right.
-
-    One velocity alone cannot tell from what it was made: each coordinate `as_key` (n, m), in a column with few such, excuses one.
-    """
-    put = as_key & (np.mean(as_key, axis=0) <= FEW_PUT)
-    return np.asarray(~sound & (np.cumsum(~sound, axis=1) <= put.sum(axis=1, keepdims=True)))
 
 
 def handed_in(cells: Cells) -> Places:
@@ -160,14 +148,23 @@ def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
     if cells.before is not None:
         near |= _near_steps(key, cells.before, rows)
     steps = np.isin(marks[1:, :m], (STEP, STEP_TRUE)) & ~(cells.wrong & ~cells.fitted)[rows[:-1], m : 2 * m]
-    steps |= marks[1:, :m] == KEY
-    put = marks[:-1] == KEY
-    excused = ~(near | steps) & (put[:, :m] | put[:, m : 2 * m])  # the row above was put right, the step from it was not
-    steps |= excused & (excused.sum(axis=0) <= _EXCUSED * len(excused))
+    steps |= left_open(key, cells, rows)
     moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[rows, :m]).any(axis=1))
     follows = np.zeros(len(cells.marks), dtype=bool)
     follows[rows], motion = following(q, near | steps, moves)
     return follows, motion
+
+
+def left_open(key: Key, cells: Cells, rows: Places) -> Flags:
+    """Return the steps (n - 1, m) between successive `rows` that no gate counts as broken: those to or from a right cell.
+
+    It may have been put right, and all velocities of its row may have been made from what stood there; so no gate closes when
+    one more cell becomes right.
+    """
+    m, right = len(key.coordinates), alike(key, cells.student, key.table)[rows]
+    used = right[:-1, : 2 * m] & ~constant(key)[: 2 * m]
+    put = put_right(right[:, :m])[:-1].any(axis=1, keepdims=True)
+    return np.asarray(right[1:, :m] | used[:, :m] | used[:, m:] | put)
 
 
 def _near_steps(key: Key, table: StudentTable, rows: Places) -> Flags:

@@ -34,6 +34,8 @@ _COARSE_MOST, _COARSE_GAP = 3e-4, 21.0  # the median may be at most _COARSE_MOST
 _RUNG, _ROUND_OFF = 1.25, 1e-6  # the floor grows in rungs by this factor
 # What rounding leaves does not depend on the row before; the deviations of another scheme's steps resemble it by more than this.
 _RESEMBLES = 0.5
+# In a column with at most this part of the key's values, those were put right one by one.
+_FEW_PUT = 0.5
 _KEPT = 48  # ways of so many tables, those of one that is being marked
 
 
@@ -80,6 +82,11 @@ def near(values: Array, expected: Array, tolerance: Array) -> Flags:
     """Return which values differ from the expected ones by at most the tolerance; a missing value does not qualify."""
     with np.errstate(invalid="ignore"):
         return np.asarray(np.abs(values - expected) <= tolerance)
+
+
+def put_right(right: Flags) -> Flags:
+    """Return which cells with the task's value may have been put right: those of columns (n, …) in which few have it."""
+    return np.asarray(right & (right.mean(axis=0) <= _FEW_PUT))
 
 
 def as_printed(key: Key, units: Array) -> Array:

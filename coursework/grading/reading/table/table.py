@@ -7,7 +7,7 @@ Used by `tables_of_file.py`, `read_document.py` and `read_submission.py`.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
@@ -92,7 +92,7 @@ def _in_order(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
 def _placed(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
     layout, origin = part.layout, part.origin
     read = _columns(grid, places, layout, rows)
-    read = sorted(map(partial(_like_others, read, layout), read), key=lambda column: column.at)
+    read = sorted(map(partial(_like_others, read, layout, grid), read), key=lambda column: column.at)
     read, zeros = _without_zeros(read, layout, grid)
     units: dict[str, dict[str, Any]] = {column.name: {"at": column.at, "by": column.by, "unit": column.unit} for column in read}
     if TIME in places.places:
@@ -177,15 +177,16 @@ def _column(column: GridColumn, place: Place, cells: list[PrintedNumber], unit: 
     )  # fmt: skip
 
 
-def _like_others(columns: list[TableColumn], layout: Layout, column: TableColumn) -> TableColumn:
+def _like_others(columns: list[TableColumn], layout: Layout, grid: Grid, column: TableColumn) -> TableColumn:
     """Return a column in exactly equal steps (a steady drive, whose zeros were dropped) with the digits of the other columns.
 
-    A column of one constant fraction gets them only if other columns dropped zeros and it has fewer digits than they have.
+    So is one whose key drops as many zeros: slips and rows that stand twice break its steps. A column of one constant fraction
+    gets them only if other columns dropped zeros and it has fewer digits than they have.
     """
     others = [other for other in columns if other is not column]
-    if not others or len(set(column.last_place)) > 1 or not _is_steady(column):
-        return column
     known = [value for value in column.values if math.isfinite(value)]
+    if not others or not known or len(set(column.last_place)) > 1:
+        return column
     is_plain = column.decimals == 0 or known[0] != known[-1]
     digits = max(_digits(layout, other) for other in others)
     is_short = any(_drops_zeros(layout, other) for other in others) and _digits(layout, column) < digits
@@ -195,6 +196,8 @@ def _like_others(columns: list[TableColumn], layout: Layout, column: TableColumn
         is_plain, first = False, layout.body[0][column.at - 1]
         decimals = column.decimals + digits - first.digits
     if decimals <= column.decimals or not (is_plain or is_short):
+        return column
+    if not _is_steady(column) and not _ends_in(grid, replace(column, decimals=decimals), decimals - column.decimals):
         return column
     finer = 10.0 ** (column.decimals - decimals)
     return replace(column, decimals=decimals, last_place=tuple(step * finer for step in column.last_place))
@@ -207,8 +210,7 @@ def _without_zeros(columns: list[TableColumn], layout: Layout, grid: Grid) -> tu
     them anyway, and so may one whose key has as many.
     """
     found = {column.name: _zeros(_numbers(layout, column, first=1)) for column in columns if not _is_steady(column)}
-    keys = {column.name: column for column in grid.columns}
-    uneven = [column for column in columns if (told := found.get(column.name)) is not None and not _ends_in(keys, column, told)]
+    uneven = [column for column in columns if (told := found.get(column.name)) is not None and not _ends_in(grid, column, told)]
     zeros = min((found[column.name] for column in uneven), default=0)
     coarser = 10.0**zeros
     return [
@@ -218,9 +220,9 @@ def _without_zeros(columns: list[TableColumn], layout: Layout, grid: Grid) -> tu
     ], zeros  # fmt: skip
 
 
-def _ends_in(keys: Mapping[str, GridColumn], column: TableColumn, zeros: int) -> bool:
+def _ends_in(grid: Grid, column: TableColumn, zeros: int) -> bool:
     """Return whether the key's values below the start end in so many zeros (at least one) when printed as a column is."""
-    key = keys[column.name]
+    key = next(one for one in grid.columns if one.name == column.name)
     shown = (round(value / factor_of(key, column.unit) * 10.0**column.decimals) for value in key.values[1:])
     return zeros > 0 and all(value % 10**zeros == 0 for value in shown)
 

@@ -1,13 +1,19 @@
 """Tables with a few slips, carried on or not, and the same with wrong cells put right: the points never fall."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.table.ways import KEY
+from coursework.grading.marking.key.key import key_of
+from coursework.grading.marking.table.causes.claims import TableUnderTest
+from coursework.grading.marking.table.ways import KEY, StudentTable
+from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.desks import Desk, variants
 from tests.grading.marking.test_more_right_never_less import earned
+from tests.mechanisms.library import mechanism
 
 PAIRS, MANY = 40, 60
 
@@ -214,3 +220,27 @@ def test_a_row_put_right_where_a_velocity_is_that_of_the_row_above_takes_nothing
     table = desk.machine.table(printed=printed)
     better = put_right(desk, table, [(15, column) for column in range(len(desk.key.names))])
     assert desk.marked(better)[0] >= desk.marked(table)[0] > 20
+
+
+@pytest.mark.parametrize(
+    "angles", [(0, 2, 2, 3, 8, 10, 12, 14.5, 16.5, 18.4717, 20.5), (0, 2, 2, 3, 4, 10, 12, 14.5, 16.5, 18.4717, 10)]
+)
+def test_a_right_angle_of_a_steady_crank_breaks_no_step_from_it(angles):
+    """Its velocity is right in every row: once a quarter of the steps came from right angles, 6 of 60 points went."""
+    desk = SimpleNamespace(key=key_of(parse_variant(mechanism("crank").encode(), "own.toml", {})))
+    table = np.column_stack([angles, np.full(11, 10.0)])
+    shares = [earned(desk, table)[0].share]
+    for row in np.flatnonzero(np.abs(table[:, 0] - desk.key.table[:, 0]) > 1e-3):
+        shares.append(earned(desk, put_right(desk, table, [(row, 0)]))[0].share)
+    assert min(shares) == shares[0]
+
+
+def test_a_velocity_put_right_does_not_keep_a_cause_from_being_looked_at():
+    """Two in five velocities are near what it expects, just enough: with one of them put right, 17 of 60 points went."""
+    key = variants()[2].key
+    m, table = len(key.coordinates), Machine(variants()[2].variant, drive_sign=-1.0).table()
+    expected = np.where(np.arange(table[:, m:].size).reshape(table[:, m:].shape) % 5 < 2, table[:, m:], 1e3)
+    for row in (5, 10):
+        better = put_right(variants()[2], table, [(row, m)])
+        for one in (table, better):
+            assert TableUnderTest(key, StudentTable(one, np.full(one.shape, 1e-4))).nearly(expected)

@@ -13,7 +13,18 @@ from numpy.typing import NDArray
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
-from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, OwnWays, Places, StudentTable, Way, as_printed, near
+from coursework.grading.marking.table.ways import (
+    HALF,
+    LEAST,
+    SLACK,
+    OwnWays,
+    Places,
+    StudentTable,
+    Way,
+    as_printed,
+    near,
+    put_right,
+)
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
@@ -40,7 +51,7 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     rows, columns = makers_of_several(wrong, m), [places >= 0, *(places == place for place in range(m))]
     if rows.mean() > FEW:
         of_task = near(was.values, key.table, as_printed(key, was.units))
-        other = other & of_task & (of_task.mean(axis=0) <= FEW) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is not put right
+        other = other & put_right(of_task) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is not put right
         rows &= other.any(axis=1)
         columns = columns[:1]  # so many wrong cells come from another method, not from one coordinate
     if rows.any():

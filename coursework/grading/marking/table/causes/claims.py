@@ -16,7 +16,7 @@ from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.sensitivity import sensitivity
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.starts import march
-from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear, velocity_tolerance
+from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear, put_right, velocity_tolerance
 from coursework.system.arrays import Array, Flags, shifted
 
 # A hypothesis is examined only if this part of the velocities lies within _NEAR times Euler's tolerances of what it expects.
@@ -153,14 +153,16 @@ class TableUnderTest:
     def nearly(self, found: Array) -> bool:
         """Return whether velocities (n, r) come near enough to the printed ones for the hypothesis to be examined.
 
-        Cells with the task's value are left out, as they may have been put right.
+        Cells that may have been put right are near, and others with the task's value are left out.
         """
         if not self.closely:
             return True
         tolerance = _NEAR * self.true_velocities[1]
-        there = np.isfinite(found) & np.isfinite(self.student.values[:, self.m :]) & ~self.of_task[:, self.m :]
+        of_task = self.of_task[:, self.m :]
+        put = put_right(of_task)
+        there = np.isfinite(found) & np.isfinite(self.student.values[:, self.m :]) & (put | ~of_task)
         with np.errstate(invalid="ignore"):
-            close = np.abs(self.student.values[:, self.m :] - found) <= tolerance
+            close = put | (np.abs(self.student.values[:, self.m :] - found) <= tolerance)
         return bool(there.any()) and float(close[there].mean()) >= _NEARLY
 
     @property

@@ -12,9 +12,8 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.before.guesses import FEW
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
-from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, StudentTable
+from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, StudentTable, put_right
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
@@ -99,7 +98,7 @@ def _turned(key: Key, student: StudentTable, signs: Flags, *, mirrored: bool) ->
     own = student.own and replace(student.own, values=back(student.own.values))
     undone = replace(student, values=back(student.values), own=own)
     right = alike(key, student, key.table)
-    put = right & ~alike(key, undone, key.table) & (right.mean(axis=0) <= FEW)
+    put = put_right(right) & ~alike(key, undone, key.table)
     return replace(undone, values=np.where(put, student.values, undone.values))
 
 
