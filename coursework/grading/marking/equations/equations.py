@@ -148,7 +148,8 @@ class Judge:
 
     def mark(self, lines: Sequence[EquationLine], *, turning: bool = False) -> EquationMarks:
         """Return the marks of all lines; with `turning`, angular velocities may count clockwise in all of them."""
-        found = [self._marked(meant, turning) for meant in as_lists_or_minus(lines)]
+        lists = as_lists_or_minus(lines, lambda line: self._mark(line).verdict in COUNTED)
+        found = [self._marked(meant, turning) for meant in lists]
         return max(found, key=lambda marks: sum(mark.verdict in COUNTED for mark in marks.marks))
 
     def _marked(self, lines: Sequence[EquationLine], turning: bool) -> EquationMarks:
