@@ -193,7 +193,7 @@ def test_a_small_slip_that_two_decimals_hide_is_no_other_datum(row):
     ("v102", 3, "graded-with-notes", 34.88),
 ])  # fmt: skip
 def test_two_decimals_that_nobody_forbade_are_a_question_where_a_variant_alone_needs_three(name, accepted, state, points):
-    """The same right table was worth 60 points in variant 31 and 34.88 in v102; a rule that is not Euler's is none all the same."""
+    """The same right table was worth 60 points in variant 31 and 34.88 in v102; another rule than Euler's is no question."""
     desk = Desk(coursework.load(name), accepted)
     grade = desk.handed(desk.machine.table(), digits=2)
     assert (grade.status, grade.part("table")[0]) == (state, points)

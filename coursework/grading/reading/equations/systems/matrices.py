@@ -15,27 +15,30 @@ from coursework.grading.reading.equations.signs import depths
 from coursework.grading.reading.equations.systems.of_r import in_brackets
 from coursework.grading.reading.equations.systems.parts import at_commas, product, vector
 
-_DEFINED = re.compile(r"(?<![\w.])([^\W\d]\w{0,20})[ \t]*+:?=[ \t]*+(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)")
+_TYPE = r"(?:(?:static|const|double|float|real|auto|let|var)[ \t]+)*"
+_DEFINED = re.compile(
+    rf"(?<![\w.]){_TYPE}([^\W\d]\w{{0,20}})[ \t]*+:?=[ \t]*+"
+    r"(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)"
+)
 _NAME = r"([^\W\d]\w{0,20})"
 _NAMES = r"[(\[]?((?:[^\W\d]\w{0,20}[ \t]*,[ \t]*)+[^\W\d]\w{0,20})[)\]]?"
-_SOLVER = r"(?:solve|linsolve|lsolve|LinearSolve)\s*[(\[]"
+_SOLVER = r"(?:(?:lin|lu|l|LU)?[sS]olve|LinearSolve)\s*[(\[]"
 _SOLVED = (
     rf"(?:(?:[A-Za-z]{{1,9}}\.){{0,2}}{_SOLVER}\s*{_NAME}\s*,\s*{_NAME}\s*[)\]]"
     rf"|{_NAME}[ \t]*\\[ \t]*{_NAME}|(?:[A-Za-z]{{1,9}}\.){{0,2}}inv\(\s*{_NAME}\s*\)[ \t]*[*@][ \t]*{_NAME})[ \t]*;?[ \t]*"
 )
-_TYPE = r"(?:(?:static|const|double|float|real|auto|let|var)[ \t]+)*"
 _PRODUCTS = (
     re.compile(
         rf"(?m)(?:^|[$,;])[ \t]*{_NAME}[ \t]*(?:[*@·⋅×]|\\cdot|\.dot\(|[ \t])[ \t]*{_NAME}\)?"
         rf"[ \t]*={{1,2}}[ \t]*{_NAME}[ \t]*(?=[,;.$]|$)"
     ),
-    re.compile(rf"(?m)^[ \t]*(?:{_NAME}|{_NAMES})[ \t]*=[ \t]*{_SOLVED}(?:[%#/].*)?$"),
+    re.compile(rf"(?m)^[ \t]*{_TYPE}(?:{_NAME}|{_NAMES})[ \t]*:?=[ \t]*{_SOLVED}(?:[%#/].*)?$"),
     re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}#[ \t]*{_NAMES}[ \t]*$"),
     re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}(?:[%#/].*)?$"),
-    # A function of C or Pascal that writes what it solves for into its last vector
+    # A procedure of C, Pascal or Fortran that writes what it solves for into its last vector
     re.compile(
-        rf"(?m)(?:^|(?<=;))[ \t]*(?:\w{{0,20}}(?i:solve|gauss|lu)\w{{0,20}})[ \t]*\([ \t]*(?:\d+[ \t]*,[ \t]*)?"
-        rf"{_NAME}[ \t]*,[ \t]*{_NAME}[ \t]*,[ \t]*{_NAME}[ \t]*(?:,[ \t]*\w{{1,9}}[ \t]*)?\)[ \t]*;"
+        rf"(?m)(?:^|(?<=;))[ \t]*(?:call[ \t]+)?(?:\w{{0,20}}(?i:solve|gauss|lu)\w{{0,20}})[ \t]*\([ \t]*(?:\d+[ \t]*,[ \t]*)?"
+        rf"{_NAME}[ \t]*,[ \t]*{_NAME}[ \t]*,[ \t]*{_NAME}[ \t]*(?:,[ \t]*\w{{1,9}}[ \t]*)?\)[ \t]*(?:;|$)"
     ),
 )
 _OF_CALLS = re.compile(rf"{_SOLVER}\s*[^\W\d]\w{{0,20}}\s*\(")
@@ -43,8 +46,11 @@ _RETURNED = re.compile(r"(?m)^[ \t]*return[ \t]+(?=[\w.]{0,20}\(?\s*\[)")
 # Places of the matrix, the unknowns and the right side in each of `_PRODUCTS`; if there are two, the call of a function has them.
 _ORDERS = ((0, 1, 2), (1, 0, 2), (0, 2, 1), (0, 2, 1), (0, 2, 1))
 _FUNCTION = re.compile(r"(?m)^[ \t]*(?:def|function)\b[^(\n]{0,60}?([^\W\d]\w{0,30})[ \t]*\(")
-# w1 = x(1)
-_TAKEN = rf"(?m)(?:^|(?<=[;,]))[ \t]*{_TYPE}{_NAME}[ \t]*=[ \t]*%s[ \t]*[\[(][ \t]*(\d{{1,2}})[ \t]*[\])][ \t]*(?:[;,]|$)"
+# w1 = x(1), w1(i) = x(1)
+_TAKEN = (
+    rf"(?m)(?:^|(?<=[;,]))[ \t]*{_TYPE}{_NAME}(?:[\[(][ijkn][\])])?[ \t]*:?=[ \t]*"
+    r"%s[ \t]*[\[(][ \t]*(\d{1,2})[ \t]*[\])][ \t]*(?:[;,]|$)"
+)
 _LATEX = re.compile(r"\\(?:begin|math|q?quad)")
 _IN_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathsf|mathrm|underline|overline)\s*\{(\w)\}|\\[,;:! ]")
 # An assignment to one cell of a matrix or right side, A(1,2) = … or b[0] = …
@@ -79,17 +85,19 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     text = _without_braces(in_brackets(text))
     text = _named_apart(_elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text))))
     whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
-    found = next((found for pattern in _PRODUCTS if (found := pattern.search(whole))), None)
-    if found is None:
-        return text
     named = {name: (begin, end, content) for name, begin, end, content in _matrices(whole)}
-    groups = [group for group in found.groups() if group]
-    groups += [_names_of_call(whole, found.start())] if len(groups) == 2 else []
-    matrix, unknowns, right = (groups[place] for place in _ORDERS[_PRODUCTS.index(found.re)])
+    for found in (found for pattern in _PRODUCTS for found in islice(pattern.finditer(whole), _MOST)):
+        groups = [group for group in found.groups() if group]
+        groups += [_names_of_call(whole, found.start())] if len(groups) == 2 else []
+        matrix, unknowns, right = (groups[place] for place in _ORDERS[_PRODUCTS.index(found.re)])
+        if {matrix, right} <= named.keys():  # unlike those of "double w1 = w0"
+            break
+    else:
+        return text
     taken = [] if "," in unknowns else sorted(re.finditer(_TAKEN % re.escape(unknowns), whole), key=lambda one: int(one[2]))
     columns = vector(unknowns) if "," in unknowns else vector(named[unknowns][2]) if unknowns in named else []
     columns = columns or [one[1] for one in taken] or [*sought]
-    equations = product(named[matrix][2], columns, vector(named[right][2])) if {matrix, right} <= named.keys() else []
+    equations = product(named[matrix][2], columns, vector(named[right][2]))
     if not equations:
         return text
     pieces = [
