@@ -81,6 +81,7 @@ TEXTS = {
     "a loop derived by a program": "diff(r1*sin(phi1(t)) + r2*sin(phi2(t)) + r3*cos(phi3(t)), t) == 0",
     "a loop with a prime": "(r1 sin φ1 + r2 sin φ2 + r3 cos φ3)' = 0",
     "a loop with a name": "F = r1*sin(phi1) + r2*sin(phi2) + r3*cos(phi3)\ndF/dt = 0",
+    "a square": r"V_{My}\left(\sin^{2}\varphi_3 + \cos^{2}\varphi_3\right) = r_3\omega_3(2\cos\varphi_3 + \sin\varphi_3)",
     "degrees by words": "r3*w3*Sin[phi3 Degree] - r2*w2*cos(deg2rad(phi2)) - r1*w1*cos(Math.toRadians(phi1)) = 0",
 }
 

@@ -37,6 +37,7 @@ from coursework.grading.reading.table.tables_of_file import parts_of_text
 
 _MOST_TEXTS = 200
 _TRIED = re.compile("[=:≈]")  # signs of equations and answers
+_GOES_ON = re.compile(r"(?:[*·+(]|\s[-−])\s*$|(?:\.{3}|…|\s_|&)\s*$")  # and ends in a later line
 _OPERATION = re.compile(r"[*·×^+]|(?:sin|cos)\b|[)\]]\s*=", re.IGNORECASE)
 _WORD = re.compile(r"[^\W\d_]{3,}")
 _FEWEST_WORDS = 4  # so many words that are not names make a sentence
@@ -137,7 +138,8 @@ def _tried(lines: Sequence[DocumentLine]) -> Iterator[str]:
     depth = 0
     for line in lines:
         begun = depth + line.text.count("\\begin")
-        yield line.text if begun > 0 or line.is_formula or _TRIED.search(line.text) else ""
+        is_begun = _OPERATION.search(line.text) and _GOES_ON.search(line.text)
+        yield line.text if begun > 0 or line.is_formula or is_begun or _TRIED.search(line.text) else ""
         depth = max(0, begun - line.text.count("\\end"))
 
 

@@ -164,7 +164,7 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
     """Return the equations that a chain of sides a = b = c means: each side equals the last readable one.  A fault if none.
 
     A non-zero number at the end of a longer chain is the value in some row and is dropped.  If a side cannot be read, the
-    readings are loose, unless that side is one name, which labels the sum: V_Cy = … = 0.
+    readings are loose, unless that side is one name, which labels the sum: V_Cy = … = 0; if it has a sine, there are none.
     """
     texts = sides.texts
     if len(texts) == 2:
@@ -176,7 +176,8 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
     is_loose = any(text not in kept for text in texts if not OWN_NAME.fullmatch(text.strip()))
     while len(kept) > 2 and _NUMBER.fullmatch(kept[-1]) and float(kept[-1].replace(" ", "")):
         kept.pop()
-    if len(kept) < 2 or all(OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):
+    is_lost = any(TURNED.search(text) for text in texts if text not in kept)  # a formula of the line would be passed over
+    if is_lost or len(kept) < 2 or all(OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):
         read = _strict(" = ".join(texts), names)
         assert isinstance(read, Fault)  # no equation has three sides
         return read

@@ -50,9 +50,9 @@ _BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)
 # Of a table, with nothing but numbers.
 _ROW = re.compile(r"^[-+−]?\d[^;\t ,\n]*+(?:[;\t ]|,[^,\n]*+,)[-+−\d.,eE;\t ]*+$", re.MULTILINE)
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
-_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
+_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\|\s_)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&|\s_))\s*$")
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
-_GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
+_GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&|\s_)\s*$")
 _BARE = re.compile(r"[^-+/−–\s]+")  # the names of a line with no other sign: "vC/a -"
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")

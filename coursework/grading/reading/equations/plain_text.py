@@ -18,7 +18,7 @@ from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.tree import constant
 from coursework.variant.record.variant import Variant
 
-_PREFIX = re.compile(r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
+_PREFIX = re.compile(r"\b(?:[A-Za-z]\w{0,8}::(?=[A-Za-z])|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
 # A point between names multiplies (as in France) if the line has no other product sign; else a field follows it, par.r1.
 _POINT = re.compile(r"((?<![^\W\d])[^\W\d]\w{0,40}|[\d)])\.(?=([^\W\d]\w{0,40}|\())")
 _BY_POINT = re.compile(r"(?<![\w.])([^\W\d]{1,7})\.(\w{1,4})(?![\w.]|\((?!\s*t\s*\)))")  # an index in Mathcad: ω.3, V.My
@@ -78,7 +78,7 @@ _OF_A_NUMBER = re.compile(rf"(?<![\w.,])\d+(?:[.,]\d+)?(?:\s*[·⋅*]?\s*{_UNIT}
 _OF_A_NAME = re.compile(rf"(?<=[\w)])\s*\[\s*({_UNIT})\s*\]")
 _ROOT = re.compile(r"√\s*(\d+(?:[.,]\d+)?|[^\W\d]\w*)")
 _OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # in StarMath; TeX's \over divides the whole group
-_EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # an equation in SymPy
+_EQUATION = re.compile(r"\bEq(?:uality)?\s*\((.*),([^,]*)\)\s*$")  # an equation in SymPy
 _POWER = re.compile(r"\bpow\s*\(((?:[^(),]|\([^()]*\))*),\s*(\d)\s*\)")
 
 
