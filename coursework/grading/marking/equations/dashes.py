@@ -30,15 +30,16 @@ def as_lists_or_minus(
     """
     read = [line for line in lines if line.tree is not None]
     dashed = [_DASHED.match(line.text) is not None for line in read]
-    closely = all(_CLOSELY.match(line.text) for line in read)
-    if len(read) < 2 or not (closely or any(dashed)):
+    closely = len(read) > 1 and all(_CLOSELY.match(line.text) for line in read)
+    is_list = len(read) > 1 and all(dashed)  # one line is none
+    if not (closely or any(dashed)):
         yield lines
         return
     is_apart = dash_apart([line.text for line in read]) is not None
-    for is_minus in (False, True) if all(dashed) or is_apart else (True, False) if closely else (True,):
+    for is_minus in (False, True) if is_list or is_apart else (True, False) if closely else (True,):
         dash = _CLOSELY if closely and not is_apart else _DASHED
         meant = [_meant(line, is_minus, dash) for line in lines]
-        if any(dashed) and not all(dashed):
+        if any(dashed) and not is_list:
             others = [_meant(line, not is_minus, dash) for line in lines]
             asks = [one is not other and not is_right(one) and is_right(other) for one, other in zip(meant, others, strict=True)]
             meant = [_asked(one) if is_asked else one for one, is_asked in zip(meant, asks, strict=True)]
