@@ -140,6 +140,8 @@ WORKS = {
                                   PLAIN["v102"]).replace("VMx + a*w3*sin(γ) + r2", "V1*sin(p*t + α) + a*γ\u0307*sin(γ) + r2")),
     "letters in LaTeX": ("v102", r"$\varphi_1=\alpha$, $\varphi_2=\beta,\ \varphi_3=\gamma$" + f"\n{IN_LETTERS}"),
     "letters of links, glued": ("v102", "α for link 1, β für das Glied 2\nγ — угол звена №3\n" + IN_LETTERS.replace("*", "")),
+    "a law without brackets among letters": ("v102", "α, β, γ - углы звеньев 1, 2, 3\n" + IN_LETTERS.replace(
+        "VMx + a*γ\u0307*sin(γ) + r2", "V1 sin pt+α + a*γ\u0307*sin(γ) + r2")),
     "a law without brackets": ("v102", PLAIN["v102"].replace("VMx + a*w3*sin(phi3) + c", "V1 sin pt+α + a*w3*sin(phi3) + c")
                                .replace("VMx + a*w3*sin(phi3) + r2", "V1 sin α + p·t + a*w3*sin(phi3) + r2")),
     "an array of C": ("31", C_ARRAY), "cells of C": ("31", C_CELLS),

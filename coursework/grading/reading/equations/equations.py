@@ -34,6 +34,7 @@ WORD = re.compile(r"[^\W\d]\w*")
 LETTER = re.compile(r"(?<![A-Za-z])\\?([^\W\d_]|[a-z]{3,5})(?![A-Za-z0-9_])(\u0307)?")
 _PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # the parts of names written without a sign between them
 OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
+_SUM = re.compile(r"\b(?:sin|cos)\s+([\w\s*]{1,20}[-+]\s*)$", re.IGNORECASE)  # the argument of a function without brackets
 _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 DASH = re.compile(r"^\s*[-–—−]\s*")
 # A name and the formula of a residual, as in F(2) = r1*w1…, which is handed to a root finder.
@@ -110,7 +111,9 @@ def _apart(text: str, names: Names, before: Names) -> str:
 
 
 def _around(text: str, place: int) -> str:
-    """Return what stands in the innermost brackets around a place, "" outside of all."""
+    """Return what stands in the innermost brackets around a place; outside of all the sum that it ends, sin pt + α, or ""."""
+    if (sum_ := _SUM.search(text[:place])) is not None:
+        return sum_[1] + text[place]
     inside = depths(text)
     begin = next((at for at in range(place, -1, -1) if inside[at] < inside[place]), -1) + 1
     end = next((at for at in range(place, len(text)) if inside[at] < inside[place]), 0)
