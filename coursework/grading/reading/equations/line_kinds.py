@@ -131,9 +131,9 @@ def _is_mostly_names(text: str, names: Names) -> bool:
 
 def parted(text: str, names: Names) -> str:
     """Return a line with semicolons for the signs // between its equations; what stands behind // is else a remark."""
-    pieces = _SLASHES.split(text) if len(text) <= reader.MAX_CHARACTERS else [text]
+    pieces = _SLASHES.split(text) if "//" in text and len(text) <= reader.MAX_CHARACTERS else []
     named = [names_in(piece, names.spellings) if relates_two_sides(piece) else set[str]() for piece in pieces]
-    return "; ".join(pieces) if all(len(one) > 1 and one & {*names.expected.variant.sought} for one in named) else text
+    return "; ".join(pieces) if all(len(one) > 1 and one & {*names.expected.variant.sought} for one in named) and pieces else text
 
 
 def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.Pattern[str] | None:
