@@ -186,7 +186,13 @@ def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | 
 @line.templates(passed_on=False)
 @click.option("--jobs", type=click.IntRange(0, 256), default=0, help="Submissions at once (default: the cores, at most 8).")
 @click.option("--scheduler", help="Address of a Dask scheduler: the same on a cluster.")
-@click.option("--limit", type=click.FloatRange(0.1, 3600), default=10.0, show_default=True, help="Seconds a submission may take.")
+@click.option(
+    "--limit",
+    type=click.FloatRange(0.1, 3600),
+    default=10.0,
+    show_default=True,
+    help="Seconds of the processor for a submission.",
+)
 @click.option("--memory", type=click.IntRange(256, 65536), default=1024, show_default=True, help="MiB a submission may take.")
 @line.spoken(passed_on=True)
 def grade_command(source: Path, **options: Any) -> int:

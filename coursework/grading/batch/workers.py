@@ -21,19 +21,23 @@ Keyed = tuple[str, Task]
 CHUNK = 100  # submissions in a cluster task: they take far longer than their transport
 PATIENCE = 10  # s to wait for a scheduler
 AHEAD = 2  # chunks waiting for each worker thread
-LIMIT = 10.0  # s that a submission may take
+LIMIT = 10.0  # s of processor time that a submission may take
+SLOWER = 6.0  # times as long it may take by the clock: the machine may be busy, or its system may not tell the processor time
 OPENED = "coursework.grading.batch.workshop:opened"
 
 
 def trade_of(setup: Setup, limit: float = LIMIT) -> Trade[Task, Outcome]:
-    """Return the work of the marking processes: each submission may take `limit` seconds and the memory that `setup` allows."""
+    """Return the work of the marking processes: each submission may take `limit` seconds and the memory that `setup` allows.
+
+    The seconds are those of the processor: on a busy machine right work is marked as on an idle one.
+    """
 
     def unanswered(task: Task, late: bool) -> Outcome:
         if late:
             return failed(task, setup, "timeout", say("grading.timeout", seconds=limit))
         return failed(task, setup, "crashed-grader", say("grading.crashed_grader"))
 
-    return Trade(OPENED, setup, Outcome, unanswered, seconds=limit, memory=setup.memory_mib)
+    return Trade(OPENED, setup, Outcome, unanswered, seconds=SLOWER * limit, processor=limit, memory=setup.memory_mib)
 
 
 def in_processes(

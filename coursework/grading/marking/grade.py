@@ -25,7 +25,7 @@ from coursework.grading.marking.table.causes.clockwise import turned
 from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
 from coursework.grading.marking.table.causes.other_data import SLIPPED
-from coursework.grading.marking.table.causes.whole import as_made, fewer_decimals, untold_points
+from coursework.grading.marking.table.causes.whole import as_made, fewer_decimals, only_coarse, untold_points
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.cut_off import with_the_rest
 from coursework.grading.marking.table.earning import best_rule
@@ -188,6 +188,8 @@ class Marker:
         status, reason, notes = self._status(work, shares)
         if status == "graded" and table and self.rubric.weights["table"] and (asked := table.open_question(self.key.names)):
             status, reason = "needs-review", asked
+        if status == "graded" and table and self.rubric.weights["table"] and (count := only_coarse(self.key, table.cells)):
+            status, reason = "needs-review", say("reading.review.few_decimals", count=count, least=self.key.least_decimals)
         if status == "graded" and equations is not None and self.rubric.weights["equations"] and (unread := equations.unread):
             line = unread.line
             key = "unread_place" if line.place else "unread_line"

@@ -169,6 +169,12 @@ def limit_memory(mib: float, held: int = 0) -> None:
     resource.setrlimit(resource.RLIMIT_AS, (held + int(mib) * MIB, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
 
+def end_after(seconds: float | None) -> None:
+    """Have the system end this process by SIGPROF once it has spent so much more processor time, where it can; never if None."""
+    if sys.platform != "win32":
+        signal.setitimer(signal.ITIMER_PROF, seconds or 0.0)
+
+
 def _working_set() -> int | None:
     """Return the working set of this process on Windows (bytes)."""
     import ctypes

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 import os
 import queue
+import signal
 import subprocess
 import sys
 import threading
@@ -39,6 +40,8 @@ MOST_GROWN = 256
 REPLACED_AFTER = 2000
 MOST_BYTES = 64 * 2**20  # of one answer; a page has about 40 kB, a report with its graphs a few MB
 AHEAD = 2  # most jobs per worker that are drawn and not yet answered
+# How a process ends that has spent its budget: by its own watch, or by the system's clock of its processor time.
+_SPENT = (WRONG_INPUT, -getattr(signal, "SIGPROF", -WRONG_INPUT))
 _ENDING = 2.0  # s in which a process without a job may remove its temporary files
 _PACE = 0.5  # s between two checks for an interrupt, which an endless wait would not notice on Windows
 _START = "import sys; sys.path[:] = sys.argv[1:]; from coursework.system.processes.pool_process import main; main()"
@@ -51,8 +54,9 @@ class Trade(Generic[Job, Answer]):
     `place` is "module:function".  Each process calls this function with the plain `setup`; it returns a context manager whose
     value is a function from a plain job to an `answer`.
     `unanswered(job, final)` makes the answer for a job without one.  `final` is True if the process was silent for more than
-    `seconds`, ended itself because its budget was spent, or was dropped: such a job is not tried again.  It is False if the
-    process died in each of `tries` tries, each in a new process.  `memory` (MiB) limits the address space, where possible.
+    `seconds`, was ended because its budget was spent, or was dropped: such a job is not tried again.  It is False if the
+    process died in each of `tries` tries, each in a new process.  `memory` (MiB) limits the address space and `processor` (s)
+    the processor time of a job, where possible; `seconds` are those of the clock, which a busy machine spends on others.
     """
 
     place: str
@@ -60,6 +64,7 @@ class Trade(Generic[Job, Answer]):
     answer: type[Answer]
     unanswered: Callable[[Job, bool], Answer]
     seconds: float | None = None
+    processor: float | None = None
     memory: int | None = None
     tries: int = 2
     quiet: bool = True  # discard what a process writes to standard error
@@ -95,7 +100,7 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
                     self._answered, self._grown = self._answered + 1, answered.grown
                     return answer
                 self.ended += 1
-                if self._end() == WRONG_INPUT or self._late or self._dropped:
+                if self._end() in _SPENT or self._late or self._dropped:
                     return self.trade.unanswered(job, True)
             return self.trade.unanswered(job, False)
 
@@ -144,7 +149,8 @@ class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]
         if self._child is None:
             self._start()
             seconds = seconds and seconds + STARTING
-            line = line_of(Opening(self.trade.place, plain_of(self.trade.setup), self.trade.memory)) + line
+            trade = self.trade
+            line = line_of(Opening(trade.place, plain_of(trade.setup), trade.memory, trade.processor, STARTING)) + line
         assert self._child is not None
         assert self._child.stdin is not None
         assert self._child.stdout is not None

@@ -14,17 +14,22 @@ from importlib import import_module
 from typing import Any, BinaryIO
 
 from coursework.system.frozen import frozen
-from coursework.system.processes.budget import MIB, limit_memory, memory_held
+from coursework.system.processes.budget import MIB, end_after, limit_memory, memory_held
 from coursework.system.processes.plain_lines import line_of, plain_of, read_line
 
 
 @frozen
 class Opening:
-    """The first line: the function of the trade as "module:function", its `setup`, and the limit of `memory` (MiB) or None."""
+    """The first line: the function of the trade as "module:function", its `setup`, and the limits, None for no limit.
+
+    These are `memory` (MiB), and `processor` time of a job (s), of which the first may take `starting` seconds more.
+    """
 
     trade: str
     setup: Any
     memory: int | None
+    processor: float | None
+    starting: float
 
 
 @frozen
@@ -42,9 +47,12 @@ def serve(lines: BinaryIO, answers: BinaryIO) -> None:
     with getattr(import_module(module), name)(opening.setup) as work:
         if opening.memory:
             limit_memory(opening.memory)
-        at_first = 0
+        at_first, more = 0, opening.starting
         for line in lines:
+            end_after(opening.processor and opening.processor + more)
             answer = work(json.loads(line))
+            end_after(None)
+            more = 0.0
             held = (memory_held() or 0) // MIB
             at_first = at_first or held
             answers.write(line_of(Answered(max(0, held - at_first), plain_of(answer))))

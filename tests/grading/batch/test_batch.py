@@ -187,6 +187,7 @@ def test_killers_hangs_and_hogs_are_told_apart_and_stop_nobody_else(tmp_path, mo
     for student in ("a", "b", "killer", "c", "hang", "d", "hog", "e", "once"):
         hand_in(source / student)
     monkeypatch.setattr(workers, "OPENED", "tests.grading.batch.hostile_child:opened")
+    monkeypatch.setattr(workers, "SLOWER", 1.0)  # one that sleeps spends no processor time
     monkeypatch.setenv("COURSEWORK_TEST_ONCE", str(tmp_path / "once"))
     monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parents[3]))
     done = grade(source, out, "--limit", "3", "--jobs", "2")

@@ -81,6 +81,7 @@ TEXTS = {
     "a loop derived by a program": "diff(r1*sin(phi1(t)) + r2*sin(phi2(t)) + r3*cos(phi3(t)), t) == 0",
     "a loop with a prime": "(r1 sin φ1 + r2 sin φ2 + r3 cos φ3)' = 0",
     "a loop with a name": "F = r1*sin(phi1) + r2*sin(phi2) + r3*cos(phi3)\ndF/dt = 0",
+    "a square": r"V_{My}\left(\sin^{2}\varphi_3 + \cos^{2}\varphi_3\right) = r_3\omega_3(2\cos\varphi_3 + \sin\varphi_3)",
     "degrees by words": "r3*w3*Sin[phi3 Degree] - r2*w2*cos(deg2rad(phi2)) - r1*w1*cos(Math.toRadians(phi1)) = 0",
 }
 
@@ -112,6 +113,24 @@ A[1] = [0, 0, 2*r3*s[2] - r3*c[2], r3/2]
 A[2] = [r1*s[0], r2*s[1], r3*c[2], -r3/2]
 A[3] = [-r1*c[0], -r2*c[1], r3*s[2], 0]
 w = np.linalg.solve(A, b)"""
+C_ARRAY = """double A[2][2] = {{r1*sin(phi1), r2*sin(phi2)}, {r1*cos(phi1), r2*cos(phi2)}};
+double b[2] = {r3*w4/2 - r3*w3*cos(phi3), r3*w3*sin(phi3)};
+double x[2];
+solve(A, b, x);
+double w1 = x[0], w2 = x[1];
+w3 = VMy/(r3*(2*cos(phi3) + sin(phi3)));
+w4 = 2*w3*(cos(phi3) - 2*sin(phi3));"""
+C_CELLS = """A[0][0] = r1*sin(phi1); A[0][1] = r2*sin(phi2); b[0] = r3*w4/2 - r3*w3*cos(phi3);
+A[1][0] = r1*cos(phi1); A[1][1] = r2*cos(phi2); b[1] = r3*w3*sin(phi3);
+gauss(2, A, b, w); w1 = w[0]; w2 = w[1];
+w3 = VMy/(r3*(2*cos(phi3) + sin(phi3)));
+w4 = 2*w3*(cos(phi3) - 2*sin(phi3));"""
+IN_LETTERS = re.sub(r"phi(\d)|w([123])\b", lambda m: "αβγ"[int(m[1] or m[2]) - 1] + "\u0307" * (not m[1]), PLAIN["v102"])
+R_0 = """VMx + a*w[3]*sin(phi[3]) + c*w[3]*cos(phi[3]) + (R[0] + R[4])*wc*sin(theta) = 0
+VMy - a*w[3]*cos(phi[3]) + c*w[3]*sin(phi[3]) - (R[0] + R[4])*wc*cos(theta) = 0
+R[4]*w[4] = (R[0] + R[4])*wc
+VMx + a*w[3]*sin(phi[3]) + r[2]*w[2]*sin(phi[2]) + r[1]*w[1]*sin(phi[1]) = 0
+VMy - a*w[3]*cos(phi[3]) - r[2]*w[2]*cos(phi[2]) - r[1]*w[1]*cos(phi[1]) = 0"""
 WORKS = {
     "letters for the angles": ("v102", "обозначим φ1 = α, φ2 = β, φ3 = γ\n" + re.sub(r"phi(\d)", lambda m: "αβγ"[int(m[1]) - 1],
                                re.sub(r"w([123])\b", r"phi\1'", PLAIN["v102"]))),
@@ -119,6 +138,14 @@ WORKS = {
                       PLAIN["v102"]).replace("VMx + a*w3*sin(γ) + c", "V1*sin(p*t + α) + a*γ'*sin(γ) + c")),
     "and the phase in one line": ("v102", "α, β, γ - углы звеньев 1, 2, 3\n" + re.sub(r"phi(\d)", lambda m: "αβγ"[int(m[1]) - 1],
                                   PLAIN["v102"]).replace("VMx + a*w3*sin(γ) + r2", "V1*sin(p*t + α) + a*γ\u0307*sin(γ) + r2")),
+    "letters in LaTeX": ("v102", r"$\varphi_1=\alpha$, $\varphi_2=\beta,\ \varphi_3=\gamma$" + f"\n{IN_LETTERS}"),
+    "letters of links, glued": ("v102", "α for link 1, β für das Glied 2\nγ — угол звена №3\n" + IN_LETTERS.replace("*", "")),
+    "a law without brackets among letters": ("v102", "α, β, γ - углы звеньев 1, 2, 3\n" + IN_LETTERS.replace(
+        "VMx + a*γ\u0307*sin(γ) + r2", "V1 sin pt+α + a*γ\u0307*sin(γ) + r2")),
+    "a law without brackets": ("v102", PLAIN["v102"].replace("VMx + a*w3*sin(phi3) + c", "V1 sin pt+α + a*w3*sin(phi3) + c")
+                               .replace("VMx + a*w3*sin(phi3) + r2", "V1 sin α + p·t + a*w3*sin(phi3) + r2")),
+    "an array of C": ("31", C_ARRAY), "cells of C": ("31", C_CELLS),
+    "R0 counts nothing from 0": ("v108", R_0),
     "some behind a long dash": ("31", re.sub(r"(?m)^(?=-|2)", "– ", PLAIN["31"])),
     "counted from 0": ("31", re.sub(r"\b(phi|w|r)(\d)", lambda m: f"{m[1]}[{int(m[2]) - 1}]", PLAIN["31"])),
     "drawn": ("31", f"{REST}\n{DRAWN}"),

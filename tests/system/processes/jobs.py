@@ -42,6 +42,10 @@ def opened(folder):
                 os._exit(7)
             case ["wait", seconds]:
                 time.sleep(float(seconds))
+            case ["compute", seconds]:
+                end = time.process_time() + float(seconds)
+                while time.process_time() < end:
+                    pass
             case ["until", there]:
                 while not Path(folder, there).exists():
                     time.sleep(0.01)

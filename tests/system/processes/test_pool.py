@@ -1,5 +1,6 @@
 """A pool loses no job, neither with its first worker nor with its second; its limits are where they are said to be."""
 
+import sys
 import threading
 import time
 
@@ -80,6 +81,15 @@ def test_a_process_may_take_its_time_to_start(tmp_path, monkeypatch, seconds, la
     monkeypatch.setattr(pool, "STARTING", 3.0)
     with Worker(trade(tmp_path, seconds=0.5)) as worker:
         assert (worker.answer(Job("a", f"wait {seconds}")).pid == -1) is late
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the system tells no process that its time is spent")
+@pytest.mark.parametrize(("does", "late"), [("wait 1", False), ("compute 0.2", False), ("compute 60", True)])
+def test_time_that_the_machine_spends_on_others_is_not_counted(tmp_path, does, late):
+    with Worker(trade(tmp_path, seconds=60, processor=0.5)) as worker:
+        worker.answer(Job("warm"))
+        assert (worker.answer(Job("a", does)).pid == -1) is late
+    assert len(begun(tmp_path, "a")) == 1
 
 
 @pytest.mark.parametrize(("mib", "enough"), [(100, True), (800, False)])

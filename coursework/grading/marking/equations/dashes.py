@@ -6,32 +6,50 @@ Enters: lines, each with its possible readings.  Leaves: the lines as they may b
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from coursework.grading.reading.equations.line_kinds import dash_apart
 from coursework.grading.reading.student_work import EquationLine, EquationReading
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
 
 _BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—−]"
 _DASHED, _CLOSELY = re.compile(rf"{_BEGINS}\s)"), re.compile(rf"{_BEGINS})")  # the second without a blank behind the dash
 _SIGNS = re.compile(r"[\s\-–—−(]*")
 
 
-def as_lists_or_minus(lines: Sequence[EquationLine]) -> Iterator[Sequence[EquationLine]]:
+def as_lists_or_minus(
+    lines: Sequence[EquationLine], is_right: Callable[[EquationLine], bool]
+) -> Iterator[Sequence[EquationLine]]:
     """Yield the lines with their dashes as marks of a list, if all lines have one, and as minus signs; else as they are.
 
     A dash without a blank behind it may be a mark too where every line begins with a dash, though a minus is likelier. So may
-    dashes before some lines only, if no other minus of the text is such a dash.
+    dashes before some lines only, if no other minus of the text is such a dash; any other before some lines is their minus, and
+    a question where only the other meaning is right: the layout does not tell what it is, nor does that the equation is right.
     """
     read = [line for line in lines if line.tree is not None]
     dashed = [_DASHED.match(line.text) is not None for line in read]
-    closely = all(_CLOSELY.match(line.text) for line in read)
-    if len(read) < 2 or not (closely or any(dashed)):
+    closely = len(read) > 1 and all(_CLOSELY.match(line.text) for line in read)
+    is_list = len(read) > 1 and all(dashed)  # one line is none
+    if not (closely or any(dashed)):
         yield lines
         return
     is_apart = dash_apart([line.text for line in read]) is not None
-    for is_minus in (False, True) if all(dashed) or is_apart else (True, False) if closely else (True,):
-        yield [_meant(line, is_minus, _CLOSELY if closely and not is_apart else _DASHED) for line in lines]
+    for is_minus in (False, True) if is_list or is_apart else (True, False) if closely else (True,):
+        dash = _CLOSELY if closely and not is_apart else _DASHED
+        meant = [_meant(line, is_minus, dash) for line in lines]
+        if any(dashed) and not is_list:
+            others = [_meant(line, not is_minus, dash) for line in lines]
+            asks = [one is not other and not is_right(one) and is_right(other) for one, other in zip(meant, others, strict=True)]
+            meant = [_asked(one) if is_asked else one for one, is_asked in zip(meant, asks, strict=True)]
+        yield meant
+
+
+def _asked(line: EquationLine) -> EquationLine:
+    """Return a line as a question to a person: is its dash a minus?"""
+    fault = Fault(say("fault.G068"), line.file, line.line, len(line.text) - len(line.text.lstrip()) + 1)
+    return replace(line, tree=None, repaired="", fault=fault, others=(), relates=True)
 
 
 def _meant(line: EquationLine, is_minus: bool, dash: re.Pattern[str]) -> EquationLine:

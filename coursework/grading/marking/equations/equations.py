@@ -100,9 +100,9 @@ class EquationMarks:
 
     @property
     def questions(self) -> tuple[EquationMark, ...]:
-        """Return the lines that could not be read and may earn points; empty if no equation is missing."""
-        missing = self.independent < self.needed
-        return tuple(mark for mark in self.marks if missing and mark.verdict == "unreadable" and mark.line.relates)
+        """Return the lines that could not be read and may earn points: all of them if none could; empty if none is missing."""
+        unread = [mark for mark in self.marks if mark.verdict == "unreadable" and self.independent < self.needed]
+        return tuple(mark for mark in unread if mark.line.relates or (len(unread) == len(self.marks) and not mark.line.is_prose))
 
     @property
     def unread(self) -> EquationMark | None:
@@ -148,7 +148,8 @@ class Judge:
 
     def mark(self, lines: Sequence[EquationLine], *, turning: bool = False) -> EquationMarks:
         """Return the marks of all lines; with `turning`, angular velocities may count clockwise in all of them."""
-        found = [self._marked(meant, turning) for meant in as_lists_or_minus(lines)]
+        lists = as_lists_or_minus(lines, lambda line: self._mark(line).verdict in COUNTED)
+        found = (self._marked(meant, turning) for meant in lists)
         return max(found, key=lambda marks: sum(mark.verdict in COUNTED for mark in marks.marks))
 
     def _marked(self, lines: Sequence[EquationLine], turning: bool) -> EquationMarks:

@@ -83,8 +83,10 @@ def _add_text(document: Document, text: str, place: Callable[[int], Sentence]) -
 def _add_plain(document: Document, text: str, first: int, place: Callable[[int], Sentence]) -> None:
     if _LIST_OF_FORMULAS.search(text):
         text = _ITEM.sub(r"\1", text)
+    is_code = False
     for number, line in enumerate(text.split("\n"), start=first):
-        if "=" not in line and "\\" not in line and "$" not in line:
+        is_code ^= line.lstrip().startswith("```")
+        if is_code or ("=" not in line and "\\" not in line and "$" not in line):
             document.add_line(line, place(number))
             continue
         bare = _MARKUP.sub("", line)

@@ -21,7 +21,7 @@ from coursework.grading.reading.documents.office.odt import document_of_odt, is_
 from coursework.grading.reading.documents.office.rtf import document_of_rtf, is_rtf
 from coursework.grading.reading.documents.page import document_of_latex, document_of_page, has_tables
 from coursework.grading.reading.documents.pdf.pdf import document_of_pdf, is_pdf
-from coursework.grading.reading.equations.equations import Names, names_for, names_of, read_line
+from coursework.grading.reading.equations.equations import Names, names_for, names_of
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.names_in_text import BUILT_IN
 from coursework.grading.reading.expected import Expected, Grid
@@ -30,13 +30,14 @@ from coursework.grading.reading.files.cells import Sheet
 from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.files.kinds import is_html
 from coursework.grading.reading.limits import Refused, bounds
-from coursework.grading.reading.student_work import EquationLine, EquationReading, Table
+from coursework.grading.reading.student_work import EquationLine, Table
 from coursework.grading.reading.table.parts import Origin, Part, parts_of
 from coursework.grading.reading.table.table import read_parts, weight
 from coursework.grading.reading.table.tables_of_file import parts_of_text
 
 _MOST_TEXTS = 200
 _TRIED = re.compile("[=:≈]")  # signs of equations and answers
+_GOES_ON = re.compile(r"(?:[*·+(]|\s[-−])\s*$|(?:\.{3}|…|\s_|&)\s*$")  # and ends in a later line
 _OPERATION = re.compile(r"[*·×^+]|(?:sin|cos)\b|[)\]]\s*=", re.IGNORECASE)
 _WORD = re.compile(r"[^\W\d_]{3,}")
 _FEWEST_WORDS = 4  # so many words that are not names make a sentence
@@ -124,7 +125,7 @@ def lines_of_document(document: Document, name: str, expected: Expected) -> Line
     names = names_for(expected)
 
     def placed(line: EquationLine) -> EquationLine | None:
-        return _placed(_with_bullet(line, names), document.lines[line.line - 1], names)
+        return _placed(line, document.lines[line.line - 1], names)
 
     lines = read_lines("\n".join(_tried(document.lines)), name, expected, kept=placed)
     if all(line.may_be_datum for line in lines.equations):
@@ -137,19 +138,9 @@ def _tried(lines: Sequence[DocumentLine]) -> Iterator[str]:
     depth = 0
     for line in lines:
         begun = depth + line.text.count("\\begin")
-        yield line.text if begun > 0 or line.is_formula or _TRIED.search(line.text) else ""
+        is_begun = _OPERATION.search(line.text) and _GOES_ON.search(line.text)
+        yield line.text if begun > 0 or line.is_formula or is_begun or _TRIED.search(line.text) else ""
         depth = max(0, begun - line.text.count("\\end"))
-
-
-def _with_bullet(line: EquationLine, names: Names) -> EquationLine:
-    """Return a line that begins with "- " with the reading in which this is the mark of a list added."""
-    if not line.text.startswith("- "):
-        return line
-    bare = read_line(line.text[2:], line.file, line.line, names)
-    if bare.tree is None:
-        return line
-    other = EquationReading(bare.tree, bare.repaired or bare.text)
-    return replace(line, others=(*line.others, other)) if line.tree is not None else replace(bare, text=line.text)
 
 
 def _placed(line: EquationLine, at: DocumentLine, names: Names) -> EquationLine | None:

@@ -15,7 +15,7 @@ from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any,
 from coursework.variant.record.variant import Variant
 
 _CONVERSION = re.compile(
-    r"\b(?:\w{1,20}\.)?(?:to_?radians|radian[st]?|deg_?2_?rad|deg_?to_?rad|РАДИАНЫ|РАДІАНИ|RADIANES|BOGENMASS)\s*(?=\()",
+    r"\b(?:\w{1,20}\.)?(?:to_?radians|rad(?:ian[st]?)?|deg_?2_?rad|deg_?to_?rad|РАДИАНЫ|РАДІАНИ|RADIANES|BOGENMASS)\s*(?=\()",
     re.IGNORECASE,
 )
 _OF_DEGREES = re.compile(r"\b(sin|cos|tan)_?d(?:eg)?(?=\s*\(|\s+\w|\d)", re.IGNORECASE)  # cosd(phi3) in MATLAB, Julia, Fortran

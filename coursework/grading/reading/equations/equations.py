@@ -34,6 +34,7 @@ WORD = re.compile(r"[^\W\d]\w*")
 LETTER = re.compile(r"(?<![A-Za-z])\\?([^\W\d_]|[a-z]{3,5})(?![A-Za-z0-9_])(\u0307)?")
 _PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # the parts of names written without a sign between them
 OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
+_SUM = re.compile(r"\b(?:sin|cos)\s+([\w\s*]{1,20}[-+]\s*)$", re.IGNORECASE)  # the argument of a function without brackets
 _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 DASH = re.compile(r"^\s*[-–—−]\s*")
 # A name and the formula of a residual, as in F(2) = r1*w1…, which is handed to a root finder.
@@ -110,7 +111,9 @@ def _apart(text: str, names: Names, before: Names) -> str:
 
 
 def _around(text: str, place: int) -> str:
-    """Return what stands in the innermost brackets around a place, "" outside of all."""
+    """Return what stands in the innermost brackets around a place; outside of all the sum that it ends, sin pt + α, or ""."""
+    if (sum_ := _SUM.search(text[:place])) is not None:
+        return sum_[1] + text[place]
     inside = depths(text)
     begin = next((at for at in range(place, -1, -1) if inside[at] < inside[place]), -1) + 1
     end = next((at for at in range(place, len(text)) if inside[at] < inside[place]), 0)
@@ -164,7 +167,7 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
     """Return the equations that a chain of sides a = b = c means: each side equals the last readable one.  A fault if none.
 
     A non-zero number at the end of a longer chain is the value in some row and is dropped.  If a side cannot be read, the
-    readings are loose, unless that side is one name, which labels the sum: V_Cy = … = 0.
+    readings are loose, unless that side is one name, which labels the sum: V_Cy = … = 0; if it has a sine, there are none.
     """
     texts = sides.texts
     if len(texts) == 2:
@@ -176,7 +179,8 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
     is_loose = any(text not in kept for text in texts if not OWN_NAME.fullmatch(text.strip()))
     while len(kept) > 2 and _NUMBER.fullmatch(kept[-1]) and float(kept[-1].replace(" ", "")):
         kept.pop()
-    if len(kept) < 2 or all(OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):
+    is_lost = any(TURNED.search(text) for text in texts if text not in kept)  # a formula of the line would be passed over
+    if is_lost or len(kept) < 2 or all(OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):
         read = _strict(" = ".join(texts), names)
         assert isinstance(read, Fault)  # no equation has three sides
         return read

@@ -24,7 +24,7 @@ _LABEL = re.compile(
     re.IGNORECASE,
 )
 _LABEL_AT_END = re.compile(
-    r"(?:\s|(?<![.…])(?=[.…]{3}))(?:[-–—.…]+\s*)?(?:[(\[/<](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]/>]"
+    r"(?:\s|(?<=[,;])|(?<![.…])(?=[.…]{3}))(?:[-–—.…]+\s*)?(?:[(\[/<](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]/>]"
     rf"|(?i:{_WORD})[\s.№]*\(?\d{{1,3}}\)?|(?:—|--)\s?\d{{1,3}})\s*$"
 )
 _VANISHES = re.compile(r"(=\s*0(?:[.,]0+)?)(?!\w|[.,]\d)(?!\s*[-+*/^])")
@@ -165,7 +165,7 @@ def _without(label: re.Pattern[str], text: str) -> str:
 def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     """Return an equation without the remark or unit behind it, such as "= 0, since C keeps its height"."""
     if found := _VANISHES.search(text):
-        return text[: found.end()]
+        return text[: found.end()] if not relates_two_sides(text[found.end() :]) else text
     text = _SAYS_SO.sub("", _TO_BE_DONE.sub("", text))
     aside = _ASIDE_AT_END.search(text)
     if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and not is_name(said[0]):

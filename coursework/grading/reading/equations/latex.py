@@ -33,6 +33,7 @@ _DROPPED = re.compile(
 )
 _ALIGNED = re.compile(r"&\s*=|=\s*&")
 _BOXED = re.compile(r"^\s*\\(?:boxed|fbox)\s*\{(.*)\}([^{}]*)$")
+_PRIME, _POWER = re.compile(r"\^\s*\{?\s*(?:\\prime(?![A-Za-z])|')\s*\}?"), re.compile(r"\^\s*\{\s*(\d)\s*\}")
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
 _UPRIGHT = re.compile(
     r"\\(?:text|mathrm|mathit|mathsf|mathnormal|mathop|operatorname\*?|textit|textrm|textbf|rm|mathbf|boldsymbol|bm|mbox|hbox|vec"
@@ -117,6 +118,7 @@ def without_latex(text: str) -> str:
     """
     if "\\" not in text:
         return text.replace("&", " ") if _ALIGNED.search(text) else text
+    text = _PRIME.sub("'", _POWER.sub(r"^\1 ", text))
     text = _SPACE.sub(" ", _DROPPED.sub(" ", _BOXED.sub(r"\1\2", text)))
     text = _UPRIGHT.sub(_upright, text.replace("{,}", ","))
     text = _COMMAND.sub(lambda found: _sign(found[0]), text)

@@ -1,4 +1,4 @@
-"""What a student calls the angles, "α = φ1, β = φ2" or "α, β - angles of links 1, 2" -> spellings of the task's names.
+"""What a student calls the angles, "α = φ1", "α, β - angles of links 1, 2", "α for link 1" -> spellings of the task's names.
 
 Enters: the pieces of a text, `Names`.  Leaves: `Names` with these spellings, and the pieces without the legend.
 Used by `lines.py`.
@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from coursework.grading.reading.equations.equations import Names
+from coursework.grading.reading.equations.latex import without_latex
 from coursework.grading.reading.equations.names_in_text import Spellings, plain_name
 from coursework.grading.reading.equations.signs import plain_signs
 from coursework.variant.formula.alphabet import spell
@@ -20,6 +21,11 @@ _SAME = re.compile(rf"(?:(?:[^\W\d_]{{3,20}}\b|[-–•*])[\s:,(]*){{0,6}}{_NAME
 _ANGLES = r"(?:angles?|углы|угол|кути|кут|Winkel|angles|ángulos)"
 _LISTED = re.compile(
     rf"((?:{_NAME},\s*){{1,9}}{_NAME})\s*[-–:,]?\s[^=*+/]{{0,40}}\b{_ANGLES}\b[^=*+/\d]{{0,40}}\b((?:\d,\s*){{1,9}}\d)\b.*", re.I
+)
+_OF_LINK = re.compile(
+    rf"{_NAME}\s*[-–:(]?\s*(?:{_ANGLES}\s+(?:[^\W\d]+\s+){{0,3}}|(?:for|of|für|для|pour)\s+(?:[^\W\d]+\s+)?)?"
+    r"(?:link|bar|rod|звен|ланк|Glied|Stab|barre|barra|构件|杆)[^\W\d]*\s*№?\s*(\d)\)?(?:\s*[.,;]\s*|$)",
+    re.I,
 )
 _GREEK = ("alpha", "beta", "gamma", "delta", "theta", "psi", "chi", "eta", "zeta", "xi", "epsilon", "eps", "phi")
 _MOST_CHARACTERS = 300
@@ -45,15 +51,19 @@ def with_legend(lines: Sequence[tuple[int, str]], names: Names) -> tuple[Names, 
 
 def _pairs(line: str, spellings: Spellings) -> Iterator[tuple[str, str]]:
     """Yield (name of the student, coordinate) of a line that says nothing else."""
-    text = plain_signs(line[:_MOST_CHARACTERS]) if len(line) <= _MOST_CHARACTERS else ""
+    text = plain_signs(without_latex(line)).strip() if len(line) <= _MOST_CHARACTERS else ""
     if same := _SAME.fullmatch(text):
         for name, other in (same.groups(), same.groups()[::-1]):
             meant = spellings.angle(other)
             if meant in spellings.rates and meant in spellings.known and _is_free(name, spellings):
                 yield name, meant
                 return
-    elif listed := _LISTED.fullmatch(text):
-        own, numbers = re.findall(r"\w+", listed[1]), re.findall(r"\d", listed[4])
+    else:
+        listed, of_links = _LISTED.fullmatch(text), _OF_LINK.findall(text)
+        own, numbers = (re.findall(r"\w+", listed[1]), re.findall(r"\d", listed[4])) if listed else ([], [])
+        if of_links and not _OF_LINK.sub("", text):
+            own, numbers = [name for name, _ in of_links], [number for _, number in of_links]
+            own *= all(spell(name).rstrip("0123456789_") in _GREEK for name in own)  # L of link 1 is a length
         angles = [spellings.angle(f"phi{number}") for number in numbers]
         pairs = [(name, angle) for name, angle in zip(own, angles, strict=False) if angle in spellings.rates and angle]
         yield from pairs if len(own) == len(numbers) == len(pairs) and all(_is_free(one, spellings) for one in own) else ()

@@ -36,6 +36,8 @@ _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # in V_Cy = … = 0, wh
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
 _COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # the number of a line in a list: 1.1, L2
 _LONG_DASH = re.compile(r"\s*[–—]\s+")
+APART = re.compile(r"^\s*[-–—−]\s+")  # a dash with a blank behind it: the mark of an item, or a minus
+_SLASHES = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
 _CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
 _CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
@@ -45,7 +47,7 @@ _FEWEST = 4  # an expression has more words than this, so that it is not prose
 
 # Statements of a program that are not equations: it asks, repeats, calls, prints, stops, counts; also the time of a row.
 _STATEMENT = re.compile(
-    r"(?:In\[\d+\]:=\s*)?(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[][\w\s,;\[\]{}\\]*[)\]][^=]*$|(?:if|for|while|else|elseif|function|raise|throw|error|exit|import|from|begin)\b[^=]*(?:[=(\[{].*)?$"
+    r"(?:In\[\d+\]:=\s*)?(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[][\w\s,;\[\]{}\\]*[)\]][^=]*$|(?:if|for|do|while|else|elseif|function|raise|throw|error|exit|import|from|begin)\b[^=]*(?:[=(\[{].*)?$"
     r"|[A-Z]\w{1,40}\s\w{1,20}\s*=\s*\w{1,40}\(.*\);?$"
     # It adds to a variable, makes vectors of numbers and names, unpacks them, defines functions, calls an integrator.
     r"|\w{1,20}\s*[-+*/]=|(?P<same>[^\W\d]\w{0,19})\s*:?=\s*(?P=same)\s*\+"
@@ -127,8 +129,17 @@ def _is_mostly_names(text: str, names: Names) -> bool:
     return len(strange) <= 1 and bool(names_in(text, names.spellings) & {*names.expected.variant.sought}) and len(words) > _FEWEST
 
 
+def parted(text: str, names: Names) -> str:
+    """Return a line with semicolons for the signs // between its equations; what stands behind // is else a remark."""
+    pieces = _SLASHES.split(text) if "//" in text and len(text) <= reader.MAX_CHARACTERS else []
+    named = [names_in(piece, names.spellings) if relates_two_sides(piece) else set[str]() for piece in pieces]
+    return "; ".join(pieces) if all(len(one) > 1 and one & {*names.expected.variant.sought} for one in named) and pieces else text
+
+
 def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.Pattern[str] | None:
     """Return the pattern of the marks of lines: a dash, growing numbers and a comma, numbers that count up by one; None if none.
+
+    A dash before some lines only may be a mark or a minus, and is read as both.
 
     >>> texts = ["- a = b", "- c = d"], ["1.1 a = b", "1.2 c = d"], ["2 a = b", "0.5 c = d"]
     >>> [bool(sign_of_list(lines, {"r1"}.__contains__)) for lines in texts]
@@ -144,7 +155,9 @@ def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.P
     begun = [found for line in lines if (found := _COUNT.match(line)) and not (found[1] and is_name(found[1] + found[2]))]
     numbers = [([found[1], *found[2].split(".")[:-1]], int(found[2].rpartition(".")[2])) for found in begun]
     steps = [(one[0] == other[0], other[1] - one[1]) for one, other in pairwise(numbers)]
-    return _COUNT if steps and all(step == (True, 1) for step in steps) else None
+    if steps and all(step == (True, 1) for step in steps):
+        return _COUNT
+    return APART if any(APART.match(without_labels(line)) for line in lines) else None
 
 
 def dash_apart(lines: Sequence[str]) -> str | None:

@@ -26,6 +26,7 @@ from coursework.grading.reading.equations.line_kinds import (
     is_step,
     no_velocity,
     own_name,
+    parted,
     sign_of_list,
     without_line_numbers,
 )
@@ -49,9 +50,9 @@ _BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)
 # Of a table, with nothing but numbers.
 _ROW = re.compile(r"^[-+−]?\d[^;\t ,\n]*+(?:[;\t ]|,[^,\n]*+,)[-+−\d.,eE;\t ]*+$", re.MULTILINE)
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
-_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
+_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\|\s_)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&|\s_))\s*$")
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
-_GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
+_GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&|\s_)\s*$")
 _BARE = re.compile(r"[^-+/−–\s]+")  # the names of a line with no other sign: "vC/a -"
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
@@ -155,15 +156,14 @@ def _written(text: str, names: Names) -> Iterator[tuple[int, str]]:
             meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 in calc_w3
             function = f"{meant[0] if len(meant) == 1 else called} = "
             line = defined[3] or ""
-        bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
+        bare = _REMARK.sub("", _NUMBERED.sub("", parted(line, names)).partition("#")[0]).strip()
         bare = bare if '_"' in bare else _KEY.sub("", bare).strip(_QUOTES + " ,")  # but V_"Mx" has an index in Typst
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if (under := _KEPT.match(bare)) and (under[3] or names.spellings.angle(under[1] + under[2]) is None):
             bare = bare[under.end() :]
         if is_statement(bare, names.expected.variant.sought):
             continue
-        bare = bare.strip("'") if bare.startswith("'") else bare
-        bare = of_row(bare)
+        bare = of_row(bare.strip("'") if bare.startswith("'") else bare)
         if returned := _RETURNED.match(bare):
             rest = bare[returned.end() :]  # a list of residuals is not the value of a name
             is_value = TURNED.search(rest) or function.partition(" ")[0] in names.expected.variant.sought

@@ -25,7 +25,8 @@ _TURNING = re.compile(r"(?:theta|psi|alpha|beta|gamma|q|f|fi|th|ph)(\d+)")
 
 @frozen
 class Spellings:
-    """The declared names (`known`), other spellings of them (`others`, folded), the rate of each coordinate, the names of `data`.
+    """The declared names (`known`), other spellings of them (`others`, folded), the rate of each coordinate, the names of `data`
+    and of `angles`, data or not.
 
     `rates` also has angles of which the variant declares only the velocity: phi4 has the rate w4.  `own` are names that the text
     itself defines, with their formulas as far as known: a P of the student is not the datum p.
@@ -36,6 +37,7 @@ class Spellings:
     rates: dict[str, str]
     data: frozenset[str] = frozenset()
     own: Mapping[str, Formula | None] = field(default_factory=dict)
+    angles: frozenset[str] = frozenset()
 
     def canonical(self, name: str) -> str | None:
         """Return the declared name that a spelling means, None if it means none."""
@@ -115,4 +117,8 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     for spelling, name in [*known.items()]:  # a rate by the name of its coordinate: w_theta
         for symbol in ("w", "omega", "om") if units.get(name) == "rad" else ("v",) if name in units else ():
             known.setdefault(symbol + spelling, rates[name])
-    return Spellings(frozenset((*names, *BUILT_IN)), known, rates, frozenset(entry.name for entry in variant.given))
+    angles = {name for name, unit in units.items() if unit == "rad"} | {
+        entry.name for entry in variant.given if entry.si == "rad"
+    }
+    data = frozenset(entry.name for entry in variant.given)
+    return Spellings(frozenset((*names, *BUILT_IN)), known, rates, data, angles=frozenset(angles))

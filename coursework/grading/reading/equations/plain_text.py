@@ -18,7 +18,7 @@ from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.tree import constant
 from coursework.variant.record.variant import Variant
 
-_PREFIX = re.compile(r"\b(?:std::|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
+_PREFIX = re.compile(r"\b(?:[A-Za-z]\w{0,8}::(?=[A-Za-z])|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
 # A point between names multiplies (as in France) if the line has no other product sign; else a field follows it, par.r1.
 _POINT = re.compile(r"((?<![^\W\d])[^\W\d]\w{0,40}|[\d)])\.(?=([^\W\d]\w{0,40}|\())")
 _BY_POINT = re.compile(r"(?<![\w.])([^\W\d]{1,7})\.(\w{1,4})(?![\w.]|\((?!\s*t\s*\)))")  # an index in Mathcad: ω.3, V.My
@@ -38,12 +38,12 @@ _DERIVATIVES = (
     re.compile(r"([^\W\d]\u0307(?:\w|\{\w{0,9}\}){0,40})"),
     re.compile(r"\b([^\W\d]\w{0,40}?_?dot(?:_?\d{1,3})?)\b"),
     re.compile(rf"\bdot[\s_]*\(?\s*{_NAME}\s*\)?"),
-    re.compile(rf"'?\b(?:diff|D|Diff|der)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
+    re.compile(rf"'?\b(?:diff|D|Diff|der|Derivative)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
     re.compile(rf"{_NAME}\.diff\(\s*t\s*\)"),
     re.compile(rf"\bd_?{_NAME}_?dt\b"),
     re.compile(rf"\bD_?{_NAME}"),
 )
-_GLUED = re.compile(r"(|.*[\w}])((?:[φϕθ]|phi|theta)\u0307?_?\d{1,2})(|sin|cos|tg|tan)")
+_GLUED = re.compile(r"(|.*[\w}])((?:[φϕθ]|phi|theta)\u0307?_?\d{1,2}|[^\W\d]\u0307_?\d{0,2})(|sin|cos|tg|tan)")
 # As programs name derivatives, unless it is a name of the variant: dphi3, phi3p, thd3, phi3_t.
 _SHORT_DERIVATIVES = (
     re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dp]\b"),
@@ -65,7 +65,7 @@ _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(
 _OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*(?:t|\w+\s*,[\w\s,]{1,60})\s*\)|\[\s*t\s*\])")
 _OF_ROW = re.compile(r"(?<![\w.])([^\W\d]\w*(?:\[\s*\d{1,2}\s*\])?)(?:\s?\[\s*[ijkn]\s*\]|\(i\))")
 _ARC = re.compile(r"(?<!\w)[a𝑎](sin|cos|tan)")
-_LAMBDA = re.compile(r"=\s*(?:lambda\b[\w\s,]{0,60}:|@\s*\([\w\s,]{0,60}\))")  # in Python, in MATLAB
+_LAMBDA = re.compile(r"(^\s*|=\s*)lambda\b[\w\s,]{0,60}:(?!.*=)|(=\s*)@\s*\([\w\s,]{0,60}\)")  # in Python, in MATLAB
 _METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() in Rust
 _DEGREE = r"(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)"
 _DEGREES = re.compile(rf"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{{1,3}}(?:[.,]\d{{1,9}})?)\s*{_DEGREE}")
@@ -78,7 +78,7 @@ _OF_A_NUMBER = re.compile(rf"(?<![\w.,])\d+(?:[.,]\d+)?(?:\s*[·⋅*]?\s*{_UNIT}
 _OF_A_NAME = re.compile(rf"(?<=[\w)])\s*\[\s*({_UNIT})\s*\]")
 _ROOT = re.compile(r"√\s*(\d+(?:[.,]\d+)?|[^\W\d]\w*)")
 _OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # in StarMath; TeX's \over divides the whole group
-_EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # an equation in SymPy
+_EQUATION = re.compile(r"\bEq(?:uality)?\s*\((.*),([^,]*)\)\s*$")  # an equation in SymPy
 _POWER = re.compile(r"\bpow\s*\(((?:[^(),]|\([^()]*\))*),\s*(\d)\s*\)")
 
 
@@ -91,7 +91,7 @@ def plain(text: str, spellings: Spellings) -> str:
     text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
     text = _METHOD.sub(r"\2(\1)", text)
     text = with_factors(_DEGREES.sub(r"\1(\2*pi/180)", of_minutes(text)))
-    text = _LAMBDA.sub("= ", _ROOT.sub(r"sqrt(\1)", text).replace("√", "sqrt"))
+    text = _LAMBDA.sub(r"\1\2 ", _ROOT.sub(r"sqrt(\1)", text).replace("√", "sqrt"))
     text = _OF_ROW.sub(lambda found: _of_row(found, spellings), text)
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)

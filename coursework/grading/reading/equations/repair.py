@@ -8,6 +8,7 @@ Used by `equations.py`.
 from __future__ import annotations
 
 import re
+from collections.abc import Set
 from functools import cache
 from typing import NamedTuple
 
@@ -74,7 +75,7 @@ def _side(text: str, spellings: Spellings, closely: bool) -> str:
     pieces = [(str(found.lastgroup), found[0]) for found in _TOKEN.finditer(text)]
     spelled = {piece: _spelled(*piece, spellings) for piece in dict.fromkeys(pieces)}  # each name is looked up once
     tokens = [token for piece in pieces for token in spelled[piece]]
-    return _written(_applied(_joined(tokens, spellings)), closely)
+    return _written(_applied(_joined(tokens, spellings), spellings.angles), closely)
 
 
 def is_name(word: str, spellings: Spellings) -> bool:
@@ -154,7 +155,7 @@ def _joined(tokens: list[_Token], spellings: Spellings) -> list[_Token]:
     return joined
 
 
-def _applied(tokens: list[_Token]) -> list[_Token]:
+def _applied(tokens: list[_Token], angles: Set[str]) -> list[_Token]:
     """Return the tokens with each function's argument in parentheses and a function's power moved behind the argument."""
     out: list[_Token] = []
     powers: list[tuple[int, str]] = []  # pending powers of functions, with the level where each goes
@@ -165,7 +166,7 @@ def _applied(tokens: list[_Token]) -> list[_Token]:
         level += {"(": 1, ")": -1}.get(token.text, 0)
         if token.kind == "function":
             power, place = _power(tokens, place)
-            argument, place = _argument(tokens, place)
+            argument, place = _argument(tokens, place, angles)
             out += [_Token("sign", "("), token] if power else [token]
             out += argument
             if power and argument:
@@ -190,17 +191,36 @@ def _power(tokens: list[_Token], place: int) -> tuple[str, int]:
     return "", place
 
 
-def _argument(tokens: list[_Token], place: int) -> tuple[list[_Token], int]:
-    """Return a function's argument with parentheses added ([] if it has its own), and the place behind it."""
+def _argument(tokens: list[_Token], place: int, angles: Set[str]) -> tuple[list[_Token], int]:
+    """Return a function's argument with parentheses added ([] if it has its own), and the place behind it.
+
+    An angle that is added behind it, sin pt + α, belongs to the argument: no velocity equation has an angle as a term.
+    """
+    end, _ = _term(tokens, place, angles)
+    if end == place:
+        return [], place
+    while end < len(tokens) and tokens[end].text in {"+", "-"}:
+        after, is_angle = _term(tokens, end + 1, angles)
+        behind = tokens[after] if after < len(tokens) else _Token("sign", "")
+        if not is_angle or behind.kind != "sign" or behind.text in {"*", "/", "^", "("}:
+            break
+        end = after
+    return [_Token("sign", "("), *tokens[place:end], _Token("sign", ")")], end
+
+
+def _term(tokens: list[_Token], place: int, angles: Set[str]) -> tuple[int, bool]:
+    """Return the end of numbers and a name, or a name and the time, pt, from a place on; and whether they are an angle."""
     end = place
     while end < len(tokens) and tokens[end].kind == "number":
         end += 1
-    if end < len(tokens) and tokens[end].kind == "name":
-        end += 1
-    if end == place:
-        return [], place
-    inside = tokens[place:end]
-    return [_Token("sign", "("), *inside, _Token("sign", ")")], end
+    if end == len(tokens) or tokens[end].kind != "name":
+        return end, False
+    name, end = tokens[end].text, end + 1
+    other = end + (end < len(tokens) and tokens[end].text == "*")
+    is_of_time = other < len(tokens) and tokens[other].kind == "name" and "t" in {name, tokens[other].text}
+    if is_of_time and name not in angles:
+        return other + 1, True
+    return end, name in angles
 
 
 def _written(tokens: list[_Token], closely: bool) -> str:

@@ -31,7 +31,7 @@ ARROWS = re.compile(
     r"|\\(?:Rightarrow|Longrightarrow|implies|rightarrow|longrightarrow|to|Leftrightarrow|iff|therefore|leadsto)(?![A-Za-z])"
 )
 _IN_TEX = r"\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])"
-_RELATION = re.compile(rf"[=≡≈≅≃≐≔≝⩴⩵⩶＝]|{_IN_TEX}|\bEq\s*\(|(?<=[\w\])])\s*<-\s")
+_RELATION = re.compile(rf"[=≡≈≅≃≐≔≝⩴⩵⩶＝]|{_IN_TEX}|\bEq(?:uality)?\s*\(|(?<=[\w\])])\s*<-\s")
 _EQUALS = re.compile(rf"(?<![<>!]):=|={{2,}}|{_IN_TEX}|(?<=[\w\])])\s*<-(?=\s)")  # <- in R
 _WORDS = re.compile(
     r"\b(?:is\s+equal\s+to|equals|равно|равна|равен|дорівнює|ist\s+gleich|gleich|est\s+égale?\s+à|es\s+igual\s+a)\b|等于|等於",
@@ -64,6 +64,7 @@ def plain_signs(text: str) -> str:
     text = _OF_NO_KEYBOARD.sub(lambda found: _plain(found[0]), text)
     text = _RAISED.sub(lambda found: "^" + "".join(_SUPERSCRIPTS[digit] for digit in found[0]) + " ", text)
     text = re.sub(rf"([^\W\d])[\s]*(?:{_DOT}|˙)", rf"\1{_DOT}", text)
+    text = re.sub(rf"([^\W\d_])(_?\d{{1,2}})(?:{_DOT}|˙)", rf"\1{_DOT}\2", text)  # typed behind the index
     text = _EQUALS.sub("=", ARROWS.sub(f" {ARROW} ", text))
     text = _WORDS.sub(" = ", text)
     text = re.sub(r"(?<=\w)\s+_(?=[\w{(])|_\s+(?=\w)", "_", text)

@@ -51,7 +51,12 @@ class Desk:
         self.marker = Marker(self.key, Rubric())
         self.expected = Expected(self.key.grid, variant)
 
-    def marked(self, table, equations="right", times=None, with_time=True, digits=4):
+    def marked(self, *args, **kwargs):
+        """The points of a table, and its marks."""
+        grade = self.handed(*args, **kwargs)
+        return grade.part("table")[0], grade.table
+
+    def handed(self, table, equations="right", times=None, with_time=True, digits=4):
         times = np.arange(len(table)) * self.machine.h if times is None else times
         lines = [";".join([*(["t"] if with_time else []), *self.key.names])]
         for t, row in zip(times, table, strict=True):
@@ -61,8 +66,7 @@ class Desk:
         if equations is not None:
             texts = right | (equations if isinstance(equations, dict) else {})
             files.append(submitted_file("equations.txt", "\n".join(texts.values()).encode()))
-        grade = self.marker.grade(read_submission(Submission("a", None, tuple(files)), self.expected))
-        return grade.part("table")[0], grade.table
+        return self.marker.grade(read_submission(Submission("a", None, tuple(files)), self.expected))
 
     def heads(self, *names):
         return [self.key.names.index(name) for name in names]

@@ -187,3 +187,16 @@ def test_a_small_slip_that_two_decimals_hide_is_no_other_datum(row):
     marked = [desk.marked(table, digits=digits) for digits in (2, 4)]
     close([points for points, _ in marked])
     assert all(found.earned.rule == "cells" for _, found in marked)
+
+
+@pytest.mark.parametrize(("name", "accepted", "state", "points"), [
+    ("31", None, "graded-with-notes", 60.0), ("v102", None, "needs-review", 34.88), ("v102", 2, "graded-with-notes", 60.0),
+    ("v102", 3, "graded-with-notes", 34.88),
+])  # fmt: skip
+def test_two_decimals_that_nobody_forbade_are_a_question_where_a_variant_alone_needs_three(name, accepted, state, points):
+    """The same right table was worth 60 points in variant 31 and 34.88 in v102; another rule than Euler's is no question."""
+    desk = Desk(coursework.load(name), accepted)
+    grade = desk.handed(desk.machine.table(), digits=2)
+    assert (grade.status, grade.part("table")[0]) == (state, points)
+    heun = next(table for code, table in faults(desk.machine) if code == "heun") if name == "31" else desk.machine.table() + 0.1
+    assert desk.handed(heun, digits=2).status == "graded-with-notes"

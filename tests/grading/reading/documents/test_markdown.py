@@ -39,6 +39,8 @@ def test_markdown_is_known_by_a_table_or_a_formula(text: str, is_one: bool) -> N
     ("a\\_1 = 2", [], [("a_1 = 2", 1, False)]),
     ("- $w1 = 2$\n- w2 = 3", [], [("w1 = 2", 1, True), ("w2 = 3", 2, False)]),
     ("$w1 = 2$\n- w2 = 3", [], [("w1 = 2", 1, True), ("- w2 = 3", 2, False)]),
+    ("```\nw1 = r1 ...\n  + w2\n* w3 = 4\n```\n+ w4 = 5", [],
+     [(text, place, False) for place, text in enumerate(("```", "w1 = r1 ...", "+ w2", "* w3 = 4", "```", "w4 = 5"), 1)]),
     ("with $a$ alone", [], [("with a alone", 1, False)]),
 ])  # fmt: skip
 def test_tables_formulas_and_lines_stand_at_their_lines(

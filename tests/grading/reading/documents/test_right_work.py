@@ -13,6 +13,7 @@ from coursework.grading.batch.workshop import Workshop
 from coursework.grading.marking.grade import Grade
 from coursework.grading.reading.submission import Submission, submitted_file
 from tests.grading.marking import students
+from tests.grading.reading import notations
 from tests.grading.reading.documents.papers import MAKERS, Rows
 from tests.sample import diagonal
 from tests.takeaway.taken import taken
@@ -129,3 +130,11 @@ def test_what_the_tool_itself_writes_is_read_whole(name: str, kind: str) -> None
     assert whole is (kind == "xlsx" or name in {"31", "v102"})
     assert not whole or plain["table"]["score"] == 60.0
     assert kind == "xlsx" or plain["equations"]["score"] == 40.0
+
+
+def test_an_equation_goes_on_in_the_next_paragraph() -> None:
+    """What stood before the last sign of a paragraph was passed over, and the rest of it was a wrong equation."""
+    texts = [line.replace(" - r2", " -| r2").replace(" + r2", " +|r2").split("|") for line in notations.PLAIN["31"].split("\n")]
+    page = "".join(f"<p>{text}</p>" for pieces in texts for text in pieces)
+    grade = graded({"w.html": f"<html><body><h1>Work</h1>{page}</body></html>".encode()})
+    assert grade.part("equations")[0] == 40.0

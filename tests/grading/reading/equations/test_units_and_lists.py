@@ -109,6 +109,22 @@ def test_minus_signs_that_begin_all_lines_are_no_marks_for_that():
     assert [mark.verdict for mark in found.marks] == ["right", "right", "right", "wrong"]
 
 
-def test_where_other_lines_have_no_dash_it_is_a_minus():
-    found = marked("\n".join([*LINES[:3], f"- {LINES[3]}"]))
-    assert [mark.verdict for mark in found.marks] == ["right"] * 3 + ["wrong"]
+@pytest.mark.parametrize("places", ["3", "13", "013"])
+def test_a_dash_that_may_be_a_minus_or_a_mark_is_a_question(places):
+    """It was taken for a minus, and a right equation was wrong; behind no blank, -0.5*r3, it is one."""
+    dashed = [f"- {line}" if str(place) in places else line for place, line in enumerate(LINES)]
+    found = marked("\n".join(dashed))
+    asked = [mark.verdict == "unreadable" and mark.hint.fault.code for mark in found.marks]
+    assert any(asked) and {*asked} <= {False, "G068"} and not found.wrong and found.unread is not None
+    signs = str.maketrans("+-", "-+")
+    minus = [f"- {line.translate(signs)}" if line in LINES[:2] else line for line in LINES]  # with a minus they are right
+    assert marked("\n".join(minus)).share == 1.0
+    assert [mark.verdict for mark in marked("\n".join([*LINES[:3], f"-{LINES[3]}"])).marks] == ["right"] * 3 + ["wrong"]
+
+
+def test_equations_may_be_parted_by_slashes_and_a_remark_behind_them_is_none():
+    """Of four in a line one was left, and nobody was told."""
+    assert marked(" // ".join(LINES)).share == 1.0
+    assert len(marked("//".join(WRONG)).wrong) == 1
+    for remark in ("w3 = 6.28", "projection on x", "VMy = V1*sin(p*t + alpha)"):
+        assert len(marked("\n".join(f"{line} // {remark}" for line in LINES)).marks) == 4

@@ -91,3 +91,46 @@ def test_what_a_program_does_round_equations_is_none_and_a_decimal_comma_takes_n
     assert [line for line in done if marked(line).marks] == []
     for line in ("0,5r3 w4 = r3 w3 (cos phi3 - 2 sin phi3)", "0,5*r3*w4 = r3*w3*cos(phi3) - 2*r3*w3*sin(phi3)"):
         assert marked(line).independent == 1, line
+
+
+# The system of v102 for (u, w1, w2, w3), in this order, which is not the task's.
+CELLS = [
+    ["0", "0", "0", "a*sin(phi3) + c*cos(phi3)"], ["-1", "0", "0", "c*sin(phi3) - a*cos(phi3)"],
+    ["0", "r1*sin(phi1)", "r2*sin(phi2)", "a*sin(phi3)"], ["0", "-r1*cos(phi1)", "-r2*cos(phi2)", "-a*cos(phi3)"],
+]  # fmt: skip
+SIDES, FOUND = ("-VMx", "-VMy", "-VMx", "-VMy"), ("u", "w1", "w2", "w3")
+
+
+def by_cells(cell, side, end, solver, taken):
+    filled = [cell.format(i=i, j=j, x=x) for i, row in enumerate(CELLS, 1) for j, x in enumerate(row, 1)]
+    filled += [side.format(i=i, x=x) for i, x in enumerate(SIDES, 1)]
+    return end.join([*filled, solver, *(taken.format(n=name, k=k) for k, name in enumerate(FOUND, 1))]) + end
+
+
+def rows(opens, between, closes):
+    return opens + between.join(", ".join(row) for row in CELLS) + closes
+
+
+SYSTEMS = {
+    "Pascal": by_cells("A[{i},{j}] := {x}", "B[{i}] := {x}", ";\n", "Gauss(A, B, X)", "{n} := X[{k}]"),
+    "Fortran": "do i = 1, 25\n" + by_cells("A({i},{j}) = {x}", "b({i}) = {x}", "\n", "call gauss(A, b, x)", "{n} = x({k})"),
+    "rows of MATLAB": f"A = [{rows('', ';', '')}];\nB = [{'; '.join(SIDES)}];\nX = inv(A)*B;\n".replace(")", "(i))")
+    .replace("inv(A(i))", "inv(A)") + "".join(f"{name}(i) = X({k});\n" for k, name in enumerate(FOUND, 1)),
+    "JavaScript": f"const A = {rows('[[', '], [', ']]')};\nconst b = [{', '.join(SIDES)}];\nconst x = math.lusolve(A, b);\n"
+    + "".join(f"const {name} = x[{k}];\n" for k, name in enumerate(FOUND)),
+    "C++": f"double k = w0;\ndouble A[4][4] = {rows('{{', '}, {', '}}')};\ndouble b[4] = {{{', '.join(SIDES)}}};\n"
+    + "solve(A, b, x);\n" + "".join(f"double {name} = x[{k}];\n" for k, name in enumerate(FOUND)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("program", SYSTEMS)
+def test_a_system_is_read_in_the_order_in_which_the_program_takes_its_solution(program):
+    """In Pascal, in C, and with an index of the row, the order was the task's, and four right equations were wrong."""
+    found = marked(SYSTEMS[program], "v102")
+    assert (found.share, len(found.wrong)) == (1.0, 0), [(m.verdict, m.line.text) for m in found.marks]
+    slip = marked(SYSTEMS[program].replace("-r2*cos(phi2", "r2*cos(phi2"), "v102")
+    assert (slip.independent, len(slip.wrong)) == (3, 1)
+
+
+def test_where_no_line_could_be_read_each_is_a_question():
+    assert marked("A = {1, 2; sin}\nq = [a, b]", "v102").unread is not None

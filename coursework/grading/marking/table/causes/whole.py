@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
+from coursework.grading.marking.table.by_rows import marked
 from coursework.grading.marking.table.causes.claims import Claim, Family, TableUnderTest
 from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, is_one_thing, looked_for
 from coursework.grading.marking.table.causes.own_equations import OWN
@@ -109,3 +110,16 @@ def fewer_decimals(key: Key, cells: Cells, by: float = _FEWER) -> int:
     """Return how many cells are shown, but with last places larger `by` this factor than those of the decimals asked for."""
     with np.errstate(invalid="ignore"):
         return int((~cells.missing & (cells.student.units > by * 10.0**-key.least_decimals)).sum())
+
+
+def only_coarse(key: Key, cells: Cells) -> int:
+    """Return how many cells have too few decimals while hardly any is wrong, if nobody told how few a class may hand in.
+
+    A class is told the same number for all; alone, of two variants one may need more. What the cells show is right all the same.
+    """
+    coarse = cells.too_coarse & cells.counted
+    if key.accepted_decimals is not None or not coarse.any():
+        return 0
+    told = marked(replace(key, accepted_decimals=0), cells.student)
+    is_shown = not (told.too_coarse & coarse).any() and not looked_for(key, told, int(told.counted.sum()))
+    return int(coarse.sum()) if is_shown else 0

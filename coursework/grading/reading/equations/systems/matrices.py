@@ -8,16 +8,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import islice
 
 from coursework.grading.reading.equations.latex import matrices_in_one_piece
 from coursework.grading.reading.equations.signs import depths
 from coursework.grading.reading.equations.systems.of_r import in_brackets
 from coursework.grading.reading.equations.systems.parts import at_commas, product, vector
 
-_DEFINED = re.compile(r"(?<![\w.])([^\W\d]\w{0,20})[ \t]*+:?=[ \t]*+(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)")
+_TYPE = r"(?:(?:static|const|double|float|real|auto|let|var)[ \t]+)*"
+_DEFINED = re.compile(
+    rf"(?<![\w.]){_TYPE}([^\W\d]\w{{0,20}})[ \t]*+:?=[ \t]*+"
+    r"(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)"
+)
 _NAME = r"([^\W\d]\w{0,20})"
 _NAMES = r"[(\[]?((?:[^\W\d]\w{0,20}[ \t]*,[ \t]*)+[^\W\d]\w{0,20})[)\]]?"
-_SOLVER = r"(?:solve|linsolve|lsolve|LinearSolve)\s*[(\[]"
+_SOLVER = r"(?:(?:lin|lu|l|LU)?[sS]olve|LinearSolve)\s*[(\[]"
 _SOLVED = (
     rf"(?:(?:[A-Za-z]{{1,9}}\.){{0,2}}{_SOLVER}\s*{_NAME}\s*,\s*{_NAME}\s*[)\]]"
     rf"|{_NAME}[ \t]*\\[ \t]*{_NAME}|(?:[A-Za-z]{{1,9}}\.){{0,2}}inv\(\s*{_NAME}\s*\)[ \t]*[*@][ \t]*{_NAME})[ \t]*;?[ \t]*"
@@ -27,16 +32,25 @@ _PRODUCTS = (
         rf"(?m)(?:^|[$,;])[ \t]*{_NAME}[ \t]*(?:[*@·⋅×]|\\cdot|\.dot\(|[ \t])[ \t]*{_NAME}\)?"
         rf"[ \t]*={{1,2}}[ \t]*{_NAME}[ \t]*(?=[,;.$]|$)"
     ),
-    re.compile(rf"(?m)^[ \t]*(?:{_NAME}|{_NAMES})[ \t]*=[ \t]*{_SOLVED}(?:[%#/].*)?$"),
+    re.compile(rf"(?m)^[ \t]*{_TYPE}(?:{_NAME}|{_NAMES})[ \t]*:?=[ \t]*{_SOLVED}(?:[%#/].*)?$"),
     re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}#[ \t]*{_NAMES}[ \t]*$"),
     re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}(?:[%#/].*)?$"),
+    # A procedure of C, Pascal or Fortran that writes what it solves for into its last vector
+    re.compile(
+        rf"(?m)(?:^|(?<=;))[ \t]*(?:call[ \t]+)?(?:\w{{0,20}}(?i:solve|gauss|lu)\w{{0,20}})[ \t]*\([ \t]*(?:\d+[ \t]*,[ \t]*)?"
+        rf"{_NAME}[ \t]*,[ \t]*{_NAME}[ \t]*,[ \t]*{_NAME}[ \t]*(?:,[ \t]*\w{{1,9}}[ \t]*)?\)[ \t]*(?:;|$)"
+    ),
 )
 _OF_CALLS = re.compile(rf"{_SOLVER}\s*[^\W\d]\w{{0,20}}\s*\(")
 _RETURNED = re.compile(r"(?m)^[ \t]*return[ \t]+(?=[\w.]{0,20}\(?\s*\[)")
-# Places of the matrix, the unknowns and the right side in each of `_PRODUCTS`; the last has none, the call of its function has.
-_ORDERS = ((0, 1, 2), (1, 0, 2), (0, 2, 1), (0, 2, 1))
+# Places of the matrix, the unknowns and the right side in each of `_PRODUCTS`; if there are two, the call of a function has them.
+_ORDERS = ((0, 1, 2), (1, 0, 2), (0, 2, 1), (0, 2, 1), (0, 2, 1))
 _FUNCTION = re.compile(r"(?m)^[ \t]*(?:def|function)\b[^(\n]{0,60}?([^\W\d]\w{0,30})[ \t]*\(")
-_TAKEN = rf"(?m)(?:^|(?<=;))[ \t]*{_NAME}[ \t]*=[ \t]*%s[ \t]*[\[(][ \t]*(\d{{1,2}})[ \t]*[\])][ \t]*(?:;|$)"  # w1 = x(1)
+# w1 = x(1), w1(i) = x(1)
+_TAKEN = (
+    rf"(?m)(?:^|(?<=[;,]))[ \t]*{_TYPE}{_NAME}(?:[\[(][ijkn][\])])?[ \t]*:?=[ \t]*"
+    r"%s[ \t]*[\[(][ \t]*(\d{1,2})[ \t]*[\])][ \t]*(?:[;,]|$)"
+)
 _LATEX = re.compile(r"\\(?:begin|math|q?quad)")
 _IN_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathsf|mathrm|underline|overline)\s*\{(\w)\}|\\[,;:! ]")
 # An assignment to one cell of a matrix or right side, A(1,2) = … or b[0] = …
@@ -48,6 +62,9 @@ _ROW_OF_CELLS = re.compile(
     r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*([\[(])\s*(\d{1,2})\s*(?:,\s*:\s*)?[\])][ \t]*=[ \t]*(?:[\w.]{1,12}\()?"
     r"\[((?:[^\[\]\n]|\[\d{1,2}\]){1,1000})\]\)?"
 )
+# An array with its values in braces, double A[2][2] = {{a, b}, {c, d}};
+_IN_BRACES = re.compile(rf"(?m)(?:^|(?<=;))[ \t]*{_TYPE}([^\W\d]\w{{0,20}})((?:[ \t]*\[\w{{0,9}}\]){{1,2}})[ \t]*=[ \t]*(?=\{{)")
+_BRACES = str.maketrans("{}", "[]")
 # A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\[e; f]
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*[\w.]{{0,20}}\s*\(?\s*\[)")
 _DIVIDED = re.compile(r"(?m)(?<==)[ \t]*(\[[^=\n]{1,2000}\])[ \t]*\\[ \t]*(\[[^=\n]{1,1000}\])(?=[ \t]*;?[ \t]*(?:[%#/].*)?$)")
@@ -65,20 +82,22 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     """
     if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind")):
         return text
-    text = in_brackets(text)
+    text = _without_braces(in_brackets(text))
     text = _named_apart(_elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text))))
     whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
-    found = next((found for pattern in _PRODUCTS if (found := pattern.search(whole))), None)
-    if found is None:
-        return text
     named = {name: (begin, end, content) for name, begin, end, content in _matrices(whole)}
-    groups = [group for group in found.groups() if group]
-    groups += [_names_of_call(whole, found.start())] if len(groups) == 2 else []
-    matrix, unknowns, right = (groups[place] for place in _ORDERS[_PRODUCTS.index(found.re)])
+    for found in (found for pattern in _PRODUCTS for found in islice(pattern.finditer(whole), _MOST)):
+        groups = [group for group in found.groups() if group]
+        groups += [_names_of_call(whole, found.start())] if len(groups) == 2 else []
+        matrix, unknowns, right = (groups[place] for place in _ORDERS[_PRODUCTS.index(found.re)])
+        if {matrix, right} <= named.keys():  # unlike those of "double w1 = w0"
+            break
+    else:
+        return text
     taken = [] if "," in unknowns else sorted(re.finditer(_TAKEN % re.escape(unknowns), whole), key=lambda one: int(one[2]))
     columns = vector(unknowns) if "," in unknowns else vector(named[unknowns][2]) if unknowns in named else []
     columns = columns or [one[1] for one in taken] or [*sought]
-    equations = product(named[matrix][2], columns, vector(named[right][2])) if {matrix, right} <= named.keys() else []
+    equations = product(named[matrix][2], columns, vector(named[right][2]))
     if not equations:
         return text
     pieces = [
@@ -88,6 +107,16 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     for begin, end, said in sorted(pieces, reverse=True):
         whole = whole[:begin] + said + "\n" * whole.count("\n", begin, end) + whole[end:]
     return whole
+
+
+def _without_braces(text: str) -> str:
+    """Return a text with the arrays of C in brackets: A = [[a, b], [c, d]]"""
+    arrays = [*islice(_IN_BRACES.finditer(text), _MOST)]
+    for found in reversed(arrays) if any(one[2].count("[") > 1 for one in arrays) else ():
+        inside = depths(text[found.end() : found.end() + _LONGEST])
+        end = found.end() + inside.index(0) + 1 if 0 in inside else found.end()
+        text = f"{text[: found.start()]}{found[1]} = {text[found.end() : end].translate(_BRACES)}{text[end:]}"
+    return text
 
 
 def _returned_as_named(text: str) -> str:
@@ -154,7 +183,7 @@ def _elements_gathered(text: str) -> str:
         values = {(int(one[2]), int(one[3] or base)): one[4].strip() for one in filled}
         columns = range(base, size + 1) if any(one[3] for one in filled) else (base,)
         rows = [", ".join(values.get((row, column), "0") for column in columns) for row in range(base, size + 1)]
-        pieces += [(*one.span(), "" if k else f"{name} = [{'; '.join(rows)}]") for k, one in enumerate(filled)]
+        pieces += [(*one.span(), "" if k else f"{name} = [{'; '.join(rows)}];") for k, one in enumerate(filled)]
     for begin, end, said in sorted(pieces, reverse=True) if size < _MOST else ():
         text = text[:begin] + said + text[end:]
     return text

@@ -55,7 +55,7 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
     uses: dict[str, list[re.Match[str]]] = defaultdict(list)
     for entry in entries:
         uses[entry[1]].append(entry)
-    is_zero_based = any(int(entry[4]) == 0 for entry in entries)
+    is_zero_based = any(int(entry[4]) == 0 and spellings.canonical(f"{entry[1]}0") is None for entry in entries)
     order = _order(text, variant, spellings)
     rates = {one.name: one.rate for one in variant.coordinates}
     meant: dict[str, dict[int, str]] = {}
