@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursework.grading.reading.equations.latex import without_latex
+from coursework.grading.reading.equations.notation.latex import without_latex
 from coursework.grading.reading.equations.systems.parts import parts_of
 
 ARROWS = (

@@ -8,7 +8,7 @@ import coursework
 from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.reading.equations.lines import read_lines
-from coursework.grading.reading.equations.signs import plain_signs
+from coursework.grading.reading.equations.notation.signs import plain_signs
 from tests.grading.scenes import expected, variant_of
 
 PLAIN = """VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0

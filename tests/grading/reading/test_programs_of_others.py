@@ -7,9 +7,9 @@ import tracemalloc
 
 import pytest
 
-from coursework.grading.reading.equations.latex_names import with_own_commands
 from coursework.grading.reading.equations.lines import read_lines
 from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.plain_text import plain
 from tests.grading.reading.latex_work import each
 from tests.grading.reading.notations import PLAIN, _calls, _greek, _lines, _named, _tex

@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.office.builder import add_lines
-from coursework.grading.reading.equations.latex import matrices_in_one_piece
+from coursework.grading.reading.equations.notation.latex import matrices_in_one_piece
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
 from coursework.words.sentence import Sentence

@@ -11,13 +11,13 @@ from collections.abc import Mapping
 from dataclasses import field, replace
 from itertools import pairwise
 
-from coursework.grading.reading.equations.degrees import with_angles_in_degrees
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.meanings import Meanings, in_smaller_units, meaning_of, put_in
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
+from coursework.grading.reading.equations.notation.degrees import with_angles_in_degrees
+from coursework.grading.reading.equations.notation.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_units, plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
-from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.system.frozen import frozen

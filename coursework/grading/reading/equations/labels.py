@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from coursework.grading.reading.equations.signs import ARROW, depths, relates_two_sides
+from coursework.grading.reading.equations.notation.signs import ARROW, depths, relates_two_sides
 from coursework.grading.reading.unit_names import unit_of
 
 _WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"

@@ -11,9 +11,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from coursework.grading.reading.equations.equations import Names
-from coursework.grading.reading.equations.latex import without_latex
 from coursework.grading.reading.equations.names_in_text import Spellings, plain_name
-from coursework.grading.reading.equations.signs import plain_signs
+from coursework.grading.reading.equations.notation.latex import without_latex
+from coursework.grading.reading.equations.notation.signs import plain_signs
 from coursework.variant.formula.alphabet import spell
 
 _NAME = r"([^\W\d]\w{0,12})"

@@ -20,9 +20,9 @@ from coursework.grading.reading.equations.equations import (
 )
 from coursework.grading.reading.equations.labels import without_labels, without_words
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, plain_name
+from coursework.grading.reading.equations.notation.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.equations.plain_text import in_si, of_minutes, plain
 from coursework.grading.reading.equations.repair import is_name, is_product
-from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.files.printed import PAIR
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula import reader

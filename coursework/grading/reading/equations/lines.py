@@ -14,7 +14,6 @@ from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.equations import TURNED, Names, most_lines, names_for, names_in, names_of, read_line
-from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.legends import with_legend
 from coursework.grading.reading.equations.line_kinds import (
     definition,
@@ -31,7 +30,8 @@ from coursework.grading.reading.equations.line_kinds import (
     without_line_numbers,
 )
 from coursework.grading.reading.equations.names_in_text import plain_name
-from coursework.grading.reading.equations.signs import depths, plain_signs, relates_two_sides
+from coursework.grading.reading.equations.notation.latex import logical_lines
+from coursework.grading.reading.equations.notation.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows

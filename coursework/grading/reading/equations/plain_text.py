@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 
-from coursework.grading.reading.equations.degrees import with_factors
 from coursework.grading.reading.equations.derived_sums import derived, with_sums_derived, with_the_rest_unread
-from coursework.grading.reading.equations.latex import without_latex
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, plain_name
-from coursework.grading.reading.equations.signs import depths, plain_signs
+from coursework.grading.reading.equations.notation.degrees import with_factors
+from coursework.grading.reading.equations.notation.latex import without_latex
+from coursework.grading.reading.equations.notation.signs import depths, plain_signs
 from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.tree import constant

@@ -11,7 +11,7 @@ import unicodedata
 from itertools import accumulate
 
 from coursework.grading.reading.documents.signs import plain_signs
-from coursework.grading.reading.equations.latex import in_one_piece
+from coursework.grading.reading.equations.notation.latex import in_one_piece
 
 DOT = "\u0307"
 _DOTS = {DOT, "˙", ".", "dot"}

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 
-from coursework.grading.reading.equations.latex import without_latex
-from coursework.grading.reading.equations.signs import depths, plain_signs
+from coursework.grading.reading.equations.notation.latex import without_latex
+from coursework.grading.reading.equations.notation.signs import depths, plain_signs
 from coursework.variant.formula.reader import MAX_CHARACTERS
 
 _POWER = re.compile(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from coursework.grading.reading.equations.signs import depths
+from coursework.grading.reading.equations.notation.signs import depths
 from coursework.grading.reading.equations.systems.parts import at_commas
 
 _CALL = re.compile(r"\b(matrix|rbind|cbind)\s*\(")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
-from coursework.grading.reading.equations.signs import ARROWS, depths, relates_two_sides
+from coursework.grading.reading.equations.notation.signs import ARROWS, depths, relates_two_sides
 from coursework.variant.formula.reader import MAX_CHARACTERS, MAX_DEPTH
 
 _BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s")

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from itertools import islice
 
 from coursework.grading.reading.equations.names_in_text import Spellings
-from coursework.grading.reading.equations.signs import depths
+from coursework.grading.reading.equations.notation.signs import depths
 from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.record.variant import Variant
 

@@ -11,8 +11,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from coursework.grading.reading.equations.latex_names import with_own_commands
-from coursework.grading.reading.equations.signs import ARROW
+from coursework.grading.reading.equations.notation.latex_names import with_own_commands
+from coursework.grading.reading.equations.notation.signs import ARROW
 from coursework.variant.formula.alphabet import greek
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")

@@ -10,7 +10,7 @@ import math
 import re
 from fractions import Fraction
 
-from coursework.grading.reading.equations.signs import depths
+from coursework.grading.reading.equations.notation.signs import depths
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, mapped, number
 from coursework.variant.record.variant import Variant
 
