@@ -33,6 +33,7 @@ def numbers(values):
     return own | {path[1]: float(text.split()[0]) for path, text in values.items() if path[0] != "time"}
 
 
+@pytest.mark.long
 def test_accepted_mechanisms_move_by_the_closed_form():
     for one in acceptance().accepted([f"s{number}" for number in range(40)]):
         drawn = numbers(one.values)

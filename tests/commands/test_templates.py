@@ -22,6 +22,7 @@ def run(*words: object) -> Result:
     return CliRunner().invoke(main, ["run", *map(str, words)])
 
 
+@pytest.mark.long
 def test_a_piece_stands_in_and_the_others_fall_back(tmp_path: Path) -> None:
     looks = tmp_path / "looks"
     looks.mkdir()

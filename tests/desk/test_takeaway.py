@@ -43,6 +43,7 @@ def test_a_format_of_several_files_is_one_zip(client):
     assert "mine-csv.zip" in answer.headers["content-disposition"]
 
 
+@pytest.mark.long
 def test_a_page_on_a_screen_and_one_on_paper(client):
     page = client.post("/api/take/html", json={"text": TEXT, "name": "mine"})
     assert page.headers["content-type"].startswith("text/html")

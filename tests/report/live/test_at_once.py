@@ -90,6 +90,7 @@ def test_a_datum_is_told_in_the_unit_in_which_it_was_given(shaper: Path, opened:
     assert page.page.get_attribute("#lab-datum", "aria-valuetext") == after
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "datum", "value"), [("whitworth", "d", "50 mm"), ("whitworth", "w0", "60 rpm"), ("v101", "beta", "45°")]
 )

@@ -138,6 +138,7 @@ def test_motion_is_not_forced_on_anyone(written: Any, opened: Any) -> None:
     assert page.row == 4
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["31", "walschaerts"])
 def test_a_phone_shows_it_whole(written: Any, opened: Any, name: str) -> None:
     page = opened(written(name), viewport={"width": 390, "height": 800}).page

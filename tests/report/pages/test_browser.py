@@ -49,6 +49,7 @@ def test_it_prints_on_a4_true_to_scale(opened: Any, report: Path) -> None:
         assert [abs(length - 100) < 0.05 for length in bars(document)] == [True]
 
 
+@pytest.mark.long
 def test_an_upright_construction_prints_true_to_scale_too(opened: Any, tmp_path: Path) -> None:
     (tmp_path / "report.html").write_text(page_of(model_of(solved("jansen", quantities=["graph_check"]))), encoding="utf-8")
     printed = opened(tmp_path).page.pdf(prefer_css_page_size=True)

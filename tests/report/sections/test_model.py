@@ -37,6 +37,7 @@ def test_the_head_of_a_page_names_what_is_on_it(name: str, kind: str) -> None:
     assert model_of(solved(name, quantities=["table"])).kind == f"{kind} of a plane mechanism"
 
 
+@pytest.mark.long
 def test_every_section_has_its_number_and_the_appendix_letters(real: ModuleType) -> None:
     for run in (real.full(), real.stopped(), coursework.solve(coursework.parse_variant(SHAPER))):
         numbers = [section.number for section in model_of(run).sections]

@@ -26,6 +26,7 @@ def is_a_label(text: str) -> bool:
     return text.isalnum() and text.isupper()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", names())
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_nothing_is_left_in_english(name: str, language: str) -> None:

@@ -66,6 +66,7 @@ def without_work(key, chance):
     yield "a creep with its own velocity", creeping
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("seed", first(1, (7, 8, 9)))
 def test_tables_without_work_earn_at_most_five_of_sixty(name, seed):
