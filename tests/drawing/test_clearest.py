@@ -8,10 +8,12 @@ import math
 import re
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 from coursework import load, parse_variant, solve
 from coursework.drawing.figures import draw_start
+from coursework.drawing.outline.coinciding import _close, _Part
 from coursework.run import Run
 from tests.drawing import measured
 from tests.drawing.test_mechanism import drawing_of
@@ -122,3 +124,10 @@ def test_the_row_is_of_the_motion_itself_where_that_is_asked_for(asked: str, is_
     [crank] = [line for line in measured.lines(drawing.svg, "data-link") if line.says.get("data-from") == "D"]
     way = (crank.b - crank.a).conjugate()
     assert cmath.phase(way) == pytest.approx(math.remainder(float(motion.column("phi1")[row - 1]), math.tau), abs=1e-3)
+
+
+def test_a_place_is_as_near_to_a_part_as_its_nearest_end() -> None:
+    """Beside the middle, and as far beyond each end on the line: 0.5 m off at a scale of 10 mm/m, of which 8 mm are far."""
+    part = _Part("1", np.array([0j]), np.array([2 + 0j]), frozenset())
+    near = _close(part, np.array([[1 + 0j, 1 + 0.5j, 2.5 + 0j, -0.5 + 0j, 4 + 0j]]), np.array([10.0]), 8.0)
+    assert near[0].tolist() == pytest.approx([1.0, 0.375, 0.375, 0.375, 0.0])

@@ -18,6 +18,7 @@ WRONG = [
     (lambda: coursework.solve("31", quantities=[1]), "names of quantities"),
     (lambda: coursework.solve("31", quantities=["M.vx"]), "run.points"),
     (lambda: coursework.solve("31", step="20 kg"), "a step in seconds"),
+    *((lambda text=text: coursework.solve("31", step=text), "a step in seconds") for text in ("H/2", "x/2", "h/0", "h/-2")),
     (lambda: coursework.solve("31", student=5), "student: a text"),
     (lambda: coursework.solve("31", scheme="RK4"), 'mean "rk4"'),
     (lambda: coursework.solve("31", precision="half"), "double or single"),
