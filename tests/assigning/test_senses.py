@@ -58,6 +58,8 @@ def test_a_chain_with_slides(tmp_path):
         ["φ4, ω4", "angle of BE, its rate", *turning],
         ["sE, vE", "distance along its line, its rate", "K (0, 0.2)", "at β to the x axis"],
     ]
+    starts = [text_of(row) for row in re.findall(r"<tr>(.*?)</tr>", page, re.S)]
+    assert {"φ1= 30°", "φ3= 1.268060 rad"} <= set(starts)  # the one as it is given, the other as the geometry makes it
     assert set(re.findall(r'data-angle="(\w+)"', page)) >= {"phi1", "phi3", "phi4"}
     assert "x points to the right, y upwards; the thin arcs in the drawing show the angles." in text_of(page)
     assert "the 4 velocity equations, one per line" in text_of(page)  # of w3, v, w4, vE: the rubric marks them for chains too
