@@ -36,7 +36,7 @@ _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # in V_Cy = … = 0, wh
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
 _COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # the number of a line in a list: 1.1, L2
 _LONG_DASH = re.compile(r"\s*[–—]\s+")
-APART = re.compile(r"^\s*[-–—−]\s+")  # a dash with a blank behind it: the mark of an item, or a minus
+_APART = re.compile(r"^\s*[-–—−]\s+")  # a dash with a blank behind it: the mark of an item, or a minus
 _SLASHES = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
 _CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
 _CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
@@ -157,7 +157,7 @@ def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.P
     steps = [(one[0] == other[0], other[1] - one[1]) for one, other in pairwise(numbers)]
     if steps and all(step == (True, 1) for step in steps):
         return _COUNT
-    return APART if any(APART.match(without_labels(line)) for line in lines) else None
+    return _APART if any(_APART.match(without_labels(line)) for line in lines) else None
 
 
 def dash_apart(lines: Sequence[str]) -> str | None:

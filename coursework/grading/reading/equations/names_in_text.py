@@ -117,8 +117,6 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     for spelling, name in [*known.items()]:  # a rate by the name of its coordinate: w_theta
         for symbol in ("w", "omega", "om") if units.get(name) == "rad" else ("v",) if name in units else ():
             known.setdefault(symbol + spelling, rates[name])
-    angles = {name for name, unit in units.items() if unit == "rad"} | {
-        entry.name for entry in variant.given if entry.si == "rad"
-    }
-    data = frozenset(entry.name for entry in variant.given)
-    return Spellings(frozenset((*names, *BUILT_IN)), known, rates, data, angles=frozenset(angles))
+    data = {entry.name: entry.si for entry in variant.given}
+    angles = frozenset(name for name, unit in (data | units).items() if unit == "rad")
+    return Spellings(frozenset((*names, *BUILT_IN)), known, rates, frozenset(data), angles=angles)
