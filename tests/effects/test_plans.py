@@ -29,6 +29,7 @@ def test_each_polygon_closes_in_every_row(name):
     found = plans(name)
     assert sum(len(plan.bodies) for plan in found.plans) == len(found.analysis.rows.scheme.bodies)
     for plan in found.plans:
+        assert all("".join(vector.word).replace("ᵗ", "t").replace("ⁿ", "n") == vector.name for vector in plan.vectors)
         largest = max(np.abs(vector.force).max() for vector in plan.vectors)
         assert np.abs(sum(vector.force for vector in plan.vectors)).max() <= 1e-9 * largest
         for moment in plan.moments:

@@ -34,6 +34,7 @@ def test_smallest_number_of_steps(scene, scheme, wish):
     assert error(choice.need.steps) <= wish * 1.001
     assert error(choice.need.steps - 1) > wish * 0.999
     assert choice.step == 0.48 / choice.need.steps
+    assert choice.need.evaluations == choice.need.steps * {"euler": 1, "heun": 2, "rk4": 4}[scheme]
 
 
 def test_the_cheaper_alternatives_are_told(scene):

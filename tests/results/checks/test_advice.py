@@ -178,3 +178,17 @@ def test_a_step_is_tried_that_costs_no_more_than_three_million_slopes(weight, ro
         rates=SimpleNamespace(weight=weight),
     )  # fmt: skip
     assert advice._affordable(evidence, 2, 1) == is_had
+
+
+@pytest.mark.parametrize(("share", "is_doubted"), [(0.0101, False), (0.0099, True)])
+def test_an_error_four_times_smaller_than_the_order_foretells_may_be_luck(share, is_doubted, monkeypatch):
+    """Of 40 % with the run's own step a tenth of it makes 4 % by Euler's scheme."""
+    doubted = []
+    for name, stands in {
+        "_affordable": lambda *_: True, "_spelled": lambda evidence, parts: ("", parts), "parts_at_breaks": lambda *_: None,
+        "_glanced": lambda *_: share, "_tried": lambda *_: "tried", "_worse": lambda *given: doubted.append(given[2]),
+    }.items():  # fmt: skip
+        monkeypatch.setattr(advice, name, stands)
+    coarse = [Finding("COARSE", "", 0.4, 0.05, code="ACCURACY")]
+    found = advice._step(SimpleNamespace(rerun=lambda *_: "rows"), "euler", coarse, lambda tried: [], 1)
+    assert (found, doubted) == ((10, None), [10] * is_doubted)

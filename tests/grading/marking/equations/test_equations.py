@@ -102,6 +102,7 @@ SLIPS = [
     ("name", "w4 = 2*w3*(cos(phi3) - 2*sin(phi1))"),
     ("factor", "VMy - r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0"),
     ("factor", "VMy - 2*w3*cos(phi3) - r3*w3*sin(phi3) = 0"),
+    ("factor", "VMy - 2*r3*w3 - r3*w3*sin(phi3) = 0"),
 ]
 
 

@@ -85,6 +85,9 @@ def test_an_angle_that_is_kept_within_a_turn_is_the_angle():
     mistyped = read(csv(rows)).columns[at - 1]
     assert (mistyped.turns, mistyped.values[7]) == ((), pytest.approx(RIGHT[at - 1][7] + TURN + 0.3, abs=1e-3))
     assert turns_of_jumps([0.0, 2.5, 5.0, 1.2, 3.9]) == [0, 0, 0, 0, 0]
+    sixth = TURN / 6  # as far an angle may move in a row in which it jumps
+    assert turns_of_jumps([3.0, 3.0 + sixth - 0.01 - TURN]) == [0, -1]
+    assert turns_of_jumps([3.0, 3.0 + sixth + 0.01 - TURN]) == [0, 0]
 
 
 @pytest.mark.parametrize(("first", "unit"), [(57.2958, "deg"), (57.8, "deg"), (58.0, None), (60.1, None), (1.0, "rad")])
