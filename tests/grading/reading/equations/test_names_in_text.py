@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 
+from coursework.grading.reading.equations import plain_text
 from coursework.grading.reading.equations.names_in_text import spellings_of
 from tests.grading.scenes import expected
 
@@ -18,3 +22,11 @@ def test_a_spelling_means_the_name_with_letters_of_its_size(written: str, meant:
     """A datum U1 beside a drive u1, W1 beside the rate om1: neither was known by any spelling but its own."""
     task = expected("cylinders")
     assert spellings_of(task.variant, task.grid.units).canonical(written) == meant
+
+
+@pytest.mark.parametrize(
+    ("text", "known", "name"), [("w(3)", set(), "w3"), ("w(3)", {"w"}, "w(3)"), ("w[3]", {"w"}, "w3"), ("w[7]", set(), "w[7]")]
+)
+def test_an_index_in_parentheses_may_be_a_factor(text: str, known: set[str], name: str) -> None:
+    spellings: Any = SimpleNamespace(angle={"w3": "w3"}.get, known=known)
+    assert plain_text._INDEXED.sub(lambda found: plain_text._indexed(found, spellings), text) == name

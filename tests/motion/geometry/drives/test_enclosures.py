@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from coursework.equations.codegen.tabulated import TableLaw
-from coursework.motion.geometry.drives.enclosures import REACH, Laws
+from coursework.motion.geometry.drives.enclosures import REACH, Enclosure, Laws, _exponential
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import FUNCTIONS
 from coursework.variant.record.variant import Law
@@ -148,3 +148,11 @@ def test_pieces_tables_and_laws_within_laws():
             assert found.low[place] - 1e-12 <= seen <= found.high[place] + 1e-12
         assert found.high[place] - found.low[place] < 1.0
     assert np.all(np.isfinite(found.radius))
+
+
+@pytest.mark.parametrize("radius", [0.5, 0.999, 1.0, 2.0])
+def test_a_power_is_bound_as_closely_as_it_can_be(radius):
+    """On a disc the real point furthest to the right is where e^z is furthest from its middle: e^(m + r) - e^m."""
+    ends = np.array([0.3 - radius]), np.array([0.3 + radius])
+    found = _exponential(Enclosure(*ends, np.array([0.3]), np.array([radius])))
+    assert found.radius == pytest.approx([math.exp(0.3 + radius) - math.exp(0.3)])

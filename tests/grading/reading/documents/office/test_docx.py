@@ -50,3 +50,16 @@ def test_a_formula_within_a_formula_ends_with_the_outer_one() -> None:
     spaces = 'xmlns:m="http://schemas.openxmlformats.org/officeDocument/2006/math"'
     (line,) = read(f"<w:p {spaces}>{inside}</w:p>").lines
     assert "".join(line.text.split()) == "a=b+c"
+
+
+@pytest.mark.parametrize(
+    ("second", "below"),
+    [("", ["", "c"]), ("<w:tcPr><w:vMerge/></w:tcPr>", ["a", "c"]), ('<w:tcPr><w:vMerge w:val="restart"/></w:tcPr>', ["", "c"])],
+)
+def test_a_cell_that_nobody_filled_is_empty_and_one_merged_with_the_one_above_says_what_it_says(
+    second: str, below: list[str]
+) -> None:
+    cell = "<w:tc>{0}<w:p>{1}</w:p></w:tc>".format
+    rows = cell("", run("a")) + cell("", run("b")), cell(second, "") + cell("", run("c"))
+    (table,) = read("<w:tbl>" + "".join(f"<w:tr>{row}</w:tr>" for row in rows) + "</w:tbl>").tables
+    assert [cell.text for cell in table.rows[1]] == below
