@@ -28,7 +28,10 @@ def _set(context: PageContext) -> list[Part]:
     if not values:
         return []
     pairs = [_set_value(context, name, text) for name, text in values.items()]
-    return [Paragraph(context.lettered(context.words("given.set", listed=context.words.listing(pairs))))]
+    told = [context.words("given.set", listed=context.words.listing(pairs))]
+    if context.variant.remarks:
+        told.append(context.words("check.QUOTE.set"))
+    return [Paragraph(context.lettered(context.words.sentences(told)))]
 
 
 def _set_value(context: PageContext, name: str, text: str) -> str:

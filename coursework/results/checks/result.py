@@ -38,7 +38,7 @@ class Finding:
     (SI).  `step` (s) is a step with which every claim about the motion holds, `option` the command-line option for it, `scheme` a
     scheme that is accurate enough at the same step, `advised` the sentence about both.  `rows` are further lines (label, value,
     unit).  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: with what the summary begins; `unjudged`: what
-    the summary adds to "computed right".  `code`, `group` and `is_least` (whether the limit is a minimum) are those of the check.
+    the summary adds to "computed right"; `is_news`: whether a reader should hear why a check was skipped.  `code`, `group` and `is_least` (whether the limit is a minimum) are those of the check.
     """
 
     verdict: Verdict
@@ -58,6 +58,7 @@ class Finding:
     advised: str = ""
     headline: str = ""
     unjudged: str = ""
+    is_news: bool = False
     code: str = ""
     group: Group = "computation"
     is_least: bool = False
@@ -66,7 +67,7 @@ class Finding:
     def says_more(self) -> bool:
         """Return whether the sentence says more than mark and summary do; a skipped START is reported in the summary."""
         unsure = bool(self.unjudged) and self.code != "START"
-        return self.code != "STOP" and (unsure or self.verdict in {"COARSE", "FAIL", "ERROR"})
+        return self.code != "STOP" and (unsure or self.is_news or self.verdict in {"COARSE", "FAIL", "ERROR"})
 
     @property
     def title(self) -> str:

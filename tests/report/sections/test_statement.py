@@ -33,7 +33,7 @@ def test_the_answer_stands_on_the_first_page(real: ModuleType) -> None:
     shown = {part["kind"]: part for part in real.parts(real.full(), "statement")}
     assert (
         real.text_of(shown["result"]["lead"])
-        == "Computed right from the given start. Not close to the motion: φ1 is off by 69.8\u00a0% in row 20."
+        == "Computed right from the given start. Not close to the motion: φ1 is off by 0.14\u00a0rad in row 20, 69.8\u00a0% of its scale of 0.20\u00a0rad."
     )
     told = " ".join(real.text_of(item) for item in shown["result"]["items"]).replace("\u00a0", " ")
     assert "Row 4, t = 0.06 s: ω1 = 0.21984 rad/s, ω2 = 0.11362 rad/s, ω3 = 4.3916 rad/s, ω4 = −7.9410 rad/s." in told

@@ -79,7 +79,7 @@ def test_the_row_that_repeats_need_not_be_the_last(real: ModuleType, turns: str,
 
 
 def test_a_constant_drive_is_not_said_to_repeat(real: ModuleType, shaper: Any) -> None:
-    assert "The period is 0.5 s." in told(real, shaper, "statement")
+    assert "The stated period is 0.5 s." in told(real, shaper, "statement")
 
 
 def test_only_the_driven_point_is_said_to_be_driven_as_one(real: ModuleType, five_bar: Any) -> None:

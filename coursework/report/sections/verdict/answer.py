@@ -28,10 +28,16 @@ def answer(context: PageContext) -> Result:
     if run.asks(CHECKS) and not (verdict and _says_all(context)):
         # The stop has been described already.
         findings = [replace(one, option="", value=None if one.code == "STOP" else one.value) for one in run.checks]
-        told.append(context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title)))
+        whole = context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title))
+        if verdict and run.stop is None:
+            verdict = whole  # it says the same in more words
+        else:
+            told.append(whole)
     # Only here the advice is given.
     advice = next((advice for finding in run.checks if (advice := parted(finding.sentence)[1])), "") if run.asks(CHECKS) else ""
     told += [context.rich(advice)] if advice else []
+    if run.asks(CHECKS):
+        told += [context.rich(one.sentence) for one in run.checks if one.is_news]
     if run.asks(TABLE) and len(run.motion.t):
         told.append(runs(_checked(context)))
     if run.asks(CHECKS):
@@ -68,7 +74,10 @@ def _verdict(context: PageContext) -> Runs:
         told.append(say("result.close"))
     elif accuracy is not None and accuracy.verdict in {"COARSE", "FAIL"} and accuracy.value is not None and accuracy.column:
         share = context.with_unit(context.numbers.fixed(100 * accuracy.value, 1), "%")
-        told.append(say("result.far", symbol=context.lettering(accuracy.column), share=share, row=accuracy.row or 1))
+        size, unit = context.run.results.evidence.scale[accuracy.column], context.run.variant.unit_of(accuracy.column)
+        off, scale = (context.with_unit(context.numbers.scalar(one, 2), unit) for one in (accuracy.value * size, size))
+        symbol = context.lettering(accuracy.column)
+        told.append(say("result.far", symbol=symbol, share=share, row=accuracy.row or 1, off=off, scale=scale))
     return context.lettered(say.sentences(told))
 
 

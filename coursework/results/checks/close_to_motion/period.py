@@ -34,6 +34,7 @@ from coursework.variant.record.held import followed
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
+POSITION = "PERIOD-POSITION"
 # If the exact motion alone misses its start by this share of the limit, a finer step cannot bring the row within the limit.
 NEARLY = 0.9
 # Share of the scale by which a motion may miss its start after several periods: five digits of the period.
@@ -81,7 +82,7 @@ def mismatch(evidence: Evidence) -> tuple[Split, ...] | None:
 
 def position(evidence: Evidence) -> Finding:
     """The last row repeats the first in every coordinate (whole turns taken off)."""
-    return _judge(evidence, "PERIOD-POSITION", evidence.motion.coordinate_names)
+    return _judge(evidence, POSITION, evidence.motion.coordinate_names)
 
 
 def velocity(evidence: Evidence) -> Finding:
@@ -102,7 +103,7 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
         if any(abs(split.period) > RETURNS * scale[name] for name, split in judged.items()):
             return skipped(evidence.say("check.PERIOD.unstated"))
     elif (wrong := _wrong(evidence, [split.name for split in chosen])) is not None:
-        return _judged_later(evidence, code, names) or wrong
+        return _judged_later(evidence, code, names) or replace(wrong, is_news=wrong.verdict == "SKIP" and code == POSITION)
     shares = {split.name: share_of(split.total, scale[split.name]) for split in chosen}
     worst = max(chosen, key=lambda split: shares[split.name])
     value, row = shares[worst.name], evidence.period_row
