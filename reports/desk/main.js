@@ -111,10 +111,11 @@ function answered(answer, asked) {
   } else settle();
   const first = answer.faults[0],
     pale = found("desk-pale", HTMLElement);
+  const held = Boolean(first) && !page.html && !answer.faults.every(isMissing);
   frame.classList.toggle("pale", Boolean(first));
-  pale.hidden = !first || !page.html;
-  pale.textContent = first ? say("pale", { sentence: told(first) }) : "";
-  found("desk-welcome", HTMLElement).hidden = Boolean(page.html);
+  pale.hidden = !first || !(page.html || held);
+  pale.textContent = first ? say(held ? "held" : "pale", { sentence: told(first) }) : "";
+  found("desk-welcome", HTMLElement).hidden = Boolean(page.html) || held;
   frame.classList.toggle("empty", !page.html);
   keepHere();
 }

@@ -87,6 +87,8 @@ def test_an_empty_text_begins_with_an_empty_page(desk: Callable[..., Any]) -> No
         one.until(lambda begun=begun: begun in one.text)
         one.rest("faulty")
     assert page.locator("#desk-faults .missing").count() == 0
+    assert page.is_visible("#desk-pale") and not page.is_visible("#desk-welcome")
+    assert "The report appears as soon as this is mended." in page.text_content("#desk-pale")
     for _ in range(3):
         page.keyboard.press("Control+z")
     one.until(lambda: one.text == "" and len(one.faults()) == 2)
