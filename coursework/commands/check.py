@@ -9,6 +9,7 @@ from coursework.api import make_run, variant_of
 from coursework.commands.line.screen import tell, tell_own_file, title_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.equations.reduction.textbook.cramer import cramer
+from coursework.mechanism.structure import driven_freedoms
 from coursework.motion.geometry.judging.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_joints
@@ -84,7 +85,7 @@ def _tell_mobility(run: Run) -> None:
     if mobility is None:
         return
     sum_of = say("screen.mobility_sum", links=mobility.links, lower=mobility.lower_pairs, higher=mobility.higher_pairs)
-    drives = len(run.variant.known_rates) + len(followed(run.variant))
+    drives = driven_freedoms(run.variant)
     verdict = say("screen.driven", number=drives)
     joints: list[Sentence] = []
     if drives and mobility.degrees != drives:
@@ -117,8 +118,7 @@ def _along_its_guide(variant: Variant) -> Sentence | None:
     x, y = (
         f"{point}.{axis}{'' if part is None else f' - s{point}{part}'}" for axis, part in zip("xy", (cosine, sine), strict=True)
     )
-    drives = 2 + len(variant.known_rates)
-    return say("screen.driven_along", drives=drives, point=point, law=law, x=x, y=y)
+    return say("screen.driven_along", drives=driven_freedoms(variant), point=point, law=law, x=x, y=y)
 
 
 def _multiple(function: str, angle: Formula) -> str | None:

@@ -31,7 +31,7 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.system.angles import dot
 from coursework.variant.formula.tree import Formula, terms
-from coursework.variant.record.held import followed, is_origin
+from coursework.variant.record.held import is_origin, velocities_of_points
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 from coursework.words.sentences import joined, say, say_count
@@ -224,8 +224,9 @@ def _between(ends: tuple[complex, complex], at: complex) -> bool:
 def _driven_words(outline: Outline, variant: Variant) -> str:
     """Return a sentence on how arrows show the drives; drives without an arrow are named."""
     turned = tuple(rate for rate, _ in outline.cranks)
-    laws = tuple(law.name for law in variant.drive if law.name not in {*variant.rates, *followed(variant)})
-    others = (*(rate for rate in variant.given_rates if rate not in turned), *laws)
+    arrows = {law for law, (point, _) in velocities_of_points(variant).items() if point in outline.driven}
+    laws = tuple(law.name for law in variant.drive if law.name not in {*variant.rates, *arrows})
+    others = (*(rate for rate in variant.given_rates if rate not in {*turned, *arrows}), *laws)
     told = [say("drawing.mechanism.driven", points=(point,)) for point in outline.driven]
     told += [say_count("drawing.mechanism.turned", len(turned), rates=turned)] if turned else []
     told += [say("drawing.mechanism.given", rates=others)] if others else []

@@ -20,7 +20,7 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure_record import AssurGroup, KinematicPair, Member, Structure
 from coursework.system.frozen import changing
 from coursework.variant.formula.tree import Formula
-from coursework.variant.record.held import velocities_of_points
+from coursework.variant.record.held import driving_laws, velocities_of_points
 from coursework.variant.record.variant import Variant
 
 DRIVE = "~"  # stands for the drive of a driven point
@@ -61,7 +61,7 @@ def fitting_linkage(mechanism: Mechanism) -> Linkage | None:
 
 def driven_freedoms(variant: Variant) -> int:
     """Return how many freedoms are driven: rates, and components of point velocities."""
-    return len(variant.known_rates) + len(velocities_of_points(variant))
+    return len(driving_laws(variant))
 
 
 def in_order(names: Iterable[str]) -> list[str]:

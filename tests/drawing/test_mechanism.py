@@ -21,6 +21,7 @@ from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import Sheet
 from coursework.drawing.paper.symbols import ratio
 from coursework.mechanism.mechanism import build
+from coursework.mechanism.structure import driven_freedoms
 from coursework.report.wording.data_meanings import meanings
 from coursework.run import Run
 from coursework.variant.catalogue import names
@@ -289,3 +290,11 @@ def test_a_rack_is_drawn_beyond_its_contact_on_the_side_away_from_its_gear(above
     ((begin, end, beyond, beside),) = drawn
     assert (begin, end) == (0, pytest.approx(22 * way))
     assert (beside / way).imag * above < 0 and beyond - end == pytest.approx(beside - begin)
+
+
+def test_a_velocity_that_an_arrow_shows_is_not_said_to_have_none():
+    """M slides in an upright guide; its velocity is the rate of a coordinate, and [closure] need not say that M is driven."""
+    variant = parse_variant(mechanism("guided-driver"))
+    caption = solve(variant, quantities=["table"]).mechanism().caption
+    assert "The arrow shows how M is driven." in caption and "without an arrow" not in caption
+    assert driven_freedoms(variant) == 1

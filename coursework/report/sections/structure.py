@@ -19,7 +19,7 @@ from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import ITALIC, unbroken
 from coursework.report.wording.closeness import evidence
 from coursework.scene.quantities import CHECKS
-from coursework.variant.record.held import velocities_of_points
+from coursework.variant.record.held import driving_laws
 from coursework.words.templates import clean
 
 FULL_TURN = 2 * math.pi * (1 - 1e-9)
@@ -136,8 +136,8 @@ def _sliders(context: PageContext, found: Structure) -> str:
 def _freedoms(context: PageContext, found: Structure) -> str:
     """Return the sentence that all freedoms are driven or moved by forces, or why fewer are counted than driven."""
     variant = context.run.variant
-    laws = [law.name for law in variant.drive]
-    drives = [name for name in laws if name in {*variant.known_rates, *velocities_of_points(variant)}]
+    driving = driving_laws(variant)
+    drives = [law.name for law in variant.drive if law.name in driving]
     values = {"drives": context.symbol_list(drives), **_letters(context)}
     if found.drives > found.mobility.degrees:
         return context.words("structure.passive", degrees=found.mobility.degrees, **values)

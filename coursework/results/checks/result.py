@@ -38,7 +38,8 @@ class Finding:
     (SI).  `step` (s) is a step with which every claim about the motion holds, `option` the command-line option for it, `scheme` a
     scheme that is accurate enough at the same step, `advised` the sentence about both.  `rows` are further lines (label, value,
     unit).  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: with what the summary begins; `unjudged`: what
-    the summary adds to "computed right"; `is_news`: whether a reader should hear why a check was skipped.  `code`, `group` and `is_least` (whether the limit is a minimum) are those of the check.
+    the summary adds to "computed right"; `is_news`: whether a reader should hear why a check was skipped.  `code`, `group` and
+    `is_least` (whether the limit is a minimum) are those of the check.
     """
 
     verdict: Verdict

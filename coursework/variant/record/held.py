@@ -12,7 +12,17 @@ from contextlib import suppress
 from itertools import permutations
 
 from coursework.variant.formula.arms import with_arms
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, on_axes, signed, terms
+from coursework.variant.formula.tree import (
+    Formula,
+    FormulaFault,
+    constant,
+    evaluate,
+    evaluate_any,
+    named,
+    on_axes,
+    signed,
+    terms,
+)
 from coursework.variant.record.variant import Variant
 
 MOST_PAIRED = 40  # scalars among which components of one vector are looked for; every pair is tried
@@ -27,6 +37,27 @@ def followed(variant: Variant) -> dict[str, tuple[str, str]]:
 def velocities_of_points(variant: Variant) -> dict[str, tuple[str, str]]:
     """Return the laws of [drive] that are velocities of named points, as in `followed`, whatever [closure] says of them."""
     return _along_axes(variant, (point for point, _ in variant.points))
+
+
+def driving_laws(variant: Variant) -> tuple[str, ...]:
+    """Return the laws of [drive] that drive a freedom each: rates, and velocities of points in an equation or in [closure].
+
+    Left out is a velocity of zero across the guide of the frame in which its point slides: the guide says so already.
+    """
+    parts, followed_by = velocities_of_points(variant), followed(variant)
+    used = {name for one in variant.constraints for side in (one.left, one.right) for name in side.names()}
+    zero = {law.name for law in variant.drive if law.formula is not None and constant(law.formula) == 0}
+    said = {law for law, (point, axis) in parts.items() if law in zero and _is_across_its_guide(variant, point, axis)}
+    moving = (law for law in parts if law in {*used, *followed_by} - said)
+    return tuple(dict.fromkeys((*variant.known_rates, *moving)))
+
+
+def _is_across_its_guide(variant: Variant, point: str, axis: str) -> bool:
+    """Return whether a guide of the frame through a point leaves it no velocity along an axis, whatever the data."""
+    angles = [angle for through, angle in variant.frame.rails if through == named(point)]
+    with suppress(FormulaFault, KeyError):
+        return any(abs(math.cos(turn) if axis == "x" else math.sin(turn)) < 1e-12 for turn in (evaluate(a, {}) for a in angles))
+    return False
 
 
 def _along_axes(variant: Variant, points: Iterable[str]) -> dict[str, tuple[str, str]]:

@@ -84,7 +84,9 @@ def test_fewer_freedoms_than_drives_are_not_laid_to_special_dimensions_alone() -
     arm = (folder("variants") / "robot-arm.toml").read_text(encoding="utf-8")
     arm = re.sub(r"(?m)^VMx = .*\nVMy = .*", 'VMx = "V*sin(pi*t/T)"\nVMy = "0"', arm).replace('"1.2 m/s"', '"0.1 m/s"')
     arm = arm.replace('hinges = ["D"]', 'hinges = ["D"]\nrails = [{ through = "M", angle = "0" }]')
-    found = told(solved(arm, ("table",)))["Mobility"]
+    assert "W = 1: one freedom, and one is driven" in told(solved(arm, ("table",)))["Mobility"]
+    leaning = arm.replace('VMy = "0"', 'VMy = "VMx*tan(pi/180)"').replace('angle = "0"', 'angle = "1 deg"')
+    found = told(solved(leaning, ("table",)))["Mobility"]
     assert "W = 1, yet the mechanism follows" in found
     assert "or it drives a point where a guide already leads it" in found
 
