@@ -12,7 +12,8 @@ from collections.abc import Iterable, Iterator
 from itertools import chain, count
 
 from coursework.variant.formula.tree import Formula, evaluate, named, spelled
-from coursework.variant.reading.implied_closure import stays
+from coursework.variant.reading.implied_closure import across_rail, stays
+from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Link, Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -38,7 +39,7 @@ def proposed(variant: Variant, name: str) -> Sentence:
     unit = dict(variant.unknowns).get(name)
     if unit is None:
         coordinate = next((c.name for c in variant.coordinates if c.rate == name), name)
-        return say("proposal.coordinate", name=name, coordinate=coordinate)
+        return _of_coordinate(variant, name, coordinate)
     if unit != "m/s":
         return _of_link(variant, name)
     guided = [*_guided(variant)]
@@ -51,6 +52,17 @@ def proposed(variant: Variant, name: str) -> Sentence:
     point, along, relative = [*named_after, *free][0]
     key = "proposal.sliding" if relative else "proposal.guided"
     return say(key, name=name, point=point, relative=relative, line=_line(name, "m/s", point, along, relative))
+
+
+def _of_coordinate(variant: Variant, name: str, coordinate: str) -> Sentence:
+    """Return what [closure] must hold so that a coordinate is determined: that a point placed by it stays in its guide."""
+    places = dict(variant.points)
+    for through, angle in variant.frame.rails:
+        held = across_rail(through, angle, variant)
+        if through.op == "name" and coordinate in reached([through.name], places) and held not in variant.holds:
+            holds = ", ".join(f'"{spelled(hold)}"' for hold in (*variant.holds, held))
+            return say("proposal.rail", name=name, point=through.name, holds=holds)
+    return say("proposal.coordinate", name=name, coordinate=coordinate)
 
 
 def _of_link(variant: Variant, name: str) -> Sentence:

@@ -35,6 +35,7 @@ _REMEMBERED = 4  # grids of times kept in the cache: a table, its exact rows and
 # Number of times at which a drive that waits is looked at, and the share of the largest length (or rad) that counts as waiting.
 _LATER, WAITING = 201, 1e-3
 CONFIGURATIONS = 5  # number of positions near the start at which equations and links are judged
+_LOOSE = 1e-6  # a coordinate determined up to this share is determined
 MOST_COMBINED = 12  # largest number of equations for which sums and differences of pairs are tried
 
 
@@ -98,6 +99,15 @@ class Closure:
             closed = np.zeros(len(times), dtype=bool)
         count = int(np.argmin(closed)) if not closed.all() else len(times)
         return (times[:count], q[:count]) if count else (times[:1], self.start[None])
+
+    @cached_property
+    def loose(self) -> frozenset[str]:
+        """Return the coordinates that the equations leave undetermined, though others of them may be determined."""
+        times, positions = self.configurations
+        slopes = self.residual(times, positions, self.targets(times)[0])[1]
+        known = np.diagonal(np.linalg.pinv(slopes) @ slopes, axis1=1, axis2=2).max(axis=0)  # 1 where a column is determined
+        names = self.equations.variant.coordinates
+        return frozenset(names[place].name for place, share in zip(self.free, known.tolist(), strict=True) if share < 1 - _LOOSE)
 
     def _moved(self, times: Array) -> Flags:
         """Return at which times (n,) the drives have moved something away from the start."""

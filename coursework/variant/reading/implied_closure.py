@@ -71,10 +71,10 @@ def _held(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
     for place, hinge in enumerate(variant.frame.hinges):
         yield from ((("frame", "hinges", place), _part(named(hinge), axis)) for axis in "xy")
     for place, (through, angle) in enumerate(variant.frame.rails):
-        yield ("frame", "rails", place), _across(through, angle, variant)
+        yield ("frame", "rails", place), across_rail(through, angle, variant)
 
 
-def _across(through: Formula, angle: Formula, variant: Variant) -> Formula:
+def across_rail(through: Formula, angle: Formula, variant: Variant) -> Formula:
     """Return the distance of a point from the line through the origin along a rail."""
     turned = evaluate_any(angle, {"pi": math.pi, **variant.values}).real
     if abs(math.sin(turned)) < 1e-12:

@@ -20,7 +20,9 @@ from coursework.motion.geometry.closure import CONFIGURATIONS, Closure, compile_
 from coursework.motion.geometry.judging.compared import looked_at
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
-from coursework.variant.record.variant import Binding
+from coursework.variant.record.entries import reached
+from coursework.variant.record.held import followed
+from coursework.variant.record.variant import Binding, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -212,8 +214,20 @@ def _of_bound(bound: Binding, equations: VelocityEquations, rows: Array) -> Sent
     return say(key, name=bound.name, line=equations.variant.nearest_line("unknowns", bound.name))
 
 
+def _of_still_point(name: str, variant: Variant) -> Sentence | None:
+    """Return how a driven point is made to move if no coordinate places it; None if one does."""
+    point, _, axis = name.partition(".")
+    places = dict(variant.points)
+    if point not in places or f"V{point}{axis}" not in followed(variant):
+        return None
+    if {one.name for one in variant.coordinates} & reached([point], places):
+        return None
+    return say("fault.V304.still", point=point, axis=axis, law=f"V{point}{axis}")
+
+
 def _require_free(equations: VelocityEquations, times: Array, positions: Array) -> None:
     """Raise `InputError` if driven coordinates alone move something that [closure] holds or drives otherwise."""
+    variant = equations.variant
     bound = [equation for equation in equations.from_closure if not equation.coefficients]
     if not bound:
         return
@@ -221,8 +235,9 @@ def _require_free(equations: VelocityEquations, times: Array, positions: Array) 
     rights = compile_system(equations, bound).matrices(times, positions)[1]
     for equation, largest in zip(bound, np.max(np.abs(rights), axis=0), strict=True):
         if largest > TOLERANCE:
-            told = say("fault.V304", name=equation.name, largest=float(largest), because=equation.because)
-            variant = equations.variant
+            told = _of_still_point(equation.name, variant) or say(
+                "fault.V304.moved", name=equation.name, largest=float(largest), because=equation.because
+            )
             faults.append(Fault(told, variant.file, variant.line_of("closure")))
     if faults:
         raise InputError(faults)

@@ -41,7 +41,7 @@ _ROUND_OFF = 1e-9  # share of the largest length
 def require_rigid(equations: VelocityEquations, closure: Closure) -> bool:
     """Return whether links keep their shape, growing arms apart; with other data or another start they may not.
 
-    Raises `InputError` if links or the frame contradict the points.
+    A rail is not judged by a point that [closure] leaves free.  Raises `InputError` if links or the frame contradict the points.
     """
     variant = equations.variant
     if _contradictory(closure) or not (
@@ -143,7 +143,9 @@ def _seen(equations: VelocityEquations, closure: Closure) -> _Seen:
     parts = np.array([np.broadcast_to(np.asarray(part, dtype=float), times.shape) for part in found])
     tracks = {name: parts[2 * place] + 1j * parts[2 * place + 1] for place, name in enumerate(vectors)}
     growing = [positions[:, place] for place, one in enumerate(variant.coordinates) if one.unit == "m"]
-    return _Seen(variant, times, tracks, growing, closure.scale)
+    places = dict(variant.points)
+    loose = frozenset(name for name in tracks if variant.frame.rails and closure.loose & reached([name], places))
+    return _Seen(variant, times, tracks, growing, closure.scale, loose)
 
 
 @frozen
@@ -151,7 +153,7 @@ class _Seen:
     """Positions of the points of a variant at some `times` (c,).
 
     `tracks` holds x + iy (c,) of each point, `growing` the values (c,) of each coordinate that is a length; `scale` is the
-    largest length (m).
+    largest length (m), `loose` the points that nothing determines.
     """
 
     variant: Variant
@@ -159,6 +161,7 @@ class _Seen:
     tracks: dict[str, Track]
     growing: list[Array]
     scale: float
+    loose: frozenset[str]
 
     def of_links(self) -> Iterator[Fault]:
         """Yield a fault for each link that has two points of varying distance or that leaves the bar it slides on."""
@@ -190,7 +193,7 @@ class _Seen:
         """Yield a fault for each rail not along the path of its point, or not touched sideways by its wheel."""
         wheels = {link.contact: link for link in self.variant.links if link.wheel}
         for place, (through, angle) in enumerate(self.variant.frame.rails):
-            if through.op != "name":
+            if through.op != "name" or through.name in self.loose:
                 continue
             track, along = self.tracks[through.name], np.exp(1j * evaluate(angle, self.variant.values))
             way = track - track[0]

@@ -1,10 +1,13 @@
 """Links that do not keep their shape, rails across the way of their point, circles that no wheel touches are told by name."""
 
+import re
+
 import pytest
 
 import coursework
 from coursework.motion.geometry.judging.rigid import _is_arm
 from coursework.variant.formula.reader import parse
+from tests.commands.test_cli import call
 from tests.mechanisms.library import mechanism
 from tests.motion.geometry.judging.test_turning import closure
 
@@ -173,3 +176,24 @@ def test_a_hinge_that_moves_is_named_where_more_is_held_than_is_free():
         text = text.replace(right, wrong)
     with pytest.raises(coursework.InputError, match=r"V319 .*and B moves"):
         coursework.solve(coursework.parse_variant(text)).compute()
+
+
+def test_a_rail_of_a_point_that_nothing_holds_is_not_judged_and_the_advice_holds_it(tmp_path, monkeypatch):
+    """C was said to move along 0°, and the rail to be wrong: with phi2 left at its start it did."""
+    monkeypatch.chdir(tmp_path)
+    text = mechanism("guided-driver", ('holds = ["B.y", "C.x*sin(gam) - C.y*cos(gam)"]', 'holds = ["B.y"]'))
+    (tmp_path / "loose.toml").write_text(text, encoding="utf-8")
+    told = call("check", "loose").stdout
+    assert "[closure] does not say that C stays in its guide." in told
+    holds = re.search(r"Write there (holds = \[.*?\]);", told)[1]
+    (tmp_path / "held.toml").write_text(text.replace('holds = ["B.y"]', holds), encoding="utf-8")
+    assert "2 position equations determine every coordinate." in call("check", "held").stdout
+    leaning = text.replace('holds = ["B.y"]', holds).replace('angle = "gam"', 'angle = "30 deg"')
+    with pytest.raises(coursework.InputError, match=r"V316 .*through C lies at 30°, and C moves along 60°"):
+        _ = coursework.solve(coursework.parse_variant(leaning)).table
+
+
+def test_a_driven_point_that_nothing_moves_is_to_be_given_a_coordinate():
+    still = mechanism("guided-driver", ('M = "(0, yM)"', 'M = "(0, 0)"'), ("[closure]\n", '[closure]\ndriven = "M"\n'), yM=None)
+    with pytest.raises(coursework.InputError, match=r'V304 .*Write yM = { start = "0 m", rate = "VMy" } in \[coordinates\]'):
+        _ = coursework.solve(coursework.parse_variant(still)).table
