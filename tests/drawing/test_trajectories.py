@@ -58,6 +58,8 @@ def test_the_trajectory_of_a_crank_pin_is_its_circle() -> None:
     assert np.ptp(slider.real) == pytest.approx(800 / scale, abs=0.05)
     said = {word.text for word in measured.words(drawing.svg)}
     assert {str(place) for place in range(2, 13)} <= said
+    apart = float(re.search(r"positions ([\d.]+) s apart", drawing.caption)[1])  # type: ignore[index]
+    assert 12 * apart == pytest.approx(run_of("example-2").variant.time.period, rel=1e-3)
 
 
 def test_the_hodograph_of_a_crank_pin_is_a_circle_and_its_rows_lie_on_it() -> None:
