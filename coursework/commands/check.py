@@ -18,6 +18,7 @@ from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
 from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
+from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
@@ -26,6 +27,16 @@ def check_variant(variant: str) -> int:
     """Print the results; return 0 if the whole motion is possible, 1 if it stops or its start is not a closed position."""
     tell_own_file(variant)
     run = make_run(variant_of(variant))
+    try:
+        return _tell(run)
+    except InputError as error:
+        from coursework.desk.answering.contradicted import with_terms
+
+        text = run.variant.path.read_text(encoding="utf-8-sig") if run.variant.path is not None else ""
+        raise with_terms(error, run.variant, text) from error
+
+
+def _tell(run: Run) -> int:
     chosen = run.variant
     tell(f"{title_of(chosen)}  ({chosen.name}, {chosen.path})")
     tell_remarks(run)

@@ -1,6 +1,7 @@
 """Written equations that the geometry contradicts: which term differs and how; other equations keep their verdicts.
 
-Enters: a `Desk` and its faults.  Leaves: those faults, each at its term, and a verdict per equation.  Used by `bench.py`.
+Enters: a `Desk` and its faults.  Leaves: those faults, each at its term, and a verdict per equation.  Used by `bench.py` and, for
+a file, by `commands/check.py`.
 The search is that of the grading, with the velocities that the geometry gives.  The right term is not revealed.
 """
 
@@ -61,16 +62,34 @@ def naming_terms(kind: str, made: Answering) -> Answering:
     return answer
 
 
-def _contradicted(kind: str, error: InputError, desk: Desk) -> Answer:
-    wrong = {str(fault.message.values["name"]): fault for fault in error.faults}
+def with_terms(error: InputError, variant: Variant, text: str) -> InputError:
+    """Return an error in which each equation that contradicts the geometry names the term of its `text` that differs, if any."""
+    wrong = {str(fault.message.values["name"]): fault for fault in error.faults if fault.code == CONTRADICTS}
+    if not wrong:
+        return error
+    for name, (how, _) in _slips(wrong, variant, text)[1].items():
+        message = wrong[name].message
+        advice = say("fault.contradicts.slip", how=how)
+        wrong[name] = replace(wrong[name], message=say(message.key, **{**message.values, "advice": advice}))
+    return InputError([wrong.get(str(fault.message.values.get("name")), fault) for fault in error.faults])
+
+
+def _slips(wrong: Collection[str], variant: Variant, text: str) -> tuple[tuple[str, ...], dict[str, Slip]]:
+    """Return the names of the equations that agree, and the slip of each of the `wrong` ones that has one."""
     agreed, slips = tuple[str, ...](), dict[str, Slip]()
     with suppress(CourseworkError):  # without the wrong equations the text may describe no mechanism
-        right = _without(wrong, desk.variant)
+        right = _without(wrong, variant)
         agreed = agreed_of(make_run(right, quantities=[TABLE.name]))
-        judge, written = Judge(key_of(right)), [one for one in desk.variant.constraints if not one.is_closure]
+        judge, written = Judge(key_of(right)), [one for one in variant.constraints if not one.is_closure]
         others = [linear(one.difference, judge.off_closure) for one in written if one.name in agreed and one.name not in wrong]
         searched = [one for one in written if one.name in wrong][:_MOST]
-        slips = {one.name: slip for one in searched if (slip := _slip(one, judge, others, desk))}
+        slips = {one.name: slip for one in searched if (slip := _slip(one, judge, others, text))}
+    return agreed, slips
+
+
+def _contradicted(kind: str, error: InputError, desk: Desk) -> Answer:
+    wrong = {str(fault.message.values["name"]): fault for fault in error.faults}
+    agreed, slips = _slips(wrong, desk.variant, desk.text)
     entries = [
         _entry(fault, slips[name], desk) if name in slips else entry
         for (name, fault), entry in zip(wrong.items(), faults_of(error, desk), strict=False)
@@ -87,10 +106,10 @@ def _without(names: Collection[str], variant: Variant) -> Variant:
     return replace(rest, constraints=(*rest.constraints, *more))
 
 
-def _slip(one: Constraint, judge: Judge, others: Sequence[Linear], desk: Desk) -> Slip | None:
+def _slip(one: Constraint, judge: Judge, others: Sequence[Linear], whole: str) -> Slip | None:
     """Return the one slip in an equation, or None; a change that would make it equal to one of the `others` does not count."""
     tree = one.difference
-    text, probe = _text(one, desk)[1], judge.off_closure
+    text, probe = _text(one, whole)[1], judge.off_closure
     for edit in judge.slips(tree, text):
         mended = linear(applied(tree, edit), probe)
         # A replacement that is zero, such as a zero name or a factor sin(pi), means that the term does not belong there.
@@ -127,15 +146,15 @@ def _entry(fault: Fault, slip: Slip, desk: Desk) -> dict[str, Any]:
     about = about if isinstance(about, Sentence) and about.key == _OTHER_WAY else ""
     sentence = desk.words.written(say("desk.equation_differs", name=name, sections=sections, how=how, about=about))
     own = next(one for one in desk.variant.constraints if one.name == name)
-    begin, text = _text(own, desk)
+    begin, text = _text(own, desk.text)
     # The place of a missing term is the text between the quotes.
     line, place = line_and_column(desk.text, begin + column - 1) if text else (fault.line, 0)
     return fault_entry(fault.code, sentence, line, place)
 
 
-def _text(one: Constraint, desk: Desk) -> tuple[int, str]:
+def _text(one: Constraint, whole: str) -> tuple[int, str]:
     """Return the offset (from 0) and the text of an equation; (0, "") if it contains escapes."""
-    begin, end = place_of(desk.text, one.path) or (0, 0)
-    begin += desk.text.startswith("\n", begin)  # a line break after three quotes is not part of the value
-    text = desk.text[begin:end]
+    begin, end = place_of(whole, one.path) or (0, 0)
+    begin += whole.startswith("\n", begin)  # a line break after three quotes is not part of the value
+    text = whole[begin:end]
     return (begin, text) if "\\" not in text else (0, "")

@@ -170,7 +170,8 @@ def _faults(
         rows = every[:, [*range(first), place]]
         bound = next((bound for bound in equations.variant.bindings if bound.name in one.coefficients), None)
         about = _of_bound(bound, equations, rows) if bound else ""
-        faults.append(Fault(say("fault.V302", name=one.name, about=about, sections=_sections(equations)), file, one.line))
+        known = {"name": one.name, "sections": _sections(equations), "advice": say("fault.contradicts.derive")}
+        faults.append(Fault(say("fault.V302", **known, about=about), file, one.line))
     return faults
 
 
