@@ -211,3 +211,35 @@ def test_a_linkage_that_is_stretched_and_cannot_move_says_that_and_no_more(lengt
     assert run.stop.kind == "dead point"
     assert "none near it" in run.stop.sentence
     assert run.summary.endswith("The motion stops at t = 0 s. No row is computed.")
+
+
+TOUCHING = {  # what touches zero where the crank is at 0.73 rad, between two rows; its other side is zero there too, or not
+    "w2*(1 - cos(p - c)) = w1": "This is a dead point",
+    "w2 = w1/(1 - cos(p - c))": "This is a dead point",
+    "w2*(p - c)^2 = w1*cos(p)": "This is a dead point",
+    "w2*(1 - cos(p - c)) = w1*sin(p - c)^2": "This is a removable singularity",
+    "w2 = w1*(1 + sin(p - c)^2/(1 - cos(p - c)))": "This is a removable singularity",
+    "w2*tan(p - c)^2 = w1*sin(p - c)^2": "This is a removable singularity",
+}
+
+
+def touching(equation: str, end: float) -> str:
+    """A crank at 2 rad/s comes to 0.73 rad at 0.365 s, by its drive or by an equation of its own."""
+    return scene(
+        'p = { start = "0 rad", rate = "w1" }\nq = { start = "0 rad", rate = "w2" }',
+        given='c = "0.73 rad"\nn = "1 rad/s"', drive='w0 = "n"', step=0.05, end=end, equations=["w1 = 2*w0", equation],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("equation", "told"), TOUCHING.items())
+def test_what_only_touches_zero_ends_the_motion_at_its_time_and_by_its_cause(equation, told):
+    """Before a double zero the flow stalls where it is 1e-10: that is 1e-5 too early, and there the drive still asks for a little."""
+    stop = solve(touching(equation, 1.0), "euler").stop
+    assert told in stop.sentence
+    assert abs(stop.time - 0.365) < LOCATED
+    assert abs(stop.coordinates["p"] - 0.73) < LOCATED
+    assert solve(touching(equation, 0.35), "euler").stop is None
+
+
+def test_what_comes_near_zero_and_never_there_does_not_end_the_motion():
+    assert solve(touching("w2 = w1/(1.001 - cos(p - c))", 1.0), "euler").stop is None

@@ -145,7 +145,7 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
     start = np.array(position, dtype=float)
     matrix, right, velocities = flow.part(time, start.tolist(), block)
     left, sizes, directions = np.linalg.svd(matrix)
-    scale = float(np.max(np.abs(matrix)))
+    scale = float(np.max(np.abs(matrix))) if len(sizes) > 1 else flow.largest[block]  # a single coefficient is nought here
     if len(sizes) > 1 and sizes[-2] < 1e-6 * sizes[0]:
         return ()
     w, v = left[:, -1], directions[-1]

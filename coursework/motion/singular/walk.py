@@ -35,7 +35,7 @@ SINGULAR = 1e-10
 NEAR, FAR = 100.0, 1e-2
 # Share of a length by which a motion may miss a change point and still be at it: no link is made to 1e-9.
 MISSED = 1e-9
-# The flow has stalled in a dead point that depends on time alone (the determinant depends on t only).
+# The flow has stalled before a dead point that comes whatever the block does: its determinant depends on time and earlier blocks.
 STALLED = 1e-10
 # A determinant below DIP is examined for a minimum inside a step; one below TOUCH is zero.
 DIP, TOUCH = 0.1, 1e-12
@@ -51,6 +51,8 @@ BOUNDLESS = 1e9
 # MANY steps together shorter than SHORT times the time so far mean an unbounded rate; no step is below NOTHING times the run.
 MANY, SHORT, NOTHING = 100, 1e-11, 1e-20
 _HALVINGS = 30
+# Newton's steps from where the flow stalls, 1e-5 before a double zero; each doubles the digits.
+_NEWTON = 4
 # Factor for a step that reaches too far: the pace of the clock changes on the way.
 _SHORT = 0.9
 
@@ -242,7 +244,7 @@ class Walk:
         self._begin(np.append(state[:-1] + (goal - state[-1]) / slope[-1] * slope[:-1], goal))
 
     def _at_rest(self, block: int) -> Event | None:
-        """Return the change point at which the flow comes to rest, or the dead point that depends on time alone."""
+        """Return the change point at which the flow comes to rest, or the dead point that comes whatever the block does."""
         size = abs(self.scaled[block])
         if size < STALLED:
             return self._event(self._ahead(block), block)
@@ -252,12 +254,19 @@ class Walk:
         return self._change_point(self.state, block)
 
     def _ahead(self, block: int) -> Array:
-        """Return the state at which a determinant moved by time alone is zero: a simple zero or a double one."""
-        *q, t = self.state.tolist()
-        now, nudge = self.scaled[block], 1e-6 * self.end
-        rate = (self.flow.scaled(t + nudge, q)[block] - self.flow.scaled(t - nudge, q)[block]) / (2 * nudge)
-        times = [t - order * now / rate for order in (1, 2)] if rate else [t]
-        return np.array([*q, min(times, key=lambda at: abs(self.flow.scaled(at, q)[block]))])
+        """Return the state ahead at which a determinant that the block itself does not move has its simple or double zero."""
+        state, size, nudge = self.state, abs(self.scaled[block]), 1e-6 * self.end
+        for _ in range(_NEWTON):
+            *q, t = state.tolist()
+            moving = np.append(self.flow.part(t, q, block)[2], 1.0)
+            now, after, before = (self._determinants(state + side * nudge * moving)[block] for side in (0, 1, -1))
+            lengths = [-order * now * 2 * nudge / (after - before) for order in (1, 2)] if after != before else [0.0]
+            reached = {abs(self._determinants(one)[block]): one for one in (state + length * moving for length in lengths)}
+            if min(reached) >= size:
+                break
+            size = min(reached)
+            state = reached[size]
+        return state
 
     def _change_point(self, state: Array, block: int) -> Event | None:
         """Return the change point that the motion meets near a state, None if there is none."""
