@@ -233,7 +233,7 @@ def touching(equation: str, end: float) -> str:
 
 @pytest.mark.parametrize(("equation", "told"), TOUCHING.items())
 def test_what_only_touches_zero_ends_the_motion_at_its_time_and_by_its_cause(equation, told):
-    """Before a double zero the flow stalls where it is 1e-10: that is 1e-5 too early, and there the drive still asks for a little."""
+    """Before a double zero the flow stalls where it is 1e-10: 1e-5 too early, and the drive still asks for a little."""
     stop = solve(touching(equation, 1.0), "euler").stop
     assert told in stop.sentence
     assert abs(stop.time - 0.365) < LOCATED
