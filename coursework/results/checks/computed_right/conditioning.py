@@ -70,8 +70,8 @@ def _of_equations(evidence: Evidence, used: Sequence[VelocityEquation]) -> Findi
     digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
     when = float(motion.t[worst])
     left = _of_positions(evidence)
-    if left is not None and left[0] < digits - _TOLD_APART:
-        return _far_apart(evidence, *left)
+    if left is not None and left[0] < min(digits, left[3]) - _TOLD_APART:
+        return _far_apart(evidence, *left[:3])
     told = floored(digits, 1)  # rounded down: what is shown as 6.0 passes, what fails is shown as 5.9
     sentence = say("check.CONDITION.found", digits=told, row=worst + 1, time=when, number=largest_number)
     rows = (say("check.CONDITION.worst"), largest_number, ""), (say("check.CONDITION.first"), first_number, "")
@@ -89,9 +89,10 @@ def _far_apart(evidence: Evidence, digits: float, row: int, name: str) -> Findin
     return Finding("PASS" if passes else "FAIL", found, digits, FEWEST, say("unit.digits", number=digits), name, row + 1)
 
 
-def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:
+def _of_positions(evidence: Evidence) -> tuple[float, int, str, float] | None:
     """Return the fewest digits that the position equations leave of a coordinate, its row (from 0) and name; None if unknown.
 
+    With them go the digits that would be left there if all lengths were alike: a singular position leaves few of any lengths.
     Each equation is a sum of lengths, known to a rounding error of the largest; this error may turn a short link.
     """
     closure, motion = evidence.closure, evidence.motion
@@ -119,7 +120,8 @@ def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:
     )
     row, place = np.unravel_index(int(np.argmax(moved / sizes)), moved.shape)
     digits = -np.log10(max(float(moved[row, place] / sizes[place]), 10.0**-DIGITS))
-    return float(np.clip(digits, 0.0, DIGITS)), int(rows[row]), coordinates[place].name
+    alike = np.linalg.cond(equilibrated(jacobian[rows], np.max(np.abs(jacobian[rows]), axis=0)))[row]
+    return float(np.clip(digits, 0.0, DIGITS)), int(rows[row]), coordinates[place].name, DIGITS - float(np.log10(alike))
 
 
 def _formula(coefficient: Expression, equations: VelocityEquations) -> Formula:
