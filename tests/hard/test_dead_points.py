@@ -243,3 +243,27 @@ def test_what_only_touches_zero_ends_the_motion_at_its_time_and_by_its_cause(equ
 
 def test_what_comes_near_zero_and_never_there_does_not_end_the_motion():
     assert solve(touching("w2 = w1/(1.001 - cos(p - c))", 1.0), "euler").stop is None
+
+
+# Hooke's joint, tan(b) = cos(k) tan(a), in forms that say 0/0 at 90 degrees: there every C of tan(b) = C tan(a) meets.
+NODES = ["wb*sin(2*a) = wa*sin(2*b)", "wb*sin(a)*cos(a) = wa*sin(b)*cos(b)", "wb*cos(a)^2 = wa*cos(k)*cos(b)^2"]
+
+
+@pytest.mark.parametrize("speed", [0.1, 1.0, 60.0])
+@pytest.mark.parametrize("form", NODES)
+def test_where_all_motions_meet_none_of_them_is_followed_as_the_exact_one(form, speed):
+    """At 90 degrees both sides and their derivatives are alike whatever wb is: a motion taken on from there is one of many."""
+    start, time = 0.35, (math.pi / 2 - 0.35) / speed
+    begin = math.atan(math.cos(0.6) * math.tan(start))
+    text = scene(
+        f'a = {{ start = "{start} rad", rate = "wa" }}\nb = {{ start = "{begin!r} rad", rate = "wb" }}', given='k = "0.6 rad"',
+        drive=f'wa = "{speed} rad/s"', step=time / 20.5, end=3 * time, equations=[form],
+    )  # fmt: skip
+    run = solve(text, "rk4")
+    assert "This is a removable singularity" in run.stop.sentence
+    assert abs(run.stop.time / time - 1) < LOCATED
+    exact = run.exact
+    a = start + speed * exact.t
+    assert np.max(np.abs(exact.coordinates[:, 1] - np.arctan(math.cos(0.6) * np.tan(a)))) < LOCATED
+    plain = solve(text.replace(form, "wb*(1 - sin(k)^2*sin(a)^2) = wa*cos(k)"), "rk4")
+    assert plain.stop is None

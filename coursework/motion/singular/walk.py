@@ -25,6 +25,7 @@ from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event, GivenUp, NotFollowed
 from coursework.motion.singular.peaks import Peaks, Piece
 from coursework.motion.singular.scaled_flow import Clock, Flow
+from coursework.motion.singular.stalled import ahead
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
@@ -51,8 +52,6 @@ BOUNDLESS = 1e9
 # MANY steps together shorter than SHORT times the time so far mean an unbounded rate; no step is below NOTHING times the run.
 MANY, SHORT, NOTHING = 100, 1e-11, 1e-20
 _HALVINGS = 30
-# Newton's steps from where the flow stalls, 1e-5 before a double zero; each doubles the digits.
-_NEWTON = 4
 # Factor for a step that reaches too far: the pace of the clock changes on the way.
 _SHORT = 0.9
 
@@ -247,26 +246,12 @@ class Walk:
         """Return the change point at which the flow comes to rest, or the dead point that comes whatever the block does."""
         size = abs(self.scaled[block])
         if size < STALLED:
-            return self._event(self._ahead(block), block)
+            event = self._event(ahead(self.flow, self.state, block, self.end, within=FAR), block)
+            return event if event.kind == "change point" else self._event(ahead(self.flow, self.state, block, self.end), block)
         if size > self.tried / 2:
             return None
         self.tried = size
         return self._change_point(self.state, block)
-
-    def _ahead(self, block: int) -> Array:
-        """Return the state ahead at which a determinant that the block itself does not move has its simple or double zero."""
-        state, size, nudge = self.state, abs(self.scaled[block]), 1e-6 * self.end
-        for _ in range(_NEWTON):
-            *q, t = state.tolist()
-            moving = np.append(self.flow.part(t, q, block)[2], 1.0)
-            now, after, before = (self._determinants(state + side * nudge * moving)[block] for side in (0, 1, -1))
-            lengths = [-order * now * 2 * nudge / (after - before) for order in (1, 2)] if after != before else [0.0]
-            reached = {abs(self._determinants(one)[block]): one for one in (state + length * moving for length in lengths)}
-            if min(reached) >= size:
-                break
-            size = min(reached)
-            state = reached[size]
-        return state
 
     def _change_point(self, state: Array, block: int) -> Event | None:
         """Return the change point that the motion meets near a state, None if there is none."""
