@@ -163,6 +163,33 @@ def test_an_equation_that_is_nothing_by_nothing_is_told_with_its_time(step, verd
 
 
 @pytest.mark.parametrize(
+    ("form", "is_known"),
+    [
+        ("wb = wa*cos(k)*(cos(b)/cos(a))^2", False),
+        ("wb*(1 + tan(b)^2) = wa*cos(k)*(1 + tan(a)^2)", False),
+        ("wb*(1 - sin(k)^2*sin(a)^2) = wa*cos(k)", True),
+        ("wb = wa*(1.5 + sin((a - 1)^2)/(a - 1)^2)", True),  # what is divided does not depend on b: one motion goes on
+    ],
+)
+def test_a_division_at_which_all_motions_of_an_equation_meet_leaves_the_exact_one_unknown(form, is_known):
+    """tan(b) = C tan(a) comes to 90 degrees for every C; what was followed from there was another motion, 218 % off."""
+    for end, known in ((1.4, True), (2.4, is_known)):
+        text = scene(
+            'a = { start = "0.1 rad", rate = "wa" }\nb = { start = "0.0826219 rad", rate = "wb" }', given='k = "0.6 rad"',
+            drive='wa = "1 rad/s"', step=0.04, end=end, equations=[form],
+        )  # fmt: skip
+        run = solve(text, "rk4", quantities=("table", "checks"))
+        judged = check(run, "ACCURACY")
+        assert judged.verdict == ("PASS" if known else "SKIP")
+        if not known:
+            assert re.match(
+                r"Equation 1 divides by cos\(a\), which is zero at t = 1\.4708 s: many of its motions may", judged.sentence
+            )
+            assert {check(run, code).verdict for code in ("PERIOD-POSITION", "PERIOD-VELOCITY", "CONTINUITY")} == {"SKIP"}
+            assert "divides by cos(a)" in run.summary and "not known" in run.summary
+
+
+@pytest.mark.parametrize(
     ("end", "told"), [(0.55, None), (2.1, None), (2.2, r"tan\(1 \+ a\), which passes zero at t = 2\.14159 s")]
 )
 def test_a_denominator_that_passes_a_pole_passes_no_zero(end, told):

@@ -16,7 +16,7 @@ from coursework.equations.reduction.magnitude import largest
 from coursework.equations.reduction.system import compile_system
 from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.motion.integration.integrate import WIDEST_STEP
-from coursework.results.checks.computed_right.divided import DIGITS, FEWEST, division
+from coursework.results.checks.computed_right.divided import DIGITS, FEWEST, divisions
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, floored, skipped
 from coursework.system.arrays import Array
@@ -41,7 +41,8 @@ def _condition(evidence: Evidence) -> Finding:
     used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
     if not used:
         return skipped(say("check.CONDITION.nothing"))
-    found, divided = _of_equations(evidence, used), division(evidence, used)
+    found = _of_equations(evidence, used)
+    divided = min(divisions(evidence), key=lambda one: one.digits, default=None)
     if divided is None:
         return found
     known = {"name": divided.equation, "by": divided.by, "row": divided.row, "time": divided.time}
@@ -49,7 +50,7 @@ def _condition(evidence: Evidence) -> Finding:
         told, unit = say("check.CONDITION.nothing_left", **known), say("unit.digits", number=divided.digits)
         return Finding("FAIL", told, divided.digits, FEWEST, unit, None, divided.row, headline=told)
     told = say("check.CONDITION.divided", after=divided.row + 1, **known)
-    is_close = evidence.compared and np.max(np.abs(evidence.errors), initial=0.0) <= LIMIT
+    is_close = not divided.is_own and evidence.compared and np.max(np.abs(evidence.errors), initial=0.0) <= LIMIT
     return replace(found, sentence=joined([found.sentence, told]), headline="" if is_close else told)
 
 

@@ -1,6 +1,6 @@
 """Where an equation of a table divides by zero: a row that says x/0, or a denominator that passes zero between two rows.
 
-Enters: `Evidence`, the equations that were solved.  Leaves: a `Division`.  Used by `conditioning.py`.
+Enters: `Evidence`.  Leaves: `Division`s.  Used by `conditioning.py` and `check.py`.
 A motion goes on there only if what is divided is zero too.  Beside such a point a small error of an angle becomes a large one of
 the velocity, whatever the scheme, and no determinant shows it.
 """
@@ -32,7 +32,8 @@ _SETTLED = 1e-9  # share of a step: more digits of the time than are shown
 class Division:
     """An `equation` divides by `by`, which is zero at the `time` between the `row` (from 1) and the next.
 
-    `digits`: those of sixteen that are left in that row.
+    `digits`: those of sixteen that are left in that row.  `is_own`: a coordinate whose rate the equation gives stands in it, so
+    that many motions may meet there, and it does not tell which one goes on.
     """
 
     equation: str
@@ -40,14 +41,21 @@ class Division:
     time: float
     row: int
     digits: float
+    is_own: bool
 
 
-def division(evidence: Evidence, used: Sequence[VelocityEquation]) -> Division | None:
-    """Return where the denominator with the fewest digits is zero, None if none is or passes it."""
+def divisions(evidence: Evidence) -> Sequence[Division]:
+    """Return for each denominator of the equations solved where it is zero, if it is or passes it."""
+    return evidence.once_of_rows("divisions", lambda: _found(evidence))
+
+
+def _found(evidence: Evidence) -> list[Division]:
     motion, equations = evidence.motion, evidence.equations
+    used = [equation for equation in equations.equations if equation.name in evidence.used]
     pairs = equations.once(("divisors", *(one.name for one in used)), lambda: _divisors(used, equations))
     if not pairs:
-        return None
+        return []
+    own = {one.name for one in used if _gives_own(one, equations)}
     at_one, at_all = compile_values(equations, [by for _, by in pairs])
     values = at_all(motion.t, *motion.coordinates.T)
     open_rows = np.ones(len(motion.t), dtype=bool)
@@ -68,8 +76,14 @@ def division(evidence: Evidence, used: Sequence[VelocityEquation]) -> Division |
                 continue
             row = passed[0]
             time = float(motion.t[row] + passed[1] * (motion.t[row + 1] - motion.t[row]))
-        found.append(Division(name, as_read(as_formula(by, equations.order)), time, row + 1, digits))
-    return min(found, key=lambda one: one.digits, default=None)
+        found.append(Division(name, as_read(as_formula(by, equations.order)), time, row + 1, digits, name in own))
+    return found
+
+
+def _gives_own(equation: VelocityEquation, equations: VelocityEquations) -> bool:
+    """Return whether a coordinate stands in an equation from which its own rate follows."""
+    own = {symbol(one.name) for one in equations.variant.coordinates if one.rate in equation.coefficients}
+    return any(not own.isdisjoint(part.free_symbols) for part in equation.parts)
 
 
 def _zero(value: Callable[..., float], states: Array) -> float | None:
