@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+import coursework
 from coursework.motion.schemes import SCHEMES
 from coursework.motion.singular.search import search_event
 from tests.hard.scenes import CASES, REFERENCE, V31_IMPOSSIBLE, expected, four_bar, scene, solve
@@ -267,3 +268,19 @@ def test_where_all_motions_meet_none_of_them_is_followed_as_the_exact_one(form, 
     assert np.max(np.abs(exact.coordinates[:, 1] - np.arctan(math.cos(0.6) * np.tan(a)))) < LOCATED
     plain = solve(text.replace(form, "wb*(1 - sin(k)^2*sin(a)^2) = wa*cos(k)"), "rk4")
     assert plain.stop is None
+
+
+@pytest.mark.parametrize(("end", "is_followed"), [(0.47, True), (0.49, False)])
+def test_a_coefficient_that_changes_its_sign_through_infinity_is_no_dead_point(end, is_followed):
+    """tan(p) stands at a pole where p = pi/2: it is not zero there, and what both sides divide by is."""
+    text = scene(
+        'p = { start = "0.61 rad", rate = "w1" }\nq = { start = "0.5 rad", rate = "w2" }', drive='w1 = "2 rad/s"',
+        equations=["w2*tan(p) = w1*tan(q)*(cos(q)/cos(p))^2"], step=0.01, end=end,
+    )  # fmt: skip
+    if is_followed:
+        assert solve(text, "rk4").stop is None
+    else:
+        with pytest.raises(
+            coursework.InputError, match=r"V512 .*cannot be followed beyond t = 0\.480398 s: a formula has no value"
+        ):
+            _ = solve(text, "rk4").stop

@@ -208,6 +208,8 @@ class Walk:
         smallest = value(bottom) * abs(self.scaled[block])
         if smallest <= TOUCH:
             state, part = self._root(clock, lowest, value)
+            if abs(value(state)) > 1.0:  # it changed its sign through infinity, as a tangent does
+                raise NotFollowed(say("fault.V512", time=float(state[-1]), reason=say("event.no_value")), float(state[-1]))
             return self._event(state, block), part
         return (self._change_point(bottom, block) if smallest < self.near else None), 0.0
 
