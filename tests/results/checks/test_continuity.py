@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.report.pages import build_model
+from coursework.report.pages.html import render_html
 from coursework.results.checks.close_to_motion import continuity
 from tests.hard.scenes import scene
 from tests.results.checks.scenes import V31, evidence_of, found, solve
@@ -142,6 +144,8 @@ def test_a_position_equation_that_the_velocities_do_not_keep_does_not_jump(size)
     told = "The velocities do not keep the position equation r*sin(q) - k*p: already from row {} on (t = {:.6g} s)"
     assert judged.sentence.startswith(told.format(row, 0.01 * (row - 1)))
     assert "lengths" not in found(run, "CONDITION").sentence
+    if size == "0.4":
+        assert "The velocities do not keep a position equation." in render_html(build_model(run))
 
 
 @pytest.mark.parametrize(("step", "row"), [(0.02, 5), (0.03, 3)])
