@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
+from coursework.effects.loose import Pairs, loose
 from coursework.effects.slid_length import slid_length
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, with_sliders
@@ -22,9 +23,7 @@ from coursework.variant.record.held import followed, velocities_of_points
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import closest, joined, say
-
-Pairs = tuple[tuple[str, str], ...]
+from coursework.words.sentences import closest, say
 
 
 def read_scheme(mechanism: Mechanism, instead: Forces | None = None, near: Callable[[], Pairs] | None = None) -> ForceScheme:
@@ -37,16 +36,7 @@ def read_scheme(mechanism: Mechanism, instead: Forces | None = None, near: Calla
         raise InputError([Fault(say("fault.V721"), variant.file, 1)])
     found = fitting_linkage(mechanism)
     if found is None:
-        mobility, drives = mechanism.mobility, driven_freedoms(variant)
-        if mobility is None or not 0 < drives < mobility.degrees:
-            raise InputError([Fault(say("fault.V722.none"), variant.file, 1)])
-        found_near = near() if near is not None else ()
-        pairs = joined(say("fault.meet.pair", one=one, other=other) for one, other in found_near)
-        meet = say("fault.meet.some", pairs=pairs) if found_near else "" if near is None else say("fault.meet.none")
-        told = say("fault.V722.loose", degrees=mobility.degrees, drives=drives, meet=meet)
-        raise InputError(
-            [Fault(told, variant.file, variant.nearest_line("links", variant.links[0].name) if variant.links else 1)]
-        )
+        raise InputError([loose(mechanism, near)])
     weighed = {one.body for one in forces.masses} | {load.on for load in forces.loads}
     blocks = with_sliders(found, lambda joint: bool(variant.groups) or (joint.where is not None and joint.where.name in weighed))
     return _Reader(mechanism, Bodies(mechanism, blocks), forces).scheme()

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+import coursework
 from coursework.motion.schemes import SCHEMES
 from coursework.motion.singular.search import search_event
 from tests.hard.scenes import CASES, REFERENCE, V31_IMPOSSIBLE, expected, four_bar, scene, solve
@@ -211,3 +212,75 @@ def test_a_linkage_that_is_stretched_and_cannot_move_says_that_and_no_more(lengt
     assert run.stop.kind == "dead point"
     assert "none near it" in run.stop.sentence
     assert run.summary.endswith("The motion stops at t = 0 s. No row is computed.")
+
+
+TOUCHING = {  # what touches zero where the crank is at 0.73 rad, between two rows; its other side is zero there too, or not
+    "w2*(1 - cos(p - c)) = w1": "This is a dead point",
+    "w2 = w1/(1 - cos(p - c))": "This is a dead point",
+    "w2*(p - c)^2 = w1*cos(p)": "This is a dead point",
+    "w2*(1 - cos(p - c)) = w1*sin(p - c)^2": "This is a removable singularity",
+    "w2 = w1*(1 + sin(p - c)^2/(1 - cos(p - c)))": "This is a removable singularity",
+    "w2*tan(p - c)^2 = w1*sin(p - c)^2": "This is a removable singularity",
+}
+
+
+def touching(equation: str, end: float) -> str:
+    """A crank at 2 rad/s comes to 0.73 rad at 0.365 s, by its drive or by an equation of its own."""
+    return scene(
+        'p = { start = "0 rad", rate = "w1" }\nq = { start = "0 rad", rate = "w2" }',
+        given='c = "0.73 rad"\nn = "1 rad/s"', drive='w0 = "n"', step=0.05, end=end, equations=["w1 = 2*w0", equation],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("equation", "told"), TOUCHING.items())
+def test_what_only_touches_zero_ends_the_motion_at_its_time_and_by_its_cause(equation, told):
+    """Before a double zero the flow stalls where it is 1e-10: 1e-5 too early, and the drive still asks for a little."""
+    stop = solve(touching(equation, 1.0), "euler").stop
+    assert told in stop.sentence
+    assert abs(stop.time - 0.365) < LOCATED
+    assert abs(stop.coordinates["p"] - 0.73) < LOCATED
+    assert solve(touching(equation, 0.35), "euler").stop is None
+
+
+def test_what_comes_near_zero_and_never_there_does_not_end_the_motion():
+    assert solve(touching("w2 = w1/(1.001 - cos(p - c))", 1.0), "euler").stop is None
+
+
+# Hooke's joint, tan(b) = cos(k) tan(a), in forms that say 0/0 at 90 degrees: there every C of tan(b) = C tan(a) meets.
+NODES = ["wb*sin(2*a) = wa*sin(2*b)", "wb*sin(a)*cos(a) = wa*sin(b)*cos(b)", "wb*cos(a)^2 = wa*cos(k)*cos(b)^2"]
+
+
+@pytest.mark.parametrize("speed", [0.1, 1.0, 60.0])
+@pytest.mark.parametrize("form", NODES)
+def test_where_all_motions_meet_none_of_them_is_followed_as_the_exact_one(form, speed):
+    """At 90 degrees both sides and their derivatives are alike whatever wb is: a motion taken on from there is one of many."""
+    start, time = 0.35, (math.pi / 2 - 0.35) / speed
+    begin = math.atan(math.cos(0.6) * math.tan(start))
+    text = scene(
+        f'a = {{ start = "{start} rad", rate = "wa" }}\nb = {{ start = "{begin!r} rad", rate = "wb" }}', given='k = "0.6 rad"',
+        drive=f'wa = "{speed} rad/s"', step=time / 20.5, end=3 * time, equations=[form],
+    )  # fmt: skip
+    run = solve(text, "rk4")
+    assert "This is a removable singularity" in run.stop.sentence
+    assert abs(run.stop.time / time - 1) < LOCATED
+    exact = run.exact
+    a = start + speed * exact.t
+    assert np.max(np.abs(exact.coordinates[:, 1] - np.arctan(math.cos(0.6) * np.tan(a)))) < LOCATED
+    plain = solve(text.replace(form, "wb*(1 - sin(k)^2*sin(a)^2) = wa*cos(k)"), "rk4")
+    assert plain.stop is None
+
+
+@pytest.mark.parametrize(("end", "is_followed"), [(0.47, True), (0.49, False)])
+def test_a_coefficient_that_changes_its_sign_through_infinity_is_no_dead_point(end, is_followed):
+    """tan(p) stands at a pole where p = pi/2: it is not zero there, and what both sides divide by is."""
+    text = scene(
+        'p = { start = "0.61 rad", rate = "w1" }\nq = { start = "0.5 rad", rate = "w2" }', drive='w1 = "2 rad/s"',
+        equations=["w2*tan(p) = w1*tan(q)*(cos(q)/cos(p))^2"], step=0.01, end=end,
+    )  # fmt: skip
+    if is_followed:
+        assert solve(text, "rk4").stop is None
+    else:
+        with pytest.raises(
+            coursework.InputError, match=r"V512 .*cannot be followed beyond t = 0\.480398 s: a formula has no value"
+        ):
+            _ = solve(text, "rk4").stop

@@ -156,13 +156,22 @@ def without_denominators(parts: Sequence[Expression], about: frozenset[Expressio
 
 
 def divisors(part: Expression) -> list[Expression]:
-    """Return by what an expression divides, in any part of it; a tangent divides by its cosine."""
-    found = (cosine(one.args[0]) if one.op == "tan" else one.args[0] for one in part.walk() if one.op == "tan" or _divides(one))
-    return [*dict.fromkeys(found)]
+    """Return by what an expression divides, in any part of it; a tangent divides by its cosine.
 
-
-def _divides(part: Expression) -> bool:
-    return part.op == "^" and part.args[1].is_negative
+    A divisor that stands below another, as a in 1/(1/a) or the cosine in 1/tan, makes that one infinite: nothing is divided by 0.
+    """
+    found: dict[Expression, None] = {}
+    ahead, seen = [(part, False)], {(part, False)}
+    while ahead:
+        one, is_below = ahead.pop()
+        divides = one.op == "^" and one.args[1].is_negative
+        if not is_below and (divides or one.op == "tan"):
+            found[cosine(one.args[0]) if one.op == "tan" else one.args[0]] = None
+        inside = not is_below if divides else is_below and one.op in {"+", "*", "^"}
+        inner = [(each, inside) for each in reversed(one.args) if (each, inside) not in seen]
+        seen.update(inner)
+        ahead += inner
+    return [*found]
 
 
 def _by_sines(part: Expression, about: frozenset[Expression]) -> Expression:

@@ -1,7 +1,7 @@
 """The zero of a function of one number, found by the secant through both ends of a bracket (Illinois method).
 
 Enters: a function, a bracket with its values.  Leaves: the number.
-Used by `turning.py`, `motion/singular/walk.py` and `effects/friction/rubbing.py`.
+Used by `turning.py`, `walk.py`, `divided.py` and `effects/friction/rubbing.py`.
 """
 
 from __future__ import annotations

@@ -27,6 +27,7 @@ _STEP = 1e-5  # s along the motion; central difference, error about 1e-10
 _SAME = 1e-6  # rad/s or m/s; velocities that differ by less are one motion
 _FLAT = 1e-6  # a coefficient of the quadratic below this share of the largest counts as zero
 _TOLD = 1e3 * float(np.finfo(float).eps) / _STEP  # relative to the matrix; smaller differences have fewer than three digits
+_ALIKE = 1e-5  # sides that differ by less, for every velocity, are alike: differences over _STEP are no more exact
 # Two-point Gauss rule for the closure error between two positions; exact to the fourth order of their distance.
 _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
 
@@ -145,24 +146,26 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
     start = np.array(position, dtype=float)
     matrix, right, velocities = flow.part(time, start.tolist(), block)
     left, sizes, directions = np.linalg.svd(matrix)
-    scale = float(np.max(np.abs(matrix)))
+    scale = float(np.max(np.abs(matrix))) if len(sizes) > 1 else flow.largest[block]  # a single coefficient is nought here
     if len(sizes) > 1 and sizes[-2] < 1e-6 * sizes[0]:
         return ()
     w, v = left[:, -1], directions[-1]
     particular = directions[:-1].T @ ((left[:, :-1].T @ right) / sizes[:-1])  # any other solution differs by a multiple of v
 
-    def demand(u: Array) -> float:
+    def demand(u: Array) -> tuple[float, float]:
         motion = velocities.copy()
         for coordinate, unknown in _own(flow, block):
             motion[coordinate] = u[unknown]
         after, before = (flow.part(time + side * _STEP, (start + side * _STEP * motion).tolist(), block)[:2] for side in (1, -1))
-        return float(w @ ((after[0] - before[0]) @ u - (after[1] - before[1])) / (2 * _STEP))
+        left, right = w @ ((after[0] - before[0]) @ u) / (2 * _STEP), w @ (after[1] - before[1]) / (2 * _STEP)
+        return float(left - right), float(max(abs(left), abs(right)))
 
-    at = {x: demand(particular + x * v) for x in (-1.0, 0.0, 1.0)}
+    found_at = {x: demand(particular + x * v) for x in (-1.0, 0.0, 1.0)}
+    at, sides = {x: gap for x, (gap, _) in found_at.items()}, max(side for _, side in found_at.values())
     square, slope, constant = (at[1.0] + at[-1.0]) / 2 - at[0.0], (at[1.0] - at[-1.0]) / 2, at[0.0]
     largest = max(abs(square), abs(slope), abs(constant), 1e-300)
-    if largest < _TOLD * scale:
-        return ()  # lengths so different that the differences are round-off
+    if largest < max(_TOLD * scale, _ALIKE * sides):
+        return ()  # lengths so different that the differences are round-off, or both sides alike whatever the velocity
     if abs(square) < _FLAT * largest:
         roots = [-constant / slope] if abs(slope) > _FLAT * largest else []
     else:

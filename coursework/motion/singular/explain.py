@@ -62,7 +62,10 @@ def explain(
         demanded = say(_unit(block, equations), value=event.demanded)
         meaning = say("event.dead", holds=holds, demanded=demanded, kept=kept)
     else:
-        key = "event.removable" if len(branches) == 1 else "event.change"
+        own = {one.name for one in equations.variant.coordinates if one.rate in block.unknowns}
+        comes_anyway = block.condition is not None and own.isdisjoint(block.condition.names())
+        is_removable = len(branches) == 1 or (not branches and comes_anyway)  # no other motion leads here
+        key = "event.removable" if is_removable else "event.change"
         meaning = say(key, holds=holds, branches=_branches(branches), kept=kept)
     told = tuple(_tidied_all(branch) for branch in branches)
     return Stop(event.kind, event.time, row, block.unknowns, _tidied_all(coordinates), cause, meaning, told)

@@ -25,6 +25,7 @@ from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event, GivenUp, NotFollowed
 from coursework.motion.singular.peaks import Peaks, Piece
 from coursework.motion.singular.scaled_flow import Clock, Flow
+from coursework.motion.singular.stalled import ahead
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
@@ -35,7 +36,7 @@ SINGULAR = 1e-10
 NEAR, FAR = 100.0, 1e-2
 # Share of a length by which a motion may miss a change point and still be at it: no link is made to 1e-9.
 MISSED = 1e-9
-# The flow has stalled in a dead point that depends on time alone (the determinant depends on t only).
+# The flow has stalled before a dead point that comes whatever the block does: its determinant depends on time and earlier blocks.
 STALLED = 1e-10
 # A determinant below DIP is examined for a minimum inside a step; one below TOUCH is zero.
 DIP, TOUCH = 0.1, 1e-12
@@ -207,6 +208,8 @@ class Walk:
         smallest = value(bottom) * abs(self.scaled[block])
         if smallest <= TOUCH:
             state, part = self._root(clock, lowest, value)
+            if abs(value(state)) > 1.0:  # it changed its sign through infinity, as a tangent does
+                raise NotFollowed(say("fault.V512", time=float(state[-1]), reason=say("event.no_value")), float(state[-1]))
             return self._event(state, block), part
         return (self._change_point(bottom, block) if smallest < self.near else None), 0.0
 
@@ -242,22 +245,15 @@ class Walk:
         self._begin(np.append(state[:-1] + (goal - state[-1]) / slope[-1] * slope[:-1], goal))
 
     def _at_rest(self, block: int) -> Event | None:
-        """Return the change point at which the flow comes to rest, or the dead point that depends on time alone."""
+        """Return the change point at which the flow comes to rest, or the dead point that comes whatever the block does."""
         size = abs(self.scaled[block])
         if size < STALLED:
-            return self._event(self._ahead(block), block)
+            event = self._event(ahead(self.flow, self.state, block, self.end, within=FAR), block)
+            return event if event.kind == "change point" else self._event(ahead(self.flow, self.state, block, self.end), block)
         if size > self.tried / 2:
             return None
         self.tried = size
         return self._change_point(self.state, block)
-
-    def _ahead(self, block: int) -> Array:
-        """Return the state at which a determinant moved by time alone is zero: a simple zero or a double one."""
-        *q, t = self.state.tolist()
-        now, nudge = self.scaled[block], 1e-6 * self.end
-        rate = (self.flow.scaled(t + nudge, q)[block] - self.flow.scaled(t - nudge, q)[block]) / (2 * nudge)
-        times = [t - order * now / rate for order in (1, 2)] if rate else [t]
-        return np.array([*q, min(times, key=lambda at: abs(self.flow.scaled(at, q)[block]))])
 
     def _change_point(self, state: Array, block: int) -> Event | None:
         """Return the change point that the motion meets near a state, None if there is none."""

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.results.accuracy.methods import projected_title
 from coursework.results.accuracy.record import StudyRow
-from coursework.results.accuracy.trace import SETTLED, local_slopes
+from coursework.results.accuracy.trace import SETTLED, are_odd, local_slopes
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -96,8 +96,11 @@ def unsettled(rows: Sequence[StudyRow], floor: float, *, broken: bool = False) -
         if own and own[-1].max_error <= own[-1].evaluations * floor / ROUNDINGS:
             continue  # the round-off of the steps grows with their number
         local = local_slopes([row.evaluations for row in own], [row.max_error for row in own], floor)
-        if len(local) > 1 and abs(local[-1] - local[-2]) > SETTLED:
+        is_odd = are_odd(local, scheme.order)
+        if len(local) > 1 and (is_odd or abs(local[-1] - local[-2]) > SETTLED):
             told.append(say("study.slopes", method=title_of(scheme), first=local[-2], last=local[-1]))
+        elif is_odd:
+            told.append(say("study.one_slope", method=title_of(scheme), slope=local[0]))
         elif not local and len(own) > 1 and own[-1].max_error > 10 * floor:
             told.append(say("study.no_slope", method=title_of(scheme)))
     return (say("study.broken" if broken else "study.unsettled", methods=tuple(told)),) if told else ()

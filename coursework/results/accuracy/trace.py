@@ -14,6 +14,7 @@ import numpy as np
 
 from coursework.motion.integration.loops import Loop
 from coursework.motion.integration.rates import Rates
+from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.accuracy.record import StudyRow
 from coursework.system.arrays import Array
 
@@ -57,15 +58,32 @@ def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float
 
 
 def orders_of(rows: Sequence[StudyRow], floor: float, least: float, *, end: bool = False, scale: float = 1.0) -> dict[str, float]:
-    """Return method -> measured order for each method with steps whose order exceeds `least`; errors are divided by `scale`."""
+    """Return method -> measured order for each method with steps whose order exceeds `least`; errors are divided by `scale`.
+
+    Two points always lie on a line, and three may by luck: an order is measured only where the scheme can have it.
+    """
+    known: dict[str, int] = {title_of(scheme): scheme.order for scheme in SCHEMES.values()}
     found = {}
     for method in dict.fromkeys(row.method for row in rows):
         own = [row for row in rows if row.method == method and not row.failed and row.steps_or_tolerance.isdigit()]
         sizes = [(row.end_error if end else row.max_error) / scale for row in own]
-        measured = slope([row.evaluations for row in own], sizes, floor / scale)
-        if measured is not None and measured > least:
+        costs = [row.evaluations for row in own]
+        measured = slope(costs, sizes, floor / scale)
+        is_odd = not end and are_odd(local_slopes(costs, sizes, floor / scale), known.get(method))
+        if measured is not None and measured > least and not is_odd:
             found[method] = measured
     return found
+
+
+def are_odd(slopes: Sequence[float], order: int | None) -> bool:
+    """Return whether local slopes are not those of a scheme of this `order`, None for a method without one.
+
+    A single slope must be the order itself.  Several that agree may be an order higher, as Ralston's scheme has 3 where it only
+    integrates a drive, and not more: then steps that are still too coarse agree by luck.
+    """
+    if order is None or not slopes:
+        return False
+    return abs(slopes[0] - order) > SETTLED if len(slopes) == 1 else min(slopes) > order + 1 + SETTLED
 
 
 def local_slopes(costs: Sequence[float], found: Sequence[float], floor: float) -> list[float]:

@@ -17,6 +17,7 @@ from coursework.results.checks.close_to_motion import closeness, continuity, dri
 from coursework.results.checks.close_to_motion.stiffness import stiff
 from coursework.results.checks.computed_right import beginning, conditioning, digits, equations, quotes
 from coursework.results.checks.computed_right.conditioning import condition
+from coursework.results.checks.computed_right.divided import Division, divisions
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Check, Finding, Need, floored
 from coursework.words.sentence import Sentence
@@ -54,6 +55,18 @@ def _too_few(evidence: Evidence) -> float | None:
     return digits if max(way, default=0.0) * 10.0**-digits > LIMIT else None
 
 
+def _many_motions(evidence: Evidence) -> Division | None:
+    """Return the first division by zero at which many motions of an equation may meet, None without any."""
+    found = () if evidence.restricted else (one for one in divisions(evidence) if one.is_own)
+    return min(found, key=lambda one: one.time, default=None)
+
+
+def _not_told(evidence: Evidence) -> Sentence:
+    found = _many_motions(evidence)
+    assert found is not None
+    return say("check.ACCURACY.divided", name=found.equation, by=found.by, time=found.time)
+
+
 ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_row"))
 WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
 # A crank alone has no equations: its motion is given.
@@ -68,6 +81,7 @@ DIGITS = Need(
     lambda evidence: _too_few(evidence) is None,
     lambda evidence: say("check.ACCURACY.few_digits", digits=floored(_too_few(evidence) or 0.0, 1)),
 )
+UNDIVIDED = Need(lambda evidence: _many_motions(evidence) is None, _not_told)
 
 
 CHECKS: tuple[Check, ...] = (
@@ -79,16 +93,16 @@ CHECKS: tuple[Check, ...] = (
     Check("AGREEMENT", "computation", equations.agreement, (), is_least=True),
     Check("QUOTE", "computation", quotes.quote, (ROW,)),
     Check("TABLE-DIGITS", "computation", digits.table_digits, (ROW,)),
-    Check("ACCURACY", "motion", closeness.accuracy, (ROW, RESOLVED, EXACT, DIGITS)),
-    Check("PERIOD-POSITION", "motion", period.position, (ROW, RESOLVED, EXACT, DIGITS)),
-    Check("PERIOD-VELOCITY", "motion", period.velocity, (ROW, RESOLVED, EXACT, DIGITS)),
+    Check("ACCURACY", "motion", closeness.accuracy, (ROW, RESOLVED, EXACT, DIGITS, UNDIVIDED)),
+    Check("PERIOD-POSITION", "motion", period.position, (ROW, RESOLVED, EXACT, DIGITS, UNDIVIDED)),
+    Check("PERIOD-VELOCITY", "motion", period.velocity, (ROW, RESOLVED, EXACT, DIGITS, UNDIVIDED)),
     Check("PERIOD-ASSEMBLY", "motion", period.assembly, (ROW, RESOLVED, SOLVED)),
-    Check("CONTINUITY", "motion", continuity.continuity, (ROW, RESOLVED, EXACT, DIGITS)),
-    Check("SINUSOID", "motion", sinusoid.sinusoid, (ROW, RESOLVED, EXACT), is_least=True),
+    Check("CONTINUITY", "motion", continuity.continuity, (ROW, RESOLVED, EXACT, DIGITS, UNDIVIDED)),
+    Check("SINUSOID", "motion", sinusoid.sinusoid, (ROW, RESOLVED, EXACT, UNDIVIDED), is_least=True),
     Check("STEP", "motion", rows.enough, (ROW,), is_least=True),
     Check("PEAK", "motion", conditioning.peak, (ROW, RESOLVED, SOLVED)),
     Check("DRIFT", "motion", drift.drift, (ROW, RESOLVED, CLOSURE, WHOLE)),
-    Check("DRIFT-PER-PERIOD", "motion", drift.per_period, (ROW, RESOLVED, EXACT)),
+    Check("DRIFT-PER-PERIOD", "motion", drift.per_period, (ROW, RESOLVED, EXACT, UNDIVIDED)),
 )
 
 

@@ -141,6 +141,9 @@ class Model:
     def rates(self, t: ArrayLike, q: ArrayLike, data: Any = None) -> Array:
         """Return the velocities (…, k) in rad/s and m/s at times and positions.
 
+        A free rate of [motor] follows from forces and from what was before, not from a position: here it is 1, and the others
+        are those that go with it.  The motion under forces is that of `bind`, of `solve` and `solve_many`.
+
         >>> import coursework
         >>> coursework.compile_model("31").rates(0.0, [1.63, 3.37, 2.87]).round(4).tolist()
         [-1.5755, -0.7173, 5.5518, -16.6542]

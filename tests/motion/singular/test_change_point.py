@@ -41,6 +41,13 @@ def test_how_many_motions_go_on_from_a_change_point(square, slope, constant, cou
         assert found is count if count is None else len(found) == count
 
 
+@pytest.mark.parametrize(("apart", "count"), [(1.2e-5, 1), (0.8e-5, 0), (0.0, 0)])
+def test_sides_that_are_alike_whatever_the_velocity_tell_no_motion(apart, count):
+    """t u = (1 - apart) q: the sides differ by that share of the larger for u = 1 and -1, and only u = 0 goes on."""
+    flow = Single(lambda t, q: t, lambda t, q: (1 - apart) * q)
+    assert len(branches_at(flow, 0, 0.0, [0.0])) == count
+
+
 @pytest.mark.parametrize("begin", [0.7, 0.9, 0.99, 1.01, 1.3])
 def test_a_change_point_is_where_two_curves_of_positions_cross(begin):
     """(q - 1)^2 = (t - 1)^2 crosses at 1, where p = q^2 is 1 too; the motion q = t goes through the point itself."""

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.motion.singular import change_point, passing
+from coursework.motion.singular import change_point, passing, walk
 from coursework.motion.singular.event import GivenUp
 from coursework.motion.singular.explain import _away
 from coursework.motion.singular.peaks import Peaks, _highest
@@ -113,11 +113,11 @@ def test_a_start_that_is_singular(size, singular):
 
 
 @pytest.mark.parametrize(("size", "stalled"), [(0.9e-10, True), (1.2e-10, False)])
-def test_a_flow_that_stalls(size, stalled):
-    stand = SimpleNamespace(
-        scaled=[size], tried=1e-10, state="here", _ahead=lambda block: "ahead", _event=lambda state, block: state
-    )
-    assert Walk._at_rest(stand, 0) == ("ahead" if stalled else None)
+def test_a_flow_that_stalls(size, stalled, monkeypatch):
+    dead = SimpleNamespace(kind="dead point")
+    stand = SimpleNamespace(flow=None, end=1.0, scaled=[size], tried=1e-10, state="here", _event=lambda state, block: dead)
+    monkeypatch.setattr(walk, "ahead", lambda flow, state, block, end, within=None: state)
+    assert Walk._at_rest(stand, 0) is (dead if stalled else None)
 
 
 @pytest.mark.parametrize(("size", "together"), [(0.9e-6, (0, 1)), (1.2e-6, (1,))])

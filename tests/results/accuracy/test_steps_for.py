@@ -6,13 +6,14 @@ from dataclasses import replace
 import pytest
 
 import coursework
-from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, title_of
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.report.output.tables import study_csv
 from coursework.results.accuracy.methods import projected_title
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 from coursework.results.accuracy.sentences import _clock, sentences_of, unsettled
 from coursework.results.accuracy.trace import local_slopes, orders_of, slope
 
+BENT = "Steps are still too coarse for an order; local slopes:"
 COUNTS = (24, 96, 1536, 24576, 98304)
 
 
@@ -153,6 +154,21 @@ def test_an_order_is_told_where_it_is_more_than_the_least(least, told):
 def test_errors_between_ten_times_round_off_and_a_tenth_have_an_order(errors, order):
     found = slope([1, 10], errors, 1e-5)
     assert found == (order if order is None else pytest.approx(order, abs=2e-3))
+
+
+@pytest.mark.parametrize(("power", "two", "three"), [
+    (1.48, False, True), (1.52, True, True), (2.48, True, True), (2.52, False, True), (3.48, False, True), (3.52, False, False),
+])  # fmt: skip
+def test_points_that_lie_on_a_line_by_luck_are_no_order(power, two, three):
+    """A drive with a pulse: the finest runs of Ralston's scheme gave 3.9 and 3.6.  Its order is 2, and 3 in an integral."""
+    scheme = SCHEMES["ralston"]
+    rows = [row(scheme, count, error) for count, error in ((24, 0.5), (48, 0.3))]
+    rows += [row(scheme, 96 * 2**times, 0.09 / 2 ** (power * times)) for times in range(3)]
+    for count, is_order in ((4, two), (5, three)):
+        found, told = orders_of(rows[:count], 1e-15, 0.5), [str(one) for one in unsettled(rows[:count], 1e-15)]
+        assert found == ({title_of(scheme): pytest.approx(power)} if is_order else {})
+        slopes = f"{power:.1f}, from two points alone." if count == 4 else f"{power:.1f}, then {power:.1f}."
+        assert told == ([] if is_order else [f"{BENT} Ralston: {slopes}"])
 
 
 @pytest.mark.parametrize(("last", "order"), [(1e-4, 1.0), (1e-5, None), (0.9e-3, None)])

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.report.pages import build_model
+from coursework.report.pages.html import render_html
 from coursework.results.checks.close_to_motion import continuity
 from tests.hard.scenes import scene
 from tests.results.checks.scenes import V31, evidence_of, found, solve
@@ -103,6 +105,47 @@ def test_a_position_that_jumps_where_a_formula_does(law, scheme):
     assert after.status() == 1
     assert not judged.option
     assert (found(before, "DRIFT").verdict, before.status()) == ("PASS", 0)
+
+
+OPENED = """format = 1
+title = "A held height that the velocities do not keep, singular where the motion begins"
+[given]
+r = "0.2 m"
+k = "K m"
+[drive]
+w1 = "1"
+[coordinates]
+p = { start = "0 rad", rate = "w1" }
+q = { start = "90 deg", rate = "w2" }
+z = { start = "0 rad", rate = "w3" }
+[time]
+step = "0.01 s"
+end = "0.5 s"
+[[constraint]]
+equation = "r*w2 = 0.5*r*w1"
+[[constraint]]
+equation = "w3 = 3*w1"
+[closure]
+holds = ["r*sin(q) - k*p", "z - 3*p"]
+"""
+
+
+@pytest.mark.parametrize("size", ["0.4", "0.04", "0.0004"])
+def test_a_position_equation_that_the_velocities_do_not_keep_does_not_jump(size):
+    """r sin(q) - k p with q = pi/2 + p/2 is r cos(p/2) - k p: it opens at once at the rate k; its own motion is singular there.
+
+    The lengths r and k are not what costs the digits.
+    """
+    run = solve(OPENED.replace("K", size), "rk4")
+    p = np.linspace(0, 0.5, 51)
+    opened = np.abs(0.2 * (np.cos(p / 2) - 1) - float(size) * p) / min(0.2, float(size))  # of the shorter length
+    row, judged = int(np.argmax(opened > 0.05)), found(run, "DRIFT")
+    assert judged.verdict == "FAIL"
+    told = "The velocities do not keep the position equation r*sin(q) - k*p: already from row {} on (t = {:.6g} s)"
+    assert judged.sentence.startswith(told.format(row, 0.01 * (row - 1)))
+    assert "lengths" not in found(run, "CONDITION").sentence
+    if size == "0.4":
+        assert "The velocities do not keep a position equation." in render_html(build_model(run))
 
 
 @pytest.mark.parametrize(("step", "row"), [(0.02, 5), (0.03, 3)])

@@ -39,6 +39,17 @@ def test_velocities_and_determinants_are_those_of_the_run(name):
     assert np.allclose(model.determinants(motion.t, motion.coordinates), motion.determinants, rtol=1e-12, atol=1e-13)
 
 
+def test_a_free_rate_is_one_and_the_others_go_with_it():
+    """r1 e(theta1) + r2 e(theta2) = (s3, 0) gives the other rates per unit of w1; in the rows they are w1 times these."""
+    model, motion = scene("example-2-motor")
+    one, two = motion.coordinates[:, 0], motion.coordinates[:, 1]
+    second = -0.4 * np.cos(one) / (1.2 * np.cos(two))
+    analogs = np.column_stack([np.ones(len(one)), second, -0.4 * np.sin(one) - 1.2 * np.sin(two) * second])
+    found = model.rates(motion.t, motion.coordinates)
+    assert np.allclose(found, analogs, rtol=1e-12, atol=1e-13)
+    assert np.allclose(found * motion.velocities[:, :1], motion.velocities, rtol=1e-12, atol=1e-13)
+
+
 @pytest.mark.parametrize("name", ["31", "stephenson", "example-6", "variable-crank-table", "v110"])
 def test_other_data_are_those_of_another_scene(name):
     model, motion = scene(name)

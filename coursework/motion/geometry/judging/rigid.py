@@ -242,9 +242,11 @@ class _Seen:
         return say("fault.V314.kept", **known, kept=joined(kept)) if kept else say("fault.V314.alone", **known)
 
     def _between(self, sizes: Array) -> dict[str, float]:
-        """Return the first of some lengths (c,), the one that differs from it most, and the time of that one."""
+        """Return the first of some lengths (c,), the one that differs from it most, and the time of that one; round-off is 0."""
+        sizes = np.where(np.abs(sizes) > _ROUND_OFF * self.scale, sizes, 0.0)
         place = int(np.argmax(np.abs(sizes - sizes[0])))
-        return {"first": float(sizes[0]), "last": float(sizes[place]), "time": float(self.times[place])}
+        side = -1.0 if sizes[place] < 0 else 1.0  # of the bar: a distance is told
+        return {"first": side * float(sizes[0]) + 0.0, "last": side * float(sizes[place]), "time": float(self.times[place])}
 
     def apart(self, one: str, other: str) -> Array:
         """Return the distance between two points (c,)."""
@@ -296,5 +298,5 @@ def _is_arm(end: Formula, base: str, at: Formula) -> bool:
 
 
 def _degrees(along: complex) -> float:
-    """Return the angle of a line in degrees, above -90 and up to 90."""
-    return float(90.0 - (90.0 - np.degrees(np.angle(along))) % 180.0)
+    """Return the angle of a line in degrees, above -90 and up to 90, to the digits that a path has."""
+    return float(90.0 - (90.0 - np.round(np.degrees(np.angle(along)), 6)) % 180.0)

@@ -26,6 +26,8 @@ from coursework.words.sentences import joined
 _NO_LENGTH = 1e-9
 # An equation open by less than this share of the shortest length is open by round-off only.
 ROUND_OFF = 1e-12
+# Share of a step in which a velocity shows whether it keeps an equation: then it opens less than this share of it in a step.
+_NUDGE, _KEPT = 1e-6, 1e-4
 
 
 def drift(evidence: Evidence) -> Finding:
@@ -50,8 +52,10 @@ def drift(evidence: Evidence) -> Finding:
     )
     size = float(abs(residual[row, equation]))
     if (jump := evidence.once("opened", lambda: _jump(evidence, closure, np.where(angles, 1.0, shortest)))) is not None:
-        at, which = jump
-        sentence = evidence.say("check.DRIFT.jump", name=called[which], row=at, next=at + 1, time=float(motion.t[at]))
+        at, which, kind = jump
+        told = {"name": called[which], "time": float(motion.t[at])}
+        told |= {"row": at, "next": at + 1} if kind == "jump" else {"row": at + 1}
+        sentence = evidence.say(f"check.DRIFT.{kind}", **told)
         return Finding(
             "FAIL", sentence, value, LIMIT, evidence.say("unit.of_the_shortest"), closure.names[which], at + 1, rows=lines
         )
@@ -69,8 +73,11 @@ def drift(evidence: Evidence) -> Finding:
     return Finding(verdict, sentence, value, LIMIT, shown, name, row + 1, rows=lines)
 
 
-def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int] | None:
-    """Return the first row (from 0) and equation that the exact motion leaves open after a closed start; None without any."""
+def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int, str] | None:
+    """Return which equation the exact motion leaves open after a closed start: the row (from 0), the equation, how; else None.
+
+    "jump": open from this row on, while the velocities of the row before it keep the equation.  "opened": they do not keep it.
+    """
     exact = evidence.exact
     if exact is None or not len(exact.t):
         return None
@@ -79,7 +86,13 @@ def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int
     if open_rows[0].any() or not open_rows.any():
         return None
     row = int(np.argmax(open_rows.any(axis=1)))
-    return row, int(np.argmax(open_rows[row]))
+    which, before = int(np.argmax(open_rows[row])), row - 1
+    size, nudge = exact.coordinates.shape[1], _NUDGE * exact.step
+    later = exact.coordinates[before] + nudge * exact.velocities[before, :size]
+    times, moved = np.append(exact.t[:row], exact.t[before] + nudge), np.vstack([exact.coordinates[:row], later])
+    after = gaps(closure, times, moved, closure.targets(times)[0])[-1, which]
+    opens = abs(after - residual[before, which]) / (_NUDGE * scales[which])
+    return (before, which, "opened") if opens > _KEPT else (row, which, "jump")
 
 
 def shortest_length(evidence: Evidence) -> float:

@@ -16,7 +16,7 @@ from coursework.equations.reduction.magnitude import largest
 from coursework.equations.reduction.system import compile_system
 from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.motion.integration.integrate import WIDEST_STEP
-from coursework.results.checks.computed_right.divided import DIGITS, FEWEST, division
+from coursework.results.checks.computed_right.divided import DIGITS, FEWEST, divisions
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, floored, skipped
 from coursework.system.arrays import Array
@@ -41,7 +41,8 @@ def _condition(evidence: Evidence) -> Finding:
     used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
     if not used:
         return skipped(say("check.CONDITION.nothing"))
-    found, divided = _of_equations(evidence, used), division(evidence, used)
+    found = _of_equations(evidence, used)
+    divided = min(divisions(evidence), key=lambda one: one.digits, default=None)
     if divided is None:
         return found
     known = {"name": divided.equation, "by": divided.by, "row": divided.row, "time": divided.time}
@@ -49,7 +50,7 @@ def _condition(evidence: Evidence) -> Finding:
         told, unit = say("check.CONDITION.nothing_left", **known), say("unit.digits", number=divided.digits)
         return Finding("FAIL", told, divided.digits, FEWEST, unit, None, divided.row, headline=told)
     told = say("check.CONDITION.divided", after=divided.row + 1, **known)
-    is_close = evidence.compared and np.max(np.abs(evidence.errors), initial=0.0) <= LIMIT
+    is_close = not divided.is_own and evidence.compared and np.max(np.abs(evidence.errors), initial=0.0) <= LIMIT
     return replace(found, sentence=joined([found.sentence, told]), headline="" if is_close else told)
 
 
@@ -70,8 +71,8 @@ def _of_equations(evidence: Evidence, used: Sequence[VelocityEquation]) -> Findi
     digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
     when = float(motion.t[worst])
     left = _of_positions(evidence)
-    if left is not None and left[0] < digits - _TOLD_APART:
-        return _far_apart(evidence, *left)
+    if left is not None and left[0] < min(digits, left[3]) - _TOLD_APART:
+        return _far_apart(evidence, *left[:3])
     told = floored(digits, 1)  # rounded down: what is shown as 6.0 passes, what fails is shown as 5.9
     sentence = say("check.CONDITION.found", digits=told, row=worst + 1, time=when, number=largest_number)
     rows = (say("check.CONDITION.worst"), largest_number, ""), (say("check.CONDITION.first"), first_number, "")
@@ -89,9 +90,10 @@ def _far_apart(evidence: Evidence, digits: float, row: int, name: str) -> Findin
     return Finding("PASS" if passes else "FAIL", found, digits, FEWEST, say("unit.digits", number=digits), name, row + 1)
 
 
-def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:
+def _of_positions(evidence: Evidence) -> tuple[float, int, str, float] | None:
     """Return the fewest digits that the position equations leave of a coordinate, its row (from 0) and name; None if unknown.
 
+    With them go the digits that would be left there if all lengths were alike: a singular position leaves few of any lengths.
     Each equation is a sum of lengths, known to a rounding error of the largest; this error may turn a short link.
     """
     closure, motion = evidence.closure, evidence.motion
@@ -119,7 +121,8 @@ def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:
     )
     row, place = np.unravel_index(int(np.argmax(moved / sizes)), moved.shape)
     digits = -np.log10(max(float(moved[row, place] / sizes[place]), 10.0**-DIGITS))
-    return float(np.clip(digits, 0.0, DIGITS)), int(rows[row]), coordinates[place].name
+    alike = np.linalg.cond(equilibrated(jacobian[rows], np.max(np.abs(jacobian[rows]), axis=0)))[row]
+    return float(np.clip(digits, 0.0, DIGITS)), int(rows[row]), coordinates[place].name, DIGITS - float(np.log10(alike))
 
 
 def _formula(coefficient: Expression, equations: VelocityEquations) -> Formula:

@@ -1,11 +1,13 @@
 """Links that do not keep their shape, rails across the way of their point, circles that no wheel touches are told by name."""
 
+import cmath
+import math
 import re
 
 import pytest
 
 import coursework
-from coursework.motion.geometry.judging.rigid import _is_arm
+from coursework.motion.geometry.judging.rigid import _degrees, _is_arm
 from coursework.variant.formula.reader import parse
 from tests.commands.test_cli import call
 from tests.mechanisms.library import mechanism
@@ -113,6 +115,18 @@ def test_a_circle_may_be_off_by_a_millionth_of_the_largest_length(part, told):
 def test_a_bar_that_its_sleeve_leaves_is_told():
     with pytest.raises(coursework.InputError, match=r"V315 .*link 4 slides along link 2, and its point O lies"):
         closure(mechanism("v107"), ('slides = "3"', 'slides = "2"'))
+
+
+def test_what_is_nothing_but_round_off_is_told_as_nought():
+    """The pin begins on its lever, to the digits of the start, and leaves it: the angle held is not that of the pin."""
+    lever = mechanism("slotted-lever-by-an-angle", ("atan2(B.y, B.x)", "atan2(B.y, B.x) - sin(q1) + sin(0.4)"))
+    with pytest.raises(coursework.InputError, match=r"V315 .*point B lies 0 m beside the points of that bar at t = 0 and 0\.0"):
+        closure(lever)
+
+
+@pytest.mark.parametrize(("turned", "degrees"), [(-6.7e-15, "0"), (-1e-9, "0"), (-1e-7, "-6e-06"), (-math.pi / 2 + 1e-15, "90")])
+def test_the_way_of_a_point_is_told_with_the_digits_that_it_has(turned, degrees):
+    assert f"{_degrees(cmath.exp(1j * turned)):.6g}" == degrees
 
 
 def test_a_start_with_few_digits_tells_nothing_of_links():
