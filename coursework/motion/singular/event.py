@@ -11,6 +11,7 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 
 @frozen
@@ -46,3 +47,8 @@ class NotFollowed(InputError):
     def __init__(self, message: Sentence, time: float, ahead: Sequence[Sequence[float]] = ()) -> None:
         super().__init__(message)
         self.time, self.ahead = time, ahead
+
+
+def without_value(time: float, reason: Sentence, ahead: Sequence[Sequence[float]] = ()) -> NotFollowed:
+    """Return the error for a formula that has no value at `time` (s)."""
+    return NotFollowed(say("fault.V512", time=time, reason=reason), time, ahead)

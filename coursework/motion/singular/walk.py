@@ -22,7 +22,7 @@ from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.adaptive import next_length
 from coursework.motion.integration.crossing import crossing
 from coursework.motion.integration.passage import Passage
-from coursework.motion.singular.event import Event, GivenUp, NotFollowed
+from coursework.motion.singular.event import Event, GivenUp, NotFollowed, without_value
 from coursework.motion.singular.peaks import Peaks, Piece
 from coursework.motion.singular.scaled_flow import Clock, Flow
 from coursework.motion.singular.stalled import ahead
@@ -169,7 +169,7 @@ class Walk:
                     return None
                 why = fault.faults[0].message if isinstance(fault, OutsideTable) else say("event.no_value")
                 ahead = [(self.state + slope * self.length * 4.0**further).tolist() for further in range(1, 12)]
-                raise NotFollowed(say("fault.V512", time=t, reason=why), t, ahead) from fault
+                raise without_value(t, why, ahead) from fault
             shares = [abs(off) / most for off, most in zip(error, allowed, strict=True)]
             ratio = math.inf if math.isnan(sum(shares)) else max(shares)
             if (far := float(after[-1]) - t) > farthest * (1 + AT_END):
@@ -209,7 +209,7 @@ class Walk:
         if smallest <= TOUCH:
             state, part = self._root(clock, lowest, value)
             if abs(value(state)) > 1.0:  # it changed its sign through infinity, as a tangent does
-                raise NotFollowed(say("fault.V512", time=float(state[-1]), reason=say("event.no_value")), float(state[-1]))
+                raise without_value(float(state[-1]), say("event.no_value"))
             return self._event(state, block), part
         return (self._change_point(bottom, block) if smallest < self.near else None), 0.0
 

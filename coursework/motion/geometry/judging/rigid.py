@@ -281,10 +281,8 @@ class _Seen:
         least = _TOLERANCE * np.ptp(apart) + _ROUND_OFF * self.scale
         if any(np.ptp(apart + sign * length) <= least for length in self.growing for sign in (-1, 1)):
             return True
-        placed = dict(self.variant.points)
-        return any(
-            _is_arm(placed[end], base, placed[base]) for end, base in ((one, other), (other, one)) if {end, base} <= {*placed}
-        )
+        placed, pairs = dict(self.variant.points), ((one, other), (other, one))
+        return any(_is_arm(placed[end], base, placed[base]) for end, base in pairs if {end, base} <= {*placed})
 
     def _fault(self, path: Sequence[str | int], told: Sentence) -> Fault:
         return Fault(told, self.variant.file, self.variant.nearest_line(*path))
