@@ -37,7 +37,6 @@ _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
 _COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # the number of a line in a list: 1.1, L2
 _LONG_DASH = re.compile(r"\s*[–—]\s+")
 _APART = re.compile(r"^\s*[-–—−]\s+")  # a dash with a blank behind it: the mark of an item, or a minus
-_SLASHES = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
 _CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
 _CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
@@ -127,13 +126,6 @@ def _is_mostly_names(text: str, names: Names) -> bool:
     words = WORD.findall(plain(text, names.spellings))
     strange = [word for word in words if not names.is_name(word)]
     return len(strange) <= 1 and bool(names_in(text, names.spellings) & {*names.expected.variant.sought}) and len(words) > _FEWEST
-
-
-def parted(text: str, names: Names) -> str:
-    """Return a line with semicolons for the signs // between its equations; what stands behind // is else a remark."""
-    pieces = _SLASHES.split(text) if "//" in text and len(text) <= reader.MAX_CHARACTERS else []
-    named = [names_in(piece, names.spellings) if relates_two_sides(piece) else set[str]() for piece in pieces]
-    return "; ".join(pieces) if all(len(one) > 1 and one & {*names.expected.variant.sought} for one in named) and pieces else text
 
 
 def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.Pattern[str] | None:

@@ -37,6 +37,7 @@ _WORDS = re.compile(
     r"\b(?:is\s+equal\s+to|equals|равно|равна|равен|дорівнює|ist\s+gleich|gleich|est\s+égale?\s+à|es\s+igual\s+a)\b|等于|等於",
     re.I,
 )
+VANISHED = re.compile(r"(?:[=≡]|\\equiv)\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")
 _QUOTED = re.compile(r'(?<=\w)_\s?"(\w{1,9})"')  # an index in Typst
 _OPERATOR = re.compile(r"[-+*/=^]")
@@ -52,6 +53,11 @@ def depths(text: str) -> list[int]:
 def relates_two_sides(text: str) -> bool:
     """Return whether a text has a sign or word of equality (an arrow is none)."""
     return _RELATION.search(ARROWS.sub(" ", text)) is not None or _WORDS.search(text) is not None
+
+
+def relations(text: str) -> list[int]:
+    """Return where the signs of equality of a text stand."""
+    return [found.start() for found in _RELATION.finditer(text)]
 
 
 @lru_cache(1024)  # several readers look at the same line in turn
