@@ -15,14 +15,14 @@ _COMMANDS = (
     "abla|atural|cong|e|earrow|eg|eq|ewcommand|ewline|ewpage|exists|geq|gtr|i|leq|less|mid|obreak|ocite|oindent|olimits|onumber"
     "|ormalfont|ormalsize|ot|otag|otin|parallel|sim|u|um|warrow"
 )
-_END = r"(?:\\{1,2}r)?\\{1,2}n"
-_LINE_END = re.compile(rf"{_END}(?!(?:{_COMMANDS})(?![A-Za-z]))|\\r(?![A-Za-z])")
-_BEFORE_U = re.compile(rf"(?<=[\w)}}\]]){_END}(?=u\s*[-+=])")  # the letter \nu, but where other \n are ends of lines one before a name u
-_ANY_LINE_END = re.compile(rf"{_END}|\\r")
+_END = r"(?<!\\)(?:\\r)?\\n"
+_LINE_END = re.compile(rf"{_END}(?!(?:{_COMMANDS})(?![A-Za-z]))")
+_BEFORE_U = re.compile(rf"(?<=[\w)}}\]]){_END}(?=u\s*[-+=])")  # no letter \nu among ends of lines
+_ANY_LINE_END = re.compile(r"(?:\\{1,2}r)?\\{1,2}n")
 _OF_LATEX = re.compile(r"\\(?!r?\\?n|[rt](?![A-Za-z]))[A-Za-z]|\\(?:newcommand|def)\b|\\\\\s|\\$", re.MULTILINE)
 _PRINTED = re.compile(r"\\n[\"']\s*,\s*\w")  # printf("w3 = %f\n", w3)
-_QUOTED = re.compile(r"([\"'])([^\n]*?)\1(?=\s*(?:[,;\])}]|$))")
-_AROUND = re.compile(r"[\s\w.:=>,;\[\]{}-]*")  # keys and brackets of lists
+_QUOTED = re.compile(r"([\"'])((?:(?!\1).)*)\1(?=\s*(?:[,;\])}]|$))")
+_AROUND = re.compile(r"[\s\w.:=>,;\[\]{}\"'-]*")  # keys and brackets of lists
 _QUOTES = '"“”„«»`'
 _KEY = re.compile(r"\s*(?:-\s+)?([^\W\d]\w{0,20})\s*[:=]\s*([\"'])([^\"'\n]*(?:sin|cos)\b[^\"'\n]*)\2\s*,?\s*")
 
@@ -35,7 +35,7 @@ def with_line_ends(text: str) -> tuple[str, list[int]]:
     >>> with_line_ends(r"\nu = r\omega\nv = \nu")[0], with_line_ends("a = 0")
     ('\\nu = r\\omega\nv = \\nu', ('a = 0', []))
     """
-    if "\\n" not in text and "\\r" not in text:
+    if "\\n" not in text:
         return text, []
     if not _OF_LATEX.search(text):
         ends = _ANY_LINE_END
