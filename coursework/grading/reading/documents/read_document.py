@@ -24,6 +24,7 @@ from coursework.grading.reading.documents.pdf.pdf import document_of_pdf, is_pdf
 from coursework.grading.reading.equations.equations import Names, names_for, names_of
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.names_in_text import BUILT_IN
+from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.expected import Expected, Grid
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Sheet
@@ -36,7 +37,6 @@ from coursework.grading.reading.table.table import read_parts, weight
 from coursework.grading.reading.table.tables_of_file import parts_of_text
 
 _MOST_TEXTS = 200
-_TRIED = re.compile("[=:≈]")  # signs of equations and answers
 _GOES_ON = re.compile(r"(?:[*·+(]|\s[-−])\s*$|(?:\.{3}|…|\s_|&)\s*$")  # and ends in a later line
 _OPERATION = re.compile(r"[*·×^+]|(?:sin|cos)\b|[)\]]\s*=", re.IGNORECASE)
 _WORD = re.compile(r"[^\W\d_]{3,}")
@@ -82,7 +82,7 @@ def document_of_sheets(sheets: Sequence[Sheet]) -> Document:
         for number, row in enumerate(sheet.rows, start=1):
             for cell in row:
                 for line in cell.text.split("\n") if cell.kind == "text" else ():
-                    if _TRIED.search(line):
+                    if ":" in line or relates_two_sides(line):
                         document.add_line(line, place_of("sheet", sheet=sheet.name or "", row=number))
     return document
 
@@ -139,7 +139,8 @@ def _tried(lines: Sequence[DocumentLine]) -> Iterator[str]:
     for line in lines:
         begun = depth + line.text.count("\\begin")
         is_begun = _OPERATION.search(line.text) and _GOES_ON.search(line.text)
-        yield line.text if begun > 0 or line.is_formula or is_begun or _TRIED.search(line.text) else ""
+        is_one = line.is_formula or is_begun or ":" in line.text or relates_two_sides(line.text)  # ":" has an answer behind it
+        yield line.text if begun > 0 or is_one else ""
         depth = max(0, begun - line.text.count("\\end"))
 
 

@@ -122,7 +122,7 @@ def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, st
     """Yield the lines with a name and "=" that may be equations or answers; skip table rows, which contain `sign`."""
     for number, line in text_lines(_ROW.sub("", text), names):
         bare = line.strip(_EDGES)
-        if "=" in bare and not (sign and sign in bare) and _WORD.search(bare):
+        if relates_two_sides(bare) and not (sign and sign in bare) and _WORD.search(bare):
             yield number, bare
 
 

@@ -33,6 +33,9 @@ ARROWS = re.compile(
 _IN_TEX = r"\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])"
 _RELATION = re.compile(rf"[=≡≈≅≃≐≔≝⩴⩵⩶＝]|{_IN_TEX}|\bEq(?:uality)?\s*\(|(?<=[\w\])])\s*<-\s")
 _EQUALS = re.compile(rf"(?<![<>!]):=|={{2,}}|{_IN_TEX}|(?<=[\w\])])\s*<-(?=\s)")  # <- in R
+# An equation of Symbolics in Julia, e1 = a*w1 ~ 0: of two names alone it may say that one is proportional to the other.
+_OF_JULIA = re.compile(r"^((?:[^=~]*\[\s*|\s*\w{1,20}\s*=)?[^=~]*[\w)\]])\s+\.?~(?=\s+[-+\w(][^=~]*$)")
+_FORMULA = re.compile(r"\*|(?:sin|cos)\b|(?<![\w.])0(?![\w.])")
 _WORDS = re.compile(
     r"\b(?:is\s+equal\s+to|equals|равно|равна|равен|дорівнює|ist\s+gleich|gleich|est\s+égale?\s+à|es\s+igual\s+a)\b|等于|等於",
     re.I,
@@ -42,6 +45,7 @@ _UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")
 _QUOTED = re.compile(r'(?<=\w)_\s?"(\w{1,9})"')  # an index in Typst
 _OPERATOR = re.compile(r"[-+*/=^]")
 _AXIS = re.compile(r"(?<=\w)\^\s*(?:[{(]\s*\(?([xyz])\)?\s*[)}]|([xyz])(?!\w))((?:_\w+)?)")
+_COMPONENT = re.compile(r"[(\[{]\s*([^\W\d]_?\w{0,3})\s*[)\]}]\s*[_^]\s*[({]?\s*([xyz])\s*[)}]?(?!\w)")  # (V_M)_x
 _LENGTH = re.compile(r"\|\s*([A-Z]\w?'?[A-Z]\w?'?)\s*\|")  # the length between two points
 
 
@@ -52,7 +56,11 @@ def depths(text: str) -> list[int]:
 
 def relates_two_sides(text: str) -> bool:
     """Return whether a text has a sign or word of equality (an arrow is none)."""
-    return _RELATION.search(ARROWS.sub(" ", text)) is not None or _WORDS.search(text) is not None
+    return _RELATION.search(ARROWS.sub(" ", text)) is not None or _WORDS.search(text) is not None or _of_julia(text) != text
+
+
+def _of_julia(text: str) -> str:
+    return _OF_JULIA.sub(r"\1 =", text) if "~" in text and "\\" not in text and _FORMULA.search(text) else text
 
 
 def relations(text: str) -> list[int]:
@@ -73,10 +81,12 @@ def plain_signs(text: str) -> str:
     text = re.sub(rf"([^\W\d_])(_?\d{{1,2}})(?:{_DOT}|˙)", rf"\1{_DOT}\2", text)  # typed behind the index
     text = _EQUALS.sub("=", ARROWS.sub(f" {ARROW} ", text))
     text = _WORDS.sub(" = ", text)
+    text = _of_julia(text)
     text = re.sub(r"(?<=\w)\s+_(?=[\w{(])|_\s+(?=\w)", "_", text)
     text = _QUOTED.sub(r"_\1", text)
     for _ in range(3):  # up to three nested indices
         text = _UNDER.sub(_index, text)
+    text = _COMPONENT.sub(r"\1\2", text)
     return _AXIS.sub(_axis, re.sub(r"(?<=\w)\.(?=[*/^])|(?<=[)\]])\.(?=[*/^'])", "", _LENGTH.sub(r"\1", text)))
 
 

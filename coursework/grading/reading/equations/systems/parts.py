@@ -12,7 +12,9 @@ from itertools import pairwise
 from coursework.grading.reading.equations.notation.signs import ARROWS, depths, relates_two_sides
 from coursework.variant.formula.reader import MAX_CHARACTERS, MAX_DEPTH
 
-_BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s")
+_BETWEEN = re.compile(
+    rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\|\||\s\|\s|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s"
+)
 # Another equation begins after "= 0": nothing multiplies or adds to a zero.
 _VANISHED = re.compile(
     r"=\s*0(?:[.,]0+)?((?:\\(?:(?:tag|label)\*?\s*\{[^{}]*\}|nonumber|notag)|\s|(?<=\s)/(?=\s))+)(?=[^\s=*/^\\]|\\(?!tag|label|no))"
