@@ -44,9 +44,15 @@ _DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=
 _KEPT = re.compile(
     r">?\s*([^\W\d]\w{0,20})(?:[\[({]\s*|\|\|)(\d{1,3})\s*[\])}]?\s*(?::=\s*(?=[^=]+=)|(=)(?!=)\s*(?=[^=]+==[^=]+$))"
 )
-# A function of Python or C, and the expression it returns.
+# A function of a program, and the expression it returns.
 _DEFINED = re.compile(
-    r"\s*(?:def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:|(?:static\s+)?(?:double|float)\s+(\w{1,40})\s*\([^()]*\)\s*\{?)\s*(return\b[^}]*)?\}?\s*"
+    r"\s*(?:def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:|(?:[a-z]{2,9}\s+){0,2}(?:double|float|function|fn|func)\s+(\w{1,40})\s*\([^()]*\)"
+    r"[^(){}=]{0,20}\{?)\s*(return\b[^}]*)?\}?\s*"
+)
+# A function without a name of its own: w3 = (t, y) => … in JavaScript, w3 <- function(t) … in R.
+_UNNAMED = re.compile(
+    r"^(?:(?:const|let|var)\s+)?(\w{1,40})\s*(?:=|<-)\s*(?:(?:\([\w\s,]*\)|\w{1,20})\s*=>|function\s*\([\w\s,]*\))\s*\{?\s*(?:return\s+)?"
+    r"(?=[^{\[\s][^={}]*[*/])|\s*\}\s*;?\s*$"
 )
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
 _REMARK = re.compile(
@@ -66,7 +72,9 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
             function = f"{meant[0] if len(meant) == 1 else called} = "
             line = defined[3] or ""
         bare = _REMARK.sub("", _NUMBERED.sub("", parted(line, names)).partition("#")[0]).strip()
-        bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", unquoted(bare)))
+        bare = unquoted(bare)
+        bare = _UNNAMED.sub(lambda found: f"{found[1]} = " if found[1] else "", bare) if _UNNAMED.match(bare) else bare
+        bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if (under := _KEPT.match(bare)) and (under[3] or names.spellings.angle(under[1] + under[2]) is None):
             bare = bare[under.end() :]
         if is_statement(bare, names.expected.variant.sought):
@@ -132,4 +140,5 @@ def _goes_on(kept: str, line: str, names: Names) -> bool:
         return False
     if "=" in line:
         return line[:1].isspace() or is_part_of_equation(kept, names)
+    rest += ")" * (rest.count("(") - rest.count(")"))  # of a quotient whose denominator goes on in the next line
     return "=" in kept and not VANISHED.search(kept) and is_equation_without_sign(rest, names)
