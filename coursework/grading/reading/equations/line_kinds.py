@@ -24,8 +24,8 @@ from coursework.grading.reading.equations.notation.signs import plain_signs, rel
 from coursework.grading.reading.equations.plain_text import in_si, of_minutes, plain
 from coursework.grading.reading.equations.repair import is_name, is_product
 from coursework.grading.reading.files.printed import PAIR
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.unit_names import unit_of
-from coursework.variant.formula import reader
 from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 
@@ -81,7 +81,7 @@ def no_velocity(text: str, names: Names) -> bool:
 
 def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     """Return the word left of "=" if it may be a name of the student, and the formula on the right; ("", "") if it may not."""
-    if len(text) > reader.MAX_CHARACTERS:
+    if len(text) > EQUATION_CHARACTERS:
         return "", ""
     plainly = plain_signs(text.replace("$", " "))
     bare = without_words(without_labels(plainly), lambda word: is_name(word, spellings))
@@ -104,7 +104,7 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
 
 def is_equation_without_sign(text: str, names: Names) -> bool:
     """Return whether a line without "=" is the left side of an equation (readable or not) rather than prose."""
-    if len(text) > reader.MAX_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
+    if len(text) > EQUATION_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
         return False
     if not names_in(text, names.spellings):
         return False
@@ -180,7 +180,7 @@ def without_line_numbers(text: str) -> str:
 
 def is_step(text: str, names: Names) -> bool:
     """Return whether a line is a step of the scheme, "phi3[k+1] = phi3[k] + h*w3[k]", and so not a velocity equation."""
-    left, _, right = _OF_STEP.sub("", text[: reader.MAX_CHARACTERS]).partition("=")
+    left, _, right = _OF_STEP.sub("", text[:EQUATION_CHARACTERS]).partition("=")
     moved = names_in(left, names.spellings)
     begun = moved if left.rstrip().endswith("+") else set[str]()  # phi3 += h*w3
     used = names_in(right, names.spellings) | begun

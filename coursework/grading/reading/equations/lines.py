@@ -31,6 +31,7 @@ from coursework.grading.reading.equations.systems.complex_lines import real_and_
 from coursework.grading.reading.equations.systems.parts import parts_of
 from coursework.grading.reading.equations.text_lines import text_lines
 from coursework.grading.reading.expected import Expected
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.reader import MAX_CHARACTERS
@@ -46,7 +47,8 @@ _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*)(?:\w{1,20}\s*[,;]\s*)+\w{1,20}\s*(?:[\])}]|$)")
-# Limits on time: per equation that may be handed in, so many lines of a text are tried; in all, so many characters.
+# Limits on time: per equation that may be handed in, so many lines of a text are tried; in all, so many characters. A
+# line longer than a formula counts more than it has: its time grows with the square of its length.
 _TRIED, _CHARACTERS = 10, 60_000
 _MOST_LINES, _MOST_DEFINITIONS, _PASSES = 20_000, 100, 3
 
@@ -80,13 +82,16 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         names,
         own=own,
         spellings=replace(names.spellings, own=own),
-        listed=sign_of_list([line for _, line in lines if relates_two_sides(line[:MAX_CHARACTERS])], names.spellings.canonical),
+        listed=sign_of_list(
+            [line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical
+        ),
     )
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
     defined = set[str]()
     for number, line in lines:
-        tried, characters = tried + 1, characters + min(len(line), MAX_CHARACTERS)
+        length = min(len(line), EQUATION_CHARACTERS)
+        tried, characters = tried + 1, characters + max(length, length**2 // MAX_CHARACTERS)
         if tried > _TRIED * most or characters > _CHARACTERS or len(found.equations) > most:
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
@@ -127,13 +132,13 @@ def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, st
 
 
 def _is_equation(line: str, names: Names) -> bool:
-    return "=" in line or relates_two_sides(line[:MAX_CHARACTERS]) or is_equation_without_sign(line, names)
+    return "=" in line or relates_two_sides(line[:EQUATION_CHARACTERS]) or is_equation_without_sign(line, names)
 
 
 def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Formula]:
     """Return the student's own names that other lines use, with their formulas; a formula may use other such names."""
     own: dict[str, Formula] = {}
-    spoken = [plain_signs(line[:MAX_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
+    spoken = [plain_signs(line[:EQUATION_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
     # A list that a program only returns, as in return [f1, f2], holds residuals: it is no use of the names.
     spoken = [_GATHERED.sub("", line) for line in spoken]
     words = Counter(plain_name(word) for line in spoken for word in {*_WORD.findall(line)})

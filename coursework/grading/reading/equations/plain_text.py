@@ -57,8 +57,8 @@ _TYPST = re.compile(r"(?<=[\w)])\s+dot\s+(?=(\w+)|\()|(?<=\bphi)\.alt(?![a-z])")
 _TYPST_SPACE = re.compile(r"(?<=[\w)])\s+(?:thin|med|thick|wide)\s+(?=[\w(])")
 _FRACTION = re.compile(r"\bfrac\s*(?=\()")  # frac(a, b) in Typst, frac(a)(b) in AsciiMath
 # A double of Fortran, 2.D0 or 2d0, the kind behind its numbers, 2.0_dp, and its functions such as DSIN; a datum d multiplies.
-_DOUBLE = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)[dD](?=([-+]?\d{1,2})(?!\w))")
-_OF_KIND = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)_(?:[dwsq]p|r?k?(?:4|8|16)|rk|real(?:32|64)|double)\b", re.IGNORECASE)
+_DOUBLE = re.compile(r"(?<![\w.])(\d++\.?+\d*+|\.\d++)[dD](?=([-+]?\d{1,2})(?!\w))")
+_OF_KIND = re.compile(r"(?<![\w.])(\d++\.?+\d*+|\.\d++)_(?:[dwsq]p|r?k?(?:4|8|16)|rk|real(?:32|64)|double)\b", re.IGNORECASE)
 _OF_DOUBLES = re.compile(r"\b(?:D(?=(?:SIN|COS|TAN|SQRT)\b)|d(?=(?:sin|cos|tan|sqrt)\b))")
 _SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # an index in Mathematica
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")

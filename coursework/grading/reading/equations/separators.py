@@ -9,18 +9,19 @@ import re
 
 from coursework.grading.reading.equations.equations import Names, names_in, read_as_one
 from coursework.grading.reading.equations.notation.signs import depths, relates_two_sides, relations
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.dimensions.formulas import Clash, Measurer
-from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.record.places import measures
 from coursework.words.errors import Fault
 
 _TWO = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
+_MOST = 20  # slashes of a line
 _ONE = re.compile(r"(?<=\S)\s+/\s+(?=\S)")
 
 
 def parted(text: str, names: Names) -> str:
     """Return a line with semicolons for the slashes between its equations; what stands behind // is else a remark."""
-    if "/" not in text or len(text) > MAX_CHARACTERS:
+    if "/" not in text or len(text) > EQUATION_CHARACTERS:
         return text
     pieces = _TWO.split(text)
     if len(pieces) > 1 and all(_is_one(piece, names) for piece in pieces):
@@ -43,7 +44,7 @@ def _at_slashes(text: str, names: Names) -> list[str]:
     inside, signs = depths(text), relations(text)
     pieces, start = list[str](), 0
     slashes = [found for found in _ONE.finditer(text) if inside[found.start()] == 0]
-    for found in slashes if len(signs) > 1 else ():
+    for found in slashes if len(signs) > 1 and len(slashes) <= _MOST else ():
         before = max((sign for sign in signs if sign < found.start()), default=-1)
         behind = min((sign for sign in signs if sign > found.start()), default=-1)
         if before < start or behind < 0 or not _is_one(text[found.end() :], names):

@@ -24,7 +24,7 @@ from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.parts import LIST, of_row
 from coursework.grading.reading.equations.systems.vectors import with_entries_named
-from coursework.variant.formula.reader import MAX_CHARACTERS
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
 
 # Rows of empty cells, of which a spreadsheet may leave a million, and blanks longer than anybody types: patterns would be slow.
 _BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)
@@ -112,7 +112,7 @@ def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple
     """Yield the lines, each joined with its continuation lines; a sign repeated at the line break is kept once."""
     first, kept = 0, ""
     for number, line in lines:
-        if kept and line.strip() and len(kept) < MAX_CHARACTERS and _goes_on(kept, line, names):
+        if kept and line.strip() and len(kept) < EQUATION_CHARACTERS and _goes_on(kept, line, names):
             begun = _GOES_ON_SIGN.sub("", kept).rstrip()
             rest = _ALIGNED.sub("", line)
             kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()

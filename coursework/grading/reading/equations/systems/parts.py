@@ -10,7 +10,8 @@ import re
 from itertools import pairwise
 
 from coursework.grading.reading.equations.notation.signs import ARROWS, depths, relates_two_sides
-from coursework.variant.formula.reader import MAX_CHARACTERS, MAX_DEPTH
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
+from coursework.variant.formula.reader import MAX_DEPTH
 
 _BETWEEN = re.compile(
     rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\|\||\s\|\s|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s"
@@ -55,7 +56,7 @@ def parts_of(line: str) -> list[str]:
         return [one for piece in pieces for one in (parts_of(piece) if relates_two_sides(piece) else [f"{piece} = 0"])]
     if rows := _rows(line) or _listed(line):
         return rows
-    if len(line) > MAX_CHARACTERS:
+    if len(line) > EQUATION_CHARACTERS:
         return [line]
     if line.count("$") > 2 and not relates_two_sides(_BETWEEN_DOLLARS.sub(" ", line)):
         # Prose around formulas: take only the formulas that relate two sides.
@@ -153,7 +154,7 @@ def _listed(line: str) -> list[str]:
     pieces = parts_of(line[found.end() : end].rstrip("\\ "))
     if len(pieces) < 2:
         return []
-    behind = line[end + 1 :][:MAX_CHARACTERS].lstrip(" ;,")  # of a call: the unknowns
+    behind = line[end + 1 :][:EQUATION_CHARACTERS].lstrip(" ;,")  # of a call: the unknowns
     return pieces + (parts_of(behind) if not found[1] and relates_two_sides(behind) else [])
 
 
