@@ -1,6 +1,6 @@
-"""Slashes between the equations of one line, "a = b // c = d" and "a = b / c = d" -> semicolons; a quotient stays a quotient.
+"""Slashes and dots between the equations of one line, "a = b / c = d" -> semicolons; a quotient or product stays one.
 
-Enters: a line, `Names`.  Leaves: the line, with a semicolon for each slash that parts two equations.  Used by `lines.py`.
+Enters: a line, `Names`.  Leaves: the line, with a semicolon for each sign that parts two equations.  Used by `lines.py`.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ from coursework.words.errors import Fault
 
 _TWO = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
 _MOST = 20  # slashes of a line
-_ONE = re.compile(r"(?<=\S)\s+/\s+(?=\S)")
+_ONE = re.compile(r"(?<=\S)\s+[/•·∙⋅●]\s+(?=\S)")
 
 
 def parted(text: str, names: Names) -> str:
-    """Return a line with semicolons for the slashes between its equations; what stands behind // is else a remark."""
-    if "/" not in text or len(text) > EQUATION_CHARACTERS:
+    """Return a line with semicolons for slashes and dots between its equations; what stands behind // is else a remark."""
+    if len(text) > EQUATION_CHARACTERS:
         return text
-    pieces = _TWO.split(text)
-    if len(pieces) > 1 and all(_is_one(piece, names) for piece in pieces):
+    pieces = _TWO.split(text) if "//" in text else []
+    if pieces and all(_is_one(piece, names) for piece in pieces):
         return "; ".join(pieces)
     return "; ".join(_at_slashes(text, names)) if _ONE.search(text) else text
 
@@ -36,7 +36,7 @@ def _is_one(text: str, names: Names) -> bool:
 
 
 def _at_slashes(text: str, names: Names) -> list[str]:
-    """Return the equations of a line that slashes part.
+    """Return the equations of a line that slashes or dots part.
 
     In a = b / c = d the slash divides if a and b / c can have one unit, and parts two equations if only a and b can. If neither
     can, nothing is right in which it divides: it parts the two, if it is the only one and each may be an equation by itself.

@@ -31,6 +31,7 @@ _BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\|\s_)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&|\s_))\s*$")
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&|\s_)\s*$")
+_MARKED = re.compile(r"[\w)\]]\s*\\\s*$")
 _BARE = re.compile(r"[^-+/−–\s]+")  # the names of a line with no other sign: "vC/a -"
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
@@ -131,6 +132,8 @@ def _goes_on(kept: str, line: str, names: Names) -> bool:
     if kept.lstrip().startswith("[[") and depths(kept)[-1]:
         return True
     both = "=" in kept and "=" in line
+    if both and _MARKED.search(kept) and not _BEGINS.match(_ALIGNED.sub("", line)):
+        return False  # in Typst the sign ends a line
     if _GOES_ON.search(kept):
         return not (kept.rstrip().endswith("=") and "=" in line)
     if "=" in kept and not both and kept.count("(") > kept.count(")"):

@@ -33,7 +33,15 @@ _DROPPED = re.compile(
 )
 _ALIGNED = re.compile(r"&\s*=|=\s*&")
 _BOXED = re.compile(r"^\s*\\(?:boxed|fbox)\s*\{(.*)\}([^{}]*)$")
-_PRIME, _POWER = re.compile(r"\^\s*\{?\s*(?:\\prime(?![A-Za-z])|')\s*\}?"), re.compile(r"\^\s*\{\s*(\d)\s*\}")
+_PRIME, _POWER = re.compile(r"\^\s*\{?\s*(?:\\prime(?![A-Za-z])|')\s*\}?"), re.compile(r"\^\s*\{\s*(-?\d)\s*\}")
+_EMPTY = re.compile(r"\{\s*\}")  # {} around a sign or behind a command
+_COLOUR = re.compile(r"\\(?:text|row|cell)?color(?:box)?\s*(?:\[[^\[\]]{0,20}\])?\s*\{[^{}]{0,40}\}(?=\s*(\{)?)")
+_OF_ONE_LETTER = re.compile(r"\\(?:mathrm|mathit|mathsf|text|rm|it|operatorname)\s+([A-Za-z])(?![A-Za-z])")  # \mathrm d
+_BRACED = re.compile(r"\\(?:under|over)(?:brace|bracket)\s*(?=\{)")  # marks a part, with a remark below or above
+_REMARK_AT = re.compile(r"\s*[_^]\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\s*[_^]\s*\w")
+_DOTTED_GROUP = re.compile(r"\{\s*(\\dot\s*(?:\{[^{}]{1,20}\}|\\?[A-Za-z]+))\s*\}")  # {\dot\varphi}_3
+_UNIT = re.compile(r"\\(?:si|unit)\s*(?:\[[^\[\]]{0,40}\])?\{([^{}]{1,60})\}")
+_UNITS = {"\\radian": "rad", "\\second": "s", "\\meter": "m", "\\metre": "m", "\\per": "/", "\\degree": "°"}
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
 _UPRIGHT = re.compile(
     r"\\(?:text|mathrm|mathit|mathsf|mathnormal|mathop|operatorname\*?|textit|textrm|textbf|rm|mathbf|boldsymbol|bm|mbox|hbox|vec"
@@ -118,6 +126,8 @@ def without_latex(text: str) -> str:
     """
     if "\\" not in text:
         return text.replace("&", " ") if _ALIGNED.search(text) else text
+    text = _OF_ONE_LETTER.sub(r" \1 ", _COLOUR.sub(lambda found: "\\boxed" if found[1] else "", _EMPTY.sub(" ", _UNIT.sub(_unit, text))))
+    text = _DOTTED_GROUP.sub(r"\1", _unbraced(text)) if "brace" in text or "{\\dot" in text else text
     text = _PRIME.sub("'", _POWER.sub(r"^\1 ", text))
     text = _SPACE.sub(" ", _DROPPED.sub(" ", _BOXED.sub(r"\1\2", text)))
     text = _UPRIGHT.sub(_upright, text.replace("{,}", ","))
@@ -131,6 +141,23 @@ def without_latex(text: str) -> str:
             break
         text = dotted
     return re.sub(r"\\([A-Za-z]+)", r" \1 ", text)
+
+
+def _unit(found: re.Match[str]) -> str:
+    r"""Return a unit of siunitx in brackets, [1/s] for \per\second."""
+    unit = "".join(_UNITS.get(command, command) for command in re.findall(r"\\[A-Za-z]+|[^\\]+", found[1])).replace(" ", "")
+    return f" [{'1' if unit.startswith('/') else ''}{unit}]"
+
+
+def _unbraced(text: str) -> str:
+    """Return a text without the braces drawn below or above parts of it, and without the remarks at them."""
+    for _ in range(_MOST):
+        if (found := _BRACED.search(text)) is None:
+            break
+        inner, end = _argument(text, found.end())
+        remark = _REMARK_AT.match(text, end)
+        text = f"{text[: found.start()]}({inner}){text[remark.end() if remark else end :]}"
+    return text
 
 
 def _upright(found: re.Match[str]) -> str:

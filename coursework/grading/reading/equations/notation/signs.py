@@ -16,22 +16,24 @@ _MATHEMATICAL, _FULL_WIDTH = range(0x1D400, 0x1D800), range(0xFF01, 0xFF5F)
 _SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₒₓₕₖₗₘₙₚₛₜᵢᵣᵤᵥⱼ", "0123456789aeoxhklmnpstiruvj", strict=True))
 _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True))
 _RAISED = re.compile(f"[{''.join(_SUPERSCRIPTS)}]+")
+_MINUS = re.compile(r"(?<=\s)⁻(?=\s)")  # set higher by mistake: no exponent stands alone
 _DOT = "\u0307"
 _OF_NO_KEYBOARD = re.compile(r"[^\x00-\x7f]")
+_EQUAL = "≡≈≅≃≐≑≔≝≜≟⩴⩵⩶꓿⹀"
 _SIGNS = {
-    **dict.fromkeys("≡≈≅≃≐≑≔≝⩴⩵⩶", "="), **dict.fromkeys("−‐‑‒–—―﹣﹘─━➖", "-"), "﹢": "+",
-    **dict.fromkeys("∗•∙⋅·●∘×✕✖⨯⸱・\u2062", "*"), **dict.fromkeys("⁄∕÷", "/"), **dict.fromkeys("〖⟦❨", "("),
+    **dict.fromkeys(_EQUAL, "="), **dict.fromkeys("−‐‑‒–—―﹣﹘─━➖˗₋", "-"), "﹢": "+",
+    **dict.fromkeys("∗•∙⋅·●∘×✕✖⨯⸱・⋆⁎✱﹡\u2062", "*"), **dict.fromkeys("⁄∕÷⌟┘", "/"), **dict.fromkeys("〖⟦❨", "("),
     **dict.fromkeys("〗⟧❩", ")"), **dict.fromkeys("，、", ","), "。": ".", "【": "[", "】": "]", "；": ";", "：": ":",
     **dict.fromkeys("\u00ad\u200b\u200c\u200d\u200e\u200f\u2060\u2061\u2063\u2064\ufe0e\ufe0f\ufeff", ""),
     **dict.fromkeys("\u00a0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200a\u202f\u205f\u3000", " "),
-    "∂": "d", "∅": "φ", "⌀": "φ", "Ø": "φ", "ø": "φ", "’": "'", "′": "'", "ʹ": "'",
+    "∂": "d", "ℓ": "l", "∅": "φ", "⌀": "φ", "Ø": "φ", "ø": "φ", "’": "'", "′": "'", "ʹ": "'",
 }  # fmt: skip
 ARROWS = re.compile(
     rf"<?={{1,3}}>|-{{1,3}}>|<->|[→⟶⟹⇔⟺↔⟷➔➜➡∴{ARROW}]"
     r"|\\(?:Rightarrow|Longrightarrow|implies|rightarrow|longrightarrow|to|Leftrightarrow|iff|therefore|leadsto)(?![A-Za-z])"
 )
 _IN_TEX = r"\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])"
-_RELATION = re.compile(rf"[=≡≈≅≃≐≔≝⩴⩵⩶＝]|{_IN_TEX}|\bEq(?:uality)?\s*\(|(?<=[\w\])])\s*<-\s")
+_RELATION = re.compile(rf"[=＝{_EQUAL}]|{_IN_TEX}|\bEq(?:uality)?\s*\(|(?<=[\w\])])\s*<-\s")
 _EQUALS = re.compile(rf"(?<![<>!]):=|={{2,}}|{_IN_TEX}|(?<=[\w\])])\s*<-(?=\s)")  # <- in R
 # An equation of Symbolics in Julia, e1 = a*w1 ~ 0: of two names alone it may say that one is proportional to the other.
 _OF_JULIA = re.compile(r"^((?:[^=~]*\[\s*|\s*\w{1,20}\s*=)?[^=~]*[\w)\]])\s+\.?~(?=\s+[-+\w(][^=~]*$)")
@@ -40,7 +42,7 @@ _WORDS = re.compile(
     r"\b(?:is\s+equal\s+to|equals|равно|равна|равен|дорівнює|ist\s+gleich|gleich|est\s+égale?\s+à|es\s+igual\s+a)\b|等于|等於",
     re.I,
 )
-VANISHED = re.compile(r"(?:[=≡]|\\equiv)\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
+VANISHED = re.compile(r"(?:[=≡]|\\equiv)(?:[\s&]|\{\})*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")
 _QUOTED = re.compile(r'(?<=\w)_\s?"(\w{1,9})"')  # an index in Typst
 _OPERATOR = re.compile(r"[-+*/=^]")
@@ -76,6 +78,7 @@ def plain_signs(text: str) -> str:
     ('2r3ω3*sin(φ_3) - ½r_3ω_3 = 0', 'V_My = φ̇_3 sin^2 φ3')
     """
     text = _OF_NO_KEYBOARD.sub(lambda found: _plain(found[0]), text)
+    text = _MINUS.sub("-", text)
     text = _RAISED.sub(lambda found: "^" + "".join(_SUPERSCRIPTS[digit] for digit in found[0]) + " ", text)
     text = re.sub(rf"([^\W\d])[\s]*(?:{_DOT}|˙)", rf"\1{_DOT}", text)
     text = re.sub(rf"([^\W\d_])(_?\d{{1,2}})(?:{_DOT}|˙)", rf"\1{_DOT}\2", text)  # typed behind the index

@@ -14,7 +14,7 @@ from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.formula.reader import MAX_DEPTH
 
 _BETWEEN = re.compile(
-    rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\|\||\s\|\s|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s"
+    rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s&\s(?!\s*=)|\|\||\s\|\s|\s--\s|/\\|[∧⋀]|\\(?:land|wedge)(?![A-Za-z])|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s"
 )
 # Another equation begins after "= 0": nothing multiplies or adds to a zero.
 _VANISHED = re.compile(
