@@ -196,7 +196,8 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
 
 def names_in(text: str, spellings: Spellings) -> set[str]:
     """Return the declared names in a text, in any spelling, except t and pi."""
-    words = [piece for word in WORD.findall(plain(text, spellings)) for piece in (word, *_PIECE.findall(word))]
+    words = WORD.findall(plain(text, spellings))
+    words = [piece for word in words for piece in ([word] if spellings.canonical(word) else [word, *_PIECE.findall(word)])]
     return {known for word in words if (known := spellings.canonical(word)) is not None} - {*BUILT_IN}
 
 

@@ -42,7 +42,7 @@ _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
 )
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
-_SAID_IN_WORDS = re.compile(r"\s(?:--?|[–—])\s+((?:[^\W\d_]+[\s,.]+)+[^\W\d_]+)[.;]?\s*$")
+_SAID_IN_WORDS = re.compile(r"\s(?:--?|[–—;!'\"])\s*((?:[^\W\d_]+[\s,.]+)+[^\W\d_]+)[.;]?\s*$")
 _SAID = re.compile(
     r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
 )
@@ -56,7 +56,9 @@ _NUMBER_BEHIND = re.compile(r"\s+\d")  # a number after a blank: "at point P 2*r
 _GLUED = re.compile(r".(?:sin|cos)$")  # names written together with a function: vCcos φ2 is no word
 _AXES = ("x", "y", "z", "ox", "oy")
 _PREPOSITIONS = (*"авзікосу",)  # Cyrillic prepositions of one letter
+_ADDED = re.compile(r"\s+[-+−–]\s")  # behind a single word, which may be a name that the task does not have
 _LONG = 5  # a word of at least this many letters is not a symbol
+_SEVERAL = 3  # so many words are no term, even if the first is a name
 _SHORT = 3  # up to this many capitals are a name: BC, AB
 
 
@@ -123,7 +125,8 @@ def without_words(text: str, is_name: Callable[[str], bool]) -> str:
         if _COUNTED.search(text[:start]) and (number := re.match(r"\s*\d{1,3}[):.,]?\s+", text[start:])):
             start += number.end()
     rest = text[start:]
-    return _POINTS.sub("", rest) if start and not re.match(r"\s*[*/^=]|\(", rest) else text
+    is_term = re.match(r"\s*[*/^=]|\(", rest) or (_ADDED.match(rest) and text[:start].strip().isalpha())
+    return _POINTS.sub("", rest) if start and not is_term else text
 
 
 def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
@@ -144,7 +147,7 @@ def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
 def _is_said_in_words(behind: str, is_name: Callable[[str], bool]) -> bool:
     """Return whether words behind a dash are a reason, "C keeps its height", and no term that is taken away."""
     words = re.findall(r"[^\W\d_]+", behind)
-    return not is_name(words[0]) and any(len(word) >= _LONG and not is_name(word) for word in words)
+    return (not is_name(words[0]) or len(words) >= _SEVERAL) and any(len(word) >= _LONG and not is_name(word) for word in words)
 
 
 def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], after: int) -> bool:

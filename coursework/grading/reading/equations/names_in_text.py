@@ -101,6 +101,9 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
             rates[angle] = name
     speeds = [*_speeds(variant)]
     others = {key: name for key, name in speeds if len({one for same, one in speeds if same == key}) == 1}
+    if point := variant.driven:
+        others |= {_key(f"v{axis}{point}"): name for axis in "xy" if (name := f"V{point}{axis}") in names}
+        rates |= {_key(f"{axis}{point}"): name for axis in "xy" if (name := f"V{point}{axis}") in names}  # ẋ_M, dx_M/dt
     others |= {key: found[0] for key, found in aliases(columns).items() if len(found) == 1 and found[0] in names}
     folded: dict[str, list[str]] = {}
     for name in names:

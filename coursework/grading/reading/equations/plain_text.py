@@ -68,6 +68,7 @@ _ARC = re.compile(r"(?<!\w)[a𝑎](sin|cos|tan)")
 _LAMBDA = re.compile(r"(^\s*|=\s*)lambda\b[\w\s,]{0,60}:(?!.*=)|(=\s*)@\s*\([\w\s,]{0,60}\)")  # in Python, in MATLAB
 _METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() in Rust
 _BROADCAST = re.compile(r"\b(sin|cos|tan|sqrt)\.(?=\()")  # sin.(phi3) in Julia
+_BARS = re.compile(r"\|\s*([^\W\d]\w{0,5})\s*\|")  # the length of a vector, |r3|
 _DEGREE = r"(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)"
 _DEGREES = re.compile(rf"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{{1,3}}(?:[.,]\d{{1,9}})?)\s*{_DEGREE}")
 _MINUTES = re.compile(rf"(\d{{1,3}})\s*{_DEGREE}\s*(\d{{1,2}})\s*'(?!')(?:\s*(\d{{1,2}}(?:[.,]\d+)?)\s*(?:''|\"|″|$))?")
@@ -90,6 +91,7 @@ def plain(text: str, spellings: Spellings) -> str:
     ['w3', '=', 'w3']
     """
     text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
+    text = _BARS.sub(lambda found: found[1] if spellings.canonical(found[1]) in spellings.data else found[0], text)
     text = _BROADCAST.sub(r"\1", text)
     text = _METHOD.sub(r"\2(\1)", text)
     text = with_factors(_DEGREES.sub(r"\1(\2*pi/180)", of_minutes(text)))

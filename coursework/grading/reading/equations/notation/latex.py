@@ -126,7 +126,9 @@ def without_latex(text: str) -> str:
     """
     if "\\" not in text:
         return text.replace("&", " ") if _ALIGNED.search(text) else text
-    text = _OF_ONE_LETTER.sub(r" \1 ", _COLOUR.sub(lambda found: "\\boxed" if found[1] else "", _EMPTY.sub(" ", _UNIT.sub(_unit, text))))
+    text = _OF_ONE_LETTER.sub(
+        r" \1 ", _COLOUR.sub(lambda found: "\\boxed" if found[1] else "", _EMPTY.sub(" ", _UNIT.sub(_unit, text)))
+    )
     text = _DOTTED_GROUP.sub(r"\1", _unbraced(text)) if "brace" in text or "{\\dot" in text else text
     text = _PRIME.sub("'", _POWER.sub(r"^\1 ", text))
     text = _SPACE.sub(" ", _DROPPED.sub(" ", _BOXED.sub(r"\1\2", text)))

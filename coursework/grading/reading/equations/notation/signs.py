@@ -48,6 +48,7 @@ _QUOTED = re.compile(r'(?<=\w)_\s?"(\w{1,9})"')  # an index in Typst
 _OPERATOR = re.compile(r"[-+*/=^]")
 _AXIS = re.compile(r"(?<=\w)\^\s*(?:[{(]\s*\(?([xyz])\)?\s*[)}]|([xyz])(?!\w))((?:_\w+)?)")
 _COMPONENT = re.compile(r"[(\[{]\s*([^\W\d]_?\w{0,3})\s*[)\]}]\s*[_^]\s*[({]?\s*([xyz])\s*[)}]?(?!\w)")  # (V_M)_x
+_OF_POINT = re.compile(r"(?<=\w)_([xyz])\s*\^\s*[({]?\s*([A-Z])\s*[)}]?(?!\w)")  # V_x^M
 _LENGTH = re.compile(r"\|\s*([A-Z]\w?'?[A-Z]\w?'?)\s*\|")  # the length between two points
 
 
@@ -89,7 +90,7 @@ def plain_signs(text: str) -> str:
     text = _QUOTED.sub(r"_\1", text)
     for _ in range(3):  # up to three nested indices
         text = _UNDER.sub(_index, text)
-    text = _COMPONENT.sub(r"\1\2", text)
+    text = _OF_POINT.sub(r"_\2\1", _COMPONENT.sub(r"\1\2", text))
     return _AXIS.sub(_axis, re.sub(r"(?<=\w)\.(?=[*/^])|(?<=[)\]])\.(?=[*/^'])", "", _LENGTH.sub(r"\1", text)))
 
 
