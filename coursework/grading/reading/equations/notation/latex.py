@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from coursework.grading.reading.equations.notation.determinants import determinant
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.notation.signs import ARROW
 from coursework.variant.formula.alphabet import greek
@@ -18,7 +19,8 @@ from coursework.variant.formula.alphabet import greek
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\[[tbc]\])?(?:\{[lcr|@\d\s]*(?:\{[^{}]*\}[lcr|@\s]*)*\})?")
 _MATRIX = re.compile(
-    r"\\begin\s*\{((?:[pbvBV]|small)?matrix|array)\}(?:\[[tbc]\])?(?:\{[lcr|@\s]*\})?(.{0,4000}?)\\end\s*\{\1\}", re.DOTALL
+    r"(\\left\s*\|\s*|\\det\s*)?\\begin\s*\{((?:[pbvBV]|small)?matrix|array)\}(?:\[[tbc]\])?(?:\{[lcr|@\s]*\})?(.{0,4000}?)\\end\s*\{\2\}(?(1)\s*(?:\\right\s*\|)?)",
+    re.DOTALL,
 )
 _LINE_END = re.compile(r"\\(?:\\\*?(?:\s*\[[^\]\n]{0,20}\])?|newline|tabularnewline)")
 _PREAMBLE = re.compile(r"\A.*?\\begin\s*\{document\}", re.DOTALL)
@@ -102,10 +104,11 @@ def matrices_in_one_piece(text: str) -> str:
 
 def _as_matrix(found: re.Match[str]) -> str:
     r"""Return a matrix in one piece, "[a, b; c, d]" as in MATLAB; leave an array of equations (after a brace) unchanged."""
-    if "=" in found[2]:
+    if "=" in found[3]:
         return found[0]
-    rows = _LINE_END.split(found[2].replace("\n", " "))
-    return in_one_piece(row.split("&") for row in rows) + "\n" * found[0].count("\n")
+    rows = [row.split("&") for row in _LINE_END.split(found[3].replace("\n", " ")) if row.strip()]
+    sum_ = determinant(rows) if found[1] or found[2] == "vmatrix" else ""
+    return (sum_ or (found[1] or "") + in_one_piece(rows)) + "\n" * found[0].count("\n")
 
 
 def in_one_piece(rows: Iterable[Iterable[str]]) -> str:

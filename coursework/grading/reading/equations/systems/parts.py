@@ -108,7 +108,7 @@ def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
     >>> product("[a, b], [c, d]", ["x", "y"], ["e", "0"]), product("a -b; c d", ["x", "y"], ["e", "0"])[0]
     (['(a)*(x) + (b)*(y) = e', '(c)*(x) + (d)*(y) = 0'], '(a)*(x) + (-b)*(y) = e')
     """
-    for rows in (_matrix(matrix), [[cell for cell in _split(_BLANK, row[0].strip()) if cell] for row in _matrix(matrix)]):
+    for rows in (rows_of(matrix), [[cell for cell in _split(_BLANK, row[0].strip()) if cell] for row in rows_of(matrix)]):
         if 0 < len(rows) == len(right) <= _MOST_ROWS and all(len(row) == len(unknowns) for row in rows):
             sums = (" + ".join(f"({cell})*({name})" for cell, name in zip(row, unknowns, strict=True)) for row in rows)
             return [f"{one} = {value}" for one, value in zip(sums, right, strict=True)]
@@ -117,11 +117,11 @@ def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
 
 def vector(content: str) -> list[str]:
     """Return the cells of a row or column vector; without commas, blanks separate the cells."""
-    cells = [cell for row in _matrix(content) for cell in row]
+    cells = [cell for row in rows_of(content) for cell in row]
     return [cell for cell in _split(_BLANK, cells[0]) if cell] if len(cells) == 1 else cells
 
 
-def _matrix(content: str) -> list[list[str]]:
+def rows_of(content: str) -> list[list[str]]:
     """Return the rows of a matrix: nested lists, or separated by semicolons or line ends."""
     for _ in range(_MOST_WITHIN):
         rows = [row.strip() for row in at_commas(content.rstrip(" \t\n,"))]
