@@ -196,9 +196,9 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
 
 def names_in(text: str, spellings: Spellings) -> set[str]:
     """Return the declared names in a text, in any spelling, except t and pi."""
-    words = WORD.findall(plain(text, spellings))
-    words = [piece for word in words for piece in ([word] if spellings.canonical(word) else [word, *_PIECE.findall(word)])]
-    return {known for word in words if (known := spellings.canonical(word)) is not None} - {*BUILT_IN}
+    found = {word: spellings.canonical(word) for word in {*WORD.findall(plain(text, spellings))}}
+    pieces = {piece for word, meant in found.items() if meant is None for piece in _PIECE.findall(word)}
+    return {known for known in (*found.values(), *map(spellings.canonical, pieces)) if known is not None} - {*BUILT_IN}
 
 
 def names_of(line: EquationLine, names: Names) -> set[str]:

@@ -91,8 +91,9 @@ def plain(text: str, spellings: Spellings) -> str:
     ['w3', '=', 'w3']
     """
     text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
-    text = _BARS.sub(lambda found: found[1] if spellings.canonical(found[1]) in spellings.data else found[0], text)
-    text = _BROADCAST.sub(r"\1", text)
+    if "|" in text:
+        text = _BARS.sub(lambda found: found[1] if spellings.canonical(found[1]) in spellings.data else found[0], text)
+    text = _BROADCAST.sub(r"\1", text) if ".(" in text else text
     text = _METHOD.sub(r"\2(\1)", text)
     text = with_factors(_DEGREES.sub(r"\1(\2*pi/180)", of_minutes(text)))
     text = _LAMBDA.sub(r"\1\2 ", _ROOT.sub(r"sqrt(\1)", text).replace("√", "sqrt"))

@@ -79,8 +79,9 @@ def plain_signs(text: str) -> str:
     ('2r3ω3*sin(φ_3) - ½r_3ω_3 = 0', 'V_My = φ̇_3 sin^2 φ3')
     """
     text = _OF_NO_KEYBOARD.sub(lambda found: _plain(found[0]), text)
-    text = _MINUS.sub("-", text)
-    text = _RAISED.sub(lambda found: "^" + "".join(_SUPERSCRIPTS[digit] for digit in found[0]) + " ", text)
+    if not text.isascii():
+        text = _MINUS.sub("-", text)
+        text = _RAISED.sub(lambda found: "^" + "".join(_SUPERSCRIPTS[digit] for digit in found[0]) + " ", text)
     text = re.sub(rf"([^\W\d])[\s]*(?:{_DOT}|˙)", rf"\1{_DOT}", text)
     text = re.sub(rf"([^\W\d_])(_?\d{{1,2}})(?:{_DOT}|˙)", rf"\1{_DOT}\2", text)  # typed behind the index
     text = _EQUALS.sub("=", ARROWS.sub(f" {ARROW} ", text))
@@ -90,7 +91,8 @@ def plain_signs(text: str) -> str:
     text = _QUOTED.sub(r"_\1", text)
     for _ in range(3):  # up to three nested indices
         text = _UNDER.sub(_index, text)
-    text = _OF_POINT.sub(r"_\2\1", _COMPONENT.sub(r"\1\2", text))
+    if "_" in text:
+        text = _OF_POINT.sub(r"_\2\1", _COMPONENT.sub(r"\1\2", text))
     return _AXIS.sub(_axis, re.sub(r"(?<=\w)\.(?=[*/^])|(?<=[)\]])\.(?=[*/^'])", "", _LENGTH.sub(r"\1", text)))
 
 
