@@ -56,6 +56,7 @@ _STATEMENT = re.compile(
     r"|(?:double|float|const|static|\s)+\w{1,20}\[\d*\]\s*="
     r"|(?:[a-z]{2,5}\s)?\w{1,20}\s*(?:<-|=)\s*(?:function\s*\(|\([\w\s,]*\)\s*=>|\[&\])|\w{1,20}\s*<-\s*c\("
     r"|\w{1,20}\s*(?:<-|=)\s*(?:\w{1,9}\.)?(?:zeros|ones|empty|linspace|arange|ode\w*|solve_ivp|lsode|ODEProblem|\w*symbols)\s*\("
+    r"|[fF]ind\s*\([\w\s,]*\)\s*(?::?=|→)?$"
     r"|t(?:\[\w\]|\(\w\))?\s*:?=\s*\(?(?:[ikn]|row)(?:\s*-\s*1\s*\))?\s*\*\s*h;?$"
     r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|n\s*=\s*\d+;?$"
 )

@@ -55,6 +55,9 @@ _UNNAMED = re.compile(
     r"^(?:(?:const|let|var)\s+)?(\w{1,40})\s*(?:=|<-)\s*(?:(?:\([\w\s,]*\)|\w{1,20})\s*=>|function\s*\([\w\s,]*\))\s*\{?\s*(?:return\s+)?"
     r"(?=[^{\[\s][^={}]*[*/])|\s*\}\s*;?\s*$"
 )
+# What a solver of Mathematica finds, {{w3 -> a*b, …}}, and what a calculator stores, a*b→w3.
+_FOUND, _RULE = re.compile(r"\s*\{+\s*\w{1,20}\s*(?:->|→)[^=]*$"), re.compile(r"(?<=[{\s,])(\w{1,20})\s*(?:->|→)")
+_STORED = re.compile(r"([^=→]*[*/][^=→]*?)\s*(?:→|->)\s*([^\W\d]\w{0,8})\s*;?\s*")
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
 _REMARK = re.compile(
     r"(?<!\\)%(?![io]\d+\)|(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
@@ -74,6 +77,9 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
             line = defined[3] or ""
         bare = _REMARK.sub("", _NUMBERED.sub("", parted(line, names)).partition("#")[0]).strip()
         bare = unquoted(bare)
+        if "→" in bare or "->" in bare:
+            bare = _RULE.sub(r"\1 = ", bare.strip("{} ").join("{}")) if _FOUND.match(bare) else bare
+            bare = f"{stored[2]} = {stored[1]}" if (stored := _STORED.fullmatch(bare)) else bare
         bare = _UNNAMED.sub(lambda found: f"{found[1]} = " if found[1] else "", bare) if _UNNAMED.match(bare) else bare
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if (under := _KEPT.match(bare)) and (under[3] or names.spellings.angle(under[1] + under[2]) is None):

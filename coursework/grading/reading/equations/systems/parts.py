@@ -34,10 +34,14 @@ _GROUPS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]")  # around a matrix that h
 _BLANK = re.compile(r"(?<![-+*/,\s])\s+(?![*/\s]|[-+]\s)")  # between two cells without a comma
 _NEXT_LINE = re.compile(r"\.{3}[^\n]*\n?")  # in MATLAB: the row continues, or ends with a semicolon
 _COMMA = re.compile(r"(?<!\\),")
-LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*|[^\W\d]\w{0,20}:\s*)?([A-Za-z.]{1,20}\s*[(\[]\s*)?(?:\\left)?\s*\\?[\[{]")
+LIST = re.compile(
+    r"\s*(?:\w{1,20}\s*:?=\s*(?:@\([\w\s,]{0,40}\)\s*)?|[^\W\d]\w{0,20}:\s*)?([A-Za-z.]{1,20}\s*[(\[]\s*)?(?:\\left)?\s*\\?[\[{]"
+)
 _ENCLOSED = re.compile(r"\s*()\(")
 # A call that solves equations for unknowns, as on a TI calculator or in Mathematica.
-_SOLVED = re.compile(r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+),\s*[\[{][\w\s,]+[\]}]\s*[)\]];?")
+_SOLVED = re.compile(
+    r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+?)(?:,\s*[\[{][\w\s,]+[\]}]|(?:,\s*[^\W\d]\w{0,9})+)\s*[)\]];?"
+)
 _ROW = re.compile(r"\|(.+)\||\"?\d{1,3}\"?\s*;(.+)")  # a row of a table
 _LONGEST = 4000
 _MOST_ROWS, _MOST_WITHIN = 12, 3  # most rows of a matrix; most brackets around it
