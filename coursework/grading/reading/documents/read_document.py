@@ -37,6 +37,7 @@ from coursework.grading.reading.table.table import read_parts, weight
 from coursework.grading.reading.table.tables_of_file import parts_of_text
 
 _MOST_TEXTS = 200
+_SAID = re.compile(":|→|->")  # signs before an answer and before what a calculator stores
 _CONTINUES = re.compile(r"\s*[-+*/−–&]")
 _GOES_ON = re.compile(r"(?:[*·+(]|\s[-−])\s*$|(?:\.{3}|…|\s_|&)\s*$")  # and ends in a later line
 _OF_PROGRAM = re.compile(
@@ -149,9 +150,9 @@ def _tried(lines: Sequence[DocumentLine], is_program: bool) -> Iterator[str]:
     depth = 0
     for line in lines:
         begun = depth + line.text.count("\\begin")
-        is_begun = _OPERATION.search(line.text) and (is_program or _CONTINUES.match(line.text) or _GOES_ON.search(line.text))
-        is_begun = is_begun or (is_program and _OF_PROGRAM.match(line.text))
-        is_one = line.is_formula or is_begun or ":" in line.text or relates_two_sides(line.text)  # ":" has an answer behind it
+        goes_on = _CONTINUES.match(line.text) or (_OPERATION.search(line.text) and _GOES_ON.search(line.text))
+        of_program = is_program and (_OPERATION.search(line.text) or _OF_PROGRAM.match(line.text))
+        is_one = line.is_formula or goes_on or of_program or _SAID.search(line.text) or relates_two_sides(line.text)
         yield line.text if begun > 0 or is_one else ""
         depth = max(0, begun - line.text.count("\\end"))
 
