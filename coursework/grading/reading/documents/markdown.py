@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.office.builder import add_lines
-from coursework.grading.reading.equations.notation.latex import matrices_in_one_piece
+from coursework.grading.reading.equations.notation.latex import matrices_in_one_piece, with_formulas_joined
 from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
@@ -90,7 +90,7 @@ def _add_plain(document: Document, text: str, first: int, place: Callable[[int],
         if is_code or not ("\\" in line or "$" in line or relates_two_sides(line)):
             document.add_line(line, place(number))
             continue
-        bare = _MARKUP.sub("", line)
+        bare = with_formulas_joined(_MARKUP.sub("", line))
         pieces: list[tuple[str, bool]] = []
         end = 0
         for found in _INLINE.finditer(bare):

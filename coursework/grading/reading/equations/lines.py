@@ -43,6 +43,9 @@ _WORD = re.compile(r"[^\W\d]\w*")
 _ROW = re.compile(r"^[-+−]?\d[^;\t ,\n]*+(?:[;\t ]|,[^,\n]*+,)[-+−\d.,eE;\t ]*+$", re.MULTILINE)
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
 _MEASURED, _CHECKED = re.compile(r"\d[.,]\d\d"), re.compile(r"[=≈]\s*[-+−]?\d+[.,]\d\d+(?:\s+[^\s\d]\S{0,7})?[.,;]?\s*$")
+_STANDS = re.compile(
+    r"(?:[^\W\d_]{2,12}[\s:,]+){0,5}[vV]_?\{?[A-Z]?[xy]?\}?\s*=\s*0\s*[.,;]?\s*"
+)  # V_C = 0: why an equation holds
 _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
@@ -172,9 +175,11 @@ def _defines(line: str, own: Mapping[str, Formula], names: Names, before: set[st
 
 
 def _is_of_one_row(read: EquationLine, names: Names) -> bool:
-    """Return whether a line relates only sought velocities and numbers, as "w3 = 6.12": a value or check of some row."""
+    """Return whether a line relates only sought velocities and numbers, as "w3 = 6.12": a value, reason or check of some row."""
     named = names_of(read, names) if read.tree is not None else set[str]()
     variant = names.expected.variant
+    if len(named) == 1 and _STANDS.fullmatch(read.text.strip()):
+        return True
     if (found := _UNIT_BEHIND.search(read.text)) and unit_of(found[1]):
         named -= names_in(found[1], names.spellings)  # w2 = 2.03 1/s, although s is a length of the task
     if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is a ratio of velocities

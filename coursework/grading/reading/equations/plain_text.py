@@ -115,6 +115,7 @@ def plain(text: str, spellings: Spellings) -> str:
     for pattern in _DERIVATIVES:
         text = pattern.sub(lambda found: _rate(found, spellings), text)
     text = with_the_rest_unread(text)
+    text = _OF_TIME.sub(lambda found: _of_time(found, spellings), text) if "(t" in text else text  # of a rate, phi3dot(t)
     text = _T_BEHIND.sub("", text) if _AT_TIME.search(text) else text
     for pattern in _SHORT_DERIVATIVES:
         text = pattern.sub(lambda found: found[0] if spellings.canonical(found[0]) else _rate(found, spellings), text)

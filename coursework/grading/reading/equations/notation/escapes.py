@@ -23,6 +23,9 @@ _OF_LATEX = re.compile(r"\\(?!r?\\?n|[rt](?![A-Za-z]))[A-Za-z]|\\(?:newcommand|d
 _PRINTED = re.compile(r"\\n[\"']\s*,\s*\w")  # printf("w3 = %f\n", w3)
 _QUOTED = re.compile(r"([\"'])((?:(?!\1).)*)\1(?=\s*(?:[,;\])}]|$))")
 _AROUND = re.compile(r"[\s\w.:=>,;\[\]{}\"'-]*")  # keys and brackets of lists
+_TAGGED = re.compile(r"\s*<(\w{1,20})\b[^<>]{0,80}>(.*)</\1>\s*")  # in XML
+_SHOWN = re.compile(r"\s*(?:print|disp|puts|display)\s*\(?\s*([\"'])((?:(?!\1)[^{%])*)\1\s*\)?\s*;?")  # print("a = b")
+_PAIR = re.compile(r"([\"'])([^\W\d]\w{0,9})\1\s*:\s*(?:([\"'])((?:(?!\3).)*)\3|(?=[^\"'\s]))")  # 'w3': 'a*b' of a dictionary
 _QUOTES = '"“”„«»`'
 _KEY = re.compile(r"\s*(?:-\s+)?([^\W\d]\w{0,20})\s*[:=]\s*([\"'])([^\"'\n]*(?:sin|cos)\b[^\"'\n]*)\2\s*,?\s*")
 
@@ -61,9 +64,12 @@ def unquoted(line: str) -> str:
     """
     if '_"' in line:  # V_"Mx" has an index in Typst
         return line
+    if "<" in line and (tagged := _TAGGED.fullmatch(line)) and relates_two_sides(tagged[2]):
+        line = tagged[2]
     if '"' in line or "'" in line:
+        line = printed[2] if (printed := _SHOWN.fullmatch(line)) and relates_two_sides(printed[2]) else line
         quoted = [found[2] for found in _QUOTED.finditer(line) if relates_two_sides(found[2])]
         if quoted and _AROUND.fullmatch(_QUOTED.sub("", line)):
             return "; ".join(quoted)
-        line = _KEY.sub(r"\1 = \3", line)
+        line = _PAIR.sub(lambda found: f"{found[2]} = {found[4] or ''}", _KEY.sub(r"\1 = \3", line))
     return line.strip(_QUOTES + " ,")

@@ -2,8 +2,8 @@ r"""LaTeX as students type it -> the plain signs in which equations are read.
 
 Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; an unknown command is left as
 its word, for the strict reader to refuse.  Nothing is run; what a text itself calls by a short name is put in its place.
-Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula or matrix of others, `markdown.py`
-and `formula_text.py`.
+Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula or matrix of others, `markdown.py`,
+`parts.py` and `formula_text.py`.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from coursework.grading.reading.equations.notation.latex_names import with_own_c
 from coursework.grading.reading.equations.notation.signs import ARROW
 from coursework.variant.formula.alphabet import greek
 
+_BETWEEN = re.compile(r"(?<!\$)\s*\$\s*(?:-(?=-))?([-+–−])\s*\$\s*(?!\$)")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\[[tbc]\])?(?:\{[lcr|@\d\s]*(?:\{[^{}]*\}[lcr|@\s]*)*\})?")
 _MATRIX = re.compile(
@@ -43,10 +44,11 @@ _BRACED = re.compile(r"\\(?:under|over)(?:brace|bracket)\s*(?=\{)")  # marks a p
 _REMARK_AT = re.compile(r"\s*[_^]\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\s*[_^]\s*\w")
 _DOTTED_GROUP = re.compile(r"\{\s*(\\dot\s*(?:\{[^{}]{1,20}\}|\\?[A-Za-z]+))\s*\}")  # {\dot\varphi}_3
 _UNIT = re.compile(r"\\(?:si|unit)\s*(?:\[[^\[\]]{0,40}\])?\{([^{}]{1,60})\}")
+_SET_OVER = re.compile(r"\\(?:overset|stackrel|underset)\s*\{[^{}]{0,20}\}\s*\{([^{}]{0,20})\}")  # a mark at a sign
 _UNITS = {"\\radian": "rad", "\\second": "s", "\\meter": "m", "\\metre": "m", "\\per": "/", "\\degree": "°"}
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
 _UPRIGHT = re.compile(
-    r"\\(?:text|mathrm|mathit|mathsf|mathnormal|mathop|operatorname\*?|textit|textrm|textbf|rm|mathbf|boldsymbol|bm|mbox|hbox|vec"
+    r"\\(?:text|mathrm|mathbin|mathrel|mathord|mathit|mathsf|mathnormal|mathop|operatorname\*?|textit|textrm|textbf|rm|mathbf|boldsymbol|bm|mbox|hbox|vec"
     r"|overline|underline|bar|hat|ensuremath|num|ang)\s*\{([^{}]*)\}"
 )
 _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi", "\\omega": "ω", "\\varphi": "φ",
@@ -97,6 +99,11 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
     return [*lines, (first, kept)] if kept.strip() else lines
 
 
+def with_formulas_joined(line: str) -> str:
+    """Return a line in which formulas with only a sign between them are one, $a$ -- $b$."""
+    return _BETWEEN.sub(r" \1 ", line) if line.count("$") > 2 else line
+
+
 def matrices_in_one_piece(text: str) -> str:
     r"""Return the text with each matrix in one piece: [a, b; c, d] for \begin{pmatrix}a & b \\ c & d…"""
     return _MATRIX.sub(_as_matrix, text) if text.count("\\begin") < _MOST else text
@@ -129,6 +136,7 @@ def without_latex(text: str) -> str:
     """
     if "\\" not in text:
         return text.replace("&", " ") if _ALIGNED.search(text) else text
+    text = _SET_OVER.sub(r" \1 ", text) if "{=}" in text else text
     text = _OF_ONE_LETTER.sub(
         r" \1 ", _COLOUR.sub(lambda found: "\\boxed" if found[1] else "", _EMPTY.sub(" ", _UNIT.sub(_unit, text)))
     )

@@ -34,7 +34,7 @@ ARROWS = re.compile(
 )
 _IN_TEX = r"\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])"
 _RELATION = re.compile(rf"[=＝{_EQUAL}]|{_IN_TEX}|\bEq(?:uality)?\s*\(|(?<=[\w\])])\s*<-\s")
-_EQUALS = re.compile(rf"(?<![<>!]):=|={{2,}}|{_IN_TEX}|(?<=[\w\])])\s*<-(?=\s)")  # <- in R
+_EQUALS = re.compile(rf"(?<![<>!]):=|=:|\.?={{2,}}|{_IN_TEX}|(?<=[\w\])])\s*<-(?=\s)")  # <- in R
 # An equation of Symbolics in Julia, e1 = a*w1 ~ 0: of two names alone it may say that one is proportional to the other.
 _OF_JULIA = re.compile(r"^((?:[^=~]*\[\s*|\s*\w{1,20}\s*=)?[^=~]*[\w)\]])\s+\.?~(?=\s+[-+\w(][^=~]*$)")
 _FORMULA = re.compile(r"\*|(?:sin|cos)\b|(?<![\w.])0(?![\w.])")
@@ -43,6 +43,8 @@ _WORDS = re.compile(
     re.I,
 )
 VANISHED = re.compile(r"(?:[=≡]|\\equiv)(?:[\s&]|\{\})*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
+_ZERO = re.compile(r"=\s+(?:zero|null|ноль|нулю|нуль|零)\b", re.I)
+_SPOKEN = re.compile(r"(?<=[\w)]\s)(plus|minus|плюс|минус|мінус)(?=\s[\w(])", re.I)
 _UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")
 _QUOTED = re.compile(r'(?<=\w)_\s?"(\w{1,9})"')  # an index in Typst
 _OPERATOR = re.compile(r"[-+*/=^]")
@@ -86,7 +88,8 @@ def plain_signs(text: str) -> str:
     text = re.sub(rf"([^\W\d_])(_?\d{{1,2}})(?:{_DOT}|˙)", rf"\1{_DOT}\2", text)  # typed behind the index
     text = _EQUALS.sub("=", ARROWS.sub(f" {ARROW} ", text))
     text = _WORDS.sub(" = ", text)
-    text = _of_julia(text)
+    text = _of_julia(_ZERO.sub("= 0", text))
+    text = _SPOKEN.sub(lambda found: "+" if found[1][0].lower() in "pп" else "-", text)
     text = re.sub(r"(?<=\w)\s+_(?=[\w{(])|_\s+(?=\w)", "_", text)
     text = _QUOTED.sub(r"_\1", text)
     for _ in range(3):  # up to three nested indices

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
+from coursework.grading.reading.equations.notation.latex import with_formulas_joined
 from coursework.grading.reading.equations.notation.signs import ARROWS, depths, relates_two_sides
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.formula.reader import MAX_DEPTH
@@ -62,6 +63,7 @@ def parts_of(line: str) -> list[str]:
         return rows
     if len(line) > EQUATION_CHARACTERS:
         return [line]
+    line = with_formulas_joined(line)
     if line.count("$") > 2 and not relates_two_sides(_BETWEEN_DOLLARS.sub(" ", line)):
         # Prose around formulas: take only the formulas that relate two sides.
         formulas = [found[1].strip() for found in _BETWEEN_DOLLARS.finditer(line)]
