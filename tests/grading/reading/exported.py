@@ -67,6 +67,12 @@ FORMS = {
     "a calculator": lambda t: f"solve({' and '.join(t.split(chr(10)))},w1,w2)",
     "fsolve": lambda t: "F = @(x) [" + "; ...\n  ".join(_sides(lambda left, right: f"{left} - ({right})")(t).split("\n")) + "];",
     "Mathcad": lambda t: "Given\n" + _named(t, _greek) + "\nFind(w1, w2) =",
+    "XML": _lines('<equation id="{k}">{e}</equation>'), "printed": _lines("print('{e}')"),
+    "spoken zero": lambda t: t.replace("= 0", "equals zero"), "dotted equals": lambda t: t.replace("=", ".=="),
+    "spoken signs": lambda t: t.replace(" - ", " minus ").replace(" + ", " plus "), "bars of axes": _lines("Ox| {e}"),
+    "a mark at the sign": lambda t: _tex(t).replace("=", r"\stackrel{!}{=}").replace(" - ", r" \mathbin{-} "),
+    "rates of time": lambda t: re.sub(r"\bw([23])", "φ\u0307_\\1(t)", t), "letters and numbers": _lines("(E{k}) {e}"),
+    "why it vanishes": _lines('"{k}","{e}","C is fixed, so v_C = 0"'), "why, and no blank": _lines("{e}; C is fixed"),
     "Mathematica": lambda t: "eqs = {" + ",\n  ".join(_heads(t).replace("=", "==").split("\n")) + "}",
 }  # fmt: skip
 
@@ -88,7 +94,8 @@ PROGRAMS = {
     "formulas that go on": _program("{n} = {f};").replace(" + ", "\n      + ").replace(" - ", "\n      - "),
     "formulas with marks": _program("      {n} = {f}").replace(" + ", " + &\n     & ").replace(" - ", " - &\n     & "),
     "stored": _program("{f}→{n}"), "found": "{{" + _heads(_program("{n} -> {f}", ", ")) + "}}",
-    "slashes": _program("{n} = {f}", " / "), "SymPy": "import sympy as sp\n" + _program("sp.Eq({n}, {f}),"),
+    "slashes": _program("{n} = {f}", " / "), "a dictionary": "w = {\n    " + _program("'{n}': {f}", ",\n    ") + "\n}",
+    "SymPy": "import sympy as sp\n" + _program("sp.Eq({n}, {f}),"),
     "YAML": _program('{n}: "{f}"'),
     "units of LaTeX": "\n".join(
         f"${_tex(name)} = {_tex(formula)}\\,\\si{{\\radian\\per\\second}}$" for name, formula in SOLVED.items()

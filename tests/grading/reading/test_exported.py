@@ -101,6 +101,23 @@ def test_a_quotient_or_product_in_a_chain_stays_one(text):
     assert (found.independent, len(found.wrong)) == (1, 0), [(mark.verdict, mark.line.text) for mark in found.marks]
 
 
+def test_a_link_may_be_named_by_its_points():
+    text = re.sub(r"\bw([123])\b", lambda found: "ω_" + {"1": "DA", "2": "BA", "3": "BM"}[found[1]], PLAIN["v102"])
+    assert marked(text, "v102").share == 1.0
+    assert len(marked(text.replace("VMx + a", "VMx - a", 1), "v102").wrong) == 1
+
+
+def test_the_lines_of_a_page_as_typed_stay_lines():
+    grade = graded({"work.html": f"<html><body><pre>\n{PLAIN['v102']}\n</pre></body></html>".encode()}, "v102")
+    assert grade.part("equations")[0] == 40.0
+
+
+def test_formulas_with_a_sign_between_them_are_one():
+    text = "\n".join(f"${line}$".replace(" - ", "$ -- $") for line in PLAIN["31"].replace("*", " ").split("\n"))
+    for name in ("work.txt", "work.md"):
+        assert graded({name: text.encode()}).part("equations")[0] == 40.0
+
+
 def test_what_only_looks_like_an_end_of_line_is_none():
     """A Greek letter of LaTeX begins with an n, and what a program prints ends with one."""
     assert marked(r"\nu = 2" + "\n" + PLAIN["31"]).share == 1.0
