@@ -73,6 +73,8 @@ FORMS = {
     "a mark at the sign": lambda t: _tex(t).replace("=", r"\stackrel{!}{=}").replace(" - ", r" \mathbin{-} "),
     "rates of time": lambda t: re.sub(r"\bw([23])", "φ\u0307_\\1(t)", t), "letters and numbers": _lines("(E{k}) {e}"),
     "why it vanishes": _lines('"{k}","{e}","C is fixed, so v_C = 0"'), "why, and no blank": _lines("{e}; C is fixed"),
+    "halves of LaTeX": lambda t: _tex(t).replace("0.5", r"\nicefrac{1}{2}").replace("= 0", r"\phantom{x} {=} \hphantom{-} 0"),
+    "over": lambda t: _tex(t).replace("0.5", r"{1 \over 2}").replace("\\omega", r"{\omega}"),
     "Mathematica": lambda t: "eqs = {" + ",\n  ".join(_heads(t).replace("=", "==").split("\n")) + "}",
 }  # fmt: skip
 

@@ -123,6 +123,9 @@ def test_what_only_looks_like_an_end_of_line_is_none():
     assert marked(r"\nu = 2" + "\n" + PLAIN["31"]).share == 1.0
     assert marked(PLAIN["31"] + '\nprintf("w1 = %f, w2 = %f\\n", w1, w2);').share == 1.0
     assert marked(r"V_{My} \neq 0" + "\n" + PLAIN["31"]).share == 1.0
+    half = PLAIN["31"].replace("0.5*r3", r"\nicefrac{1}{2} r_3").replace("phi", r"\varphi_").replace("*", " ")
+    assert marked(half.replace("VMy", "V_{My}")).share == 1.0
+    assert marked(PLAIN["31"].replace("0.5*r3", r"\nicefrac{1}{2} r3")).share == 1.0
 
 
 def test_what_is_proportional_in_julias_sign_is_no_equation():

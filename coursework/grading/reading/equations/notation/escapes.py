@@ -10,15 +10,12 @@ import re
 
 from coursework.grading.reading.equations.notation.signs import relates_two_sides
 
-# Commands of LaTeX that begin with an n: a \n before other letters is an end of line.
-_COMMANDS = (
-    "abla|atural|cong|e|earrow|eg|eq|ewcommand|ewline|ewpage|exists|geq|gtr|i|leq|less|mid|obreak|ocite|oindent|olimits|onumber"
-    "|ormalfont|ormalsize|ot|otag|otin|parallel|sim|u|um|warrow"
-)
 _END = r"(?<!\\)(?:\\r)?\\n"
-_LINE_END = re.compile(rf"{_END}(?!(?:{_COMMANDS})(?![A-Za-z]))")
+# Among commands of LaTeX: there \nu, \ne, \ni and each n before two small letters, or before an arrow, begin a command.
+_LINE_END = re.compile(rf"{_END}(?![eiu](?![A-Za-z])|[a-z]{{2}}|Right|Left|V[dD]a)")
 _BEFORE_U = re.compile(rf"(?<=[\w)}}\]]){_END}(?=u\s*[-+=])")  # no letter \nu among ends of lines
-_ANY_LINE_END = re.compile(r"(?:\\{1,2}r)?\\{1,2}n")
+_WORDS = "icefrac|ewline|ewpage|onumber|otag|oindent|abla|ormalsize"
+_ANY_LINE_END = re.compile(rf"(?:\\{{1,2}}r)?\\{{1,2}}n(?!(?:{_WORDS})(?![A-Za-z]))")
 _OF_LATEX = re.compile(r"\\(?!r?\\?n|[rt](?![A-Za-z]))[A-Za-z]|\\(?:newcommand|def)\b|\\\\\s|\\$", re.MULTILINE)
 _PRINTED = re.compile(r"\\n[\"']\s*,\s*\w")  # printf("w3 = %f\n", w3)
 _QUOTED = re.compile(r"([\"'])((?:(?!\1).)*)\1(?=\s*(?:[,;\])}]|$))")

@@ -18,7 +18,7 @@ from coursework.variant.formula.alphabet import greek
 
 _BETWEEN = re.compile(r"(?<!\$)\s*\$\s*(?:-(?=-))?([-+–−])\s*\$\s*(?!\$)")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
-_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\[[tbc]\])?(?:\{[lcr|@\d\s]*(?:\{[^{}]*\}[lcr|@\s]*)*\})?")
+_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\[[tbc]\])?(?:\{[lcrLCR|@\d\s]*(?:\{[^{}]*\}[lcrLCR|@\s]*)*\})?")
 _MATRIX = re.compile(
     r"(\\left\s*\|\s*|\\det\s*)?\\begin\s*\{((?:[pbvBV]|small)?matrix|array)\}(?:\[[tbc]\])?(?:\{[lcr|@\s]*\})?(.{0,4000}?)\\end\s*\{\2\}(?(1)\s*(?:\\right\s*\|)?)",
     re.DOTALL,
@@ -31,7 +31,7 @@ _DELIMITERS = re.compile(r"\\[\[\]()]|\$\$?")
 _DROPPED = re.compile(
     r"\\(?:left|right)\s*(?:\\[{}|]|\.)"
     r"|\\(?:left|right|[bB]ig+[lrm]?|displaystyle|textstyle|limits|nonumber|notag|hfill|noindent)(?![A-Za-z])|\\[,;!: ]"
-    r"|\\(?:label|tag|hspace|vspace|phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}"
+    r"|\\(?:label|tag|hspace|vspace|[hv]?phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}"
     r"|\\(?:text|textrm|mbox|hbox)\s*\{\s*\([^{}=]{0,40}\)\s*\}|\\eqno\s*\([^()]*\)|&"
 )
 _ALIGNED = re.compile(r"&\s*=|=\s*&")
@@ -43,6 +43,8 @@ _OF_ONE_LETTER = re.compile(r"\\(?:mathrm|mathit|mathsf|text|rm|it|operatorname)
 _BRACED = re.compile(r"\\(?:under|over)(?:brace|bracket)\s*(?=\{)")  # marks a part, with a remark below or above
 _REMARK_AT = re.compile(r"\s*[_^]\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\s*[_^]\s*\w")
 _DOTTED_GROUP = re.compile(r"\{\s*(\\dot\s*(?:\{[^{}]{1,20}\}|\\?[A-Za-z]+))\s*\}")  # {\dot\varphi}_3
+_IN_BRACES = re.compile(r"(?<![A-Za-z])\{\s*([-+=]|\\[a-z]+(?=\s*\}\s*_))\s*\}")  # {=} and {\omega}_3
+_OVER = re.compile(r"\{([^{}]{0,200})\\over(?![A-Za-z])([^{}]{0,200})\}")
 _UNIT = re.compile(r"\\(?:si|unit)\s*(?:\[[^\[\]]{0,40}\])?\{([^{}]{1,60})\}")
 _SET_OVER = re.compile(r"\\(?:overset|stackrel|underset)\s*\{[^{}]{0,20}\}\s*\{([^{}]{0,20})\}")  # a mark at a sign
 _UNITS = {"\\radian": "rad", "\\second": "s", "\\meter": "m", "\\metre": "m", "\\per": "/", "\\degree": "°"}
@@ -137,6 +139,7 @@ def without_latex(text: str) -> str:
     if "\\" not in text:
         return text.replace("&", " ") if _ALIGNED.search(text) else text
     text = _SET_OVER.sub(r" \1 ", text) if "{=}" in text else text
+    text = _OVER.sub(r"((\1)/(\2))", _IN_BRACES.sub(r" \1 ", text))
     text = _OF_ONE_LETTER.sub(
         r" \1 ", _COLOUR.sub(lambda found: "\\boxed" if found[1] else "", _EMPTY.sub(" ", _UNIT.sub(_unit, text)))
     )
@@ -146,7 +149,7 @@ def without_latex(text: str) -> str:
     text = _UPRIGHT.sub(_upright, text.replace("{,}", ","))
     text = _COMMAND.sub(lambda found: _sign(found[0]), text)
     text = _derivatives(text)
-    for name in ("frac", "dfrac", "tfrac", "cfrac"):
+    for name in ("frac", "dfrac", "tfrac", "cfrac", "nicefrac", "sfrac"):
         text = _fractions(text, f"\\{name}")
     for _ in range(_MOST):
         dotted = re.sub(r"\\dot\s*(?:\{\s*(\w)([^{}]*)\}|(\w))", lambda m: f" {m[1] or m[3]}\u0307{m[2] or ''}", text, count=1)
