@@ -48,7 +48,7 @@ _SAID = re.compile(
 )
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
-_ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
+_ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)[.,;]?\s*$")
 _POINT_AT_END = re.compile(r"(?<=\S)\s+\([A-Z]\)[.,;]?\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
 _CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")

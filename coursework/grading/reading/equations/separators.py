@@ -1,6 +1,6 @@
 """Slashes and dots between the equations of one line, "a = b / c = d" -> semicolons; a quotient or product stays one.
 
-Enters: a line, `Names`.  Leaves: the line, with a semicolon for each sign that parts two equations.  Used by `lines.py`.
+Enters: a line, `Names`.  Leaves: the line, with a semicolon for each sign that parts two equations.  Used by `text_lines.py`.
 """
 
 from __future__ import annotations

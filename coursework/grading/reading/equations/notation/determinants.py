@@ -1,4 +1,7 @@
-"""A determinant of two or three rows -> the sum of products that it is.  Used by `latex.py` and `systems/determinants.py`."""
+"""A determinant of two or three rows -> the sum of products that it is.
+
+Enters: its rows.  Leaves: text.  Used by `latex.py` and, for the determinants of programs, by `determinants.py`.
+"""
 
 from __future__ import annotations
 

@@ -2,8 +2,8 @@ r"""LaTeX as students type it -> the plain signs in which equations are read.
 
 Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; an unknown command is left as
 its word, for the strict reader to refuse.  Nothing is run; what a text itself calls by a short name is put in its place.
-Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula or matrix of others, `markdown.py`,
-`parts.py` and `formula_text.py`.
+Used by `text_lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula or matrix of others,
+`markdown.py`, `parts.py` and `formula_text.py`.
 """
 
 from __future__ import annotations

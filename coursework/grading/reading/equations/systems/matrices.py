@@ -1,7 +1,7 @@
 r"""A system that a program has as named matrices, A = [...], b = [...], x = A\b -> its equations, row by row.
 
 Enters: a text.  Leaves: the text with the equations in place of the matrix and without the other parts of the system; unchanged
-if it has no such system.  Nothing is computed.  Used by `lines.py`.
+if it has no such system.  Nothing is computed.  Used by `text_lines.py`.
 """
 
 from __future__ import annotations
