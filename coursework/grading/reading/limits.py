@@ -12,6 +12,7 @@ FILE_BYTES = 4 * 1024 * 1024
 INFLATED_BYTES = 20 * 1024 * 1024
 FILES = 50
 LINE_CHARACTERS = 20_000
+EQUATION_CHARACTERS = 4000  # as typed, with commands and braces of LaTeX; as read, the limits of a formula hold
 ROWS = 600
 COLUMNS = 40
 BLANK_ROWS = 200

@@ -12,11 +12,13 @@ from typing import Any
 
 from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.json_text import JsonNumber, JsonObject, read_json
+from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS
 
 LEVELS = 6
 _MOST_VALUES, _MOST_RECORDS, _MOST_NAMES = 20_000, 10_000, 1000
+_SIDES = (("lhs", "rhs"), ("left", "right"))  # of an equation, each by itself
 _FEW = 10  # most numbers that one name may have in a row
 _NOT_NUMBERS = {"NaN", "Infinity", "-Infinity"}
 
@@ -46,14 +48,15 @@ class _Reader:
                 (row[: self.most_columns] for row in rows[: self.most_rows]), place_of("entry", name=path[:80] or "[]")
             )
         if isinstance(value, JsonObject):
+            if sides := _sides(value):
+                self.document.add_line(" = ".join(sides), place_of("entry", name=path[:80]))
             for name, inner in value.pairs[:_MOST_RECORDS]:
                 if not rows or _is_texts(inner):
                     self._named(name, inner, f"{path}.{name}" if path else name)
-        elif rows:
-            return
         elif isinstance(value, list):
             for number, inner in enumerate(value[:_MOST_RECORDS], start=1):
-                self._named("", inner, f"{path}[{number}]")
+                if not rows or _is_text(inner):
+                    self._named("", inner, f"{path}[{number}]")
 
     def _named(self, name: str, value: Any, path: str) -> None:
         """Add a text (perhaps an equation), a named number (perhaps an answer), or the contents of a list or object."""
@@ -68,7 +71,7 @@ class _Reader:
             self.document.add_line(f"{name} = {value}" if name else "", place)
         else:
             for line in value.split("\n"):
-                self.document.add_line(f"{name} = {line}" if name and "=" not in line else line, place)
+                self.document.add_line(f"{name} = {line}" if name and not relates_two_sides(line) else line, place)
 
     def _rows(self, value: Any) -> list[Sequence[Cell]]:
         """Return a value as rows of cells, with a row of heads first if it has names; [] if it is no table."""
@@ -143,9 +146,20 @@ def _lists(rows: list[Any]) -> list[Sequence[Cell]]:
 
 
 def _is_texts(value: Any) -> bool:
-    """Return whether a value is a text with "=" or a list in which some text has one."""
+    """Return whether a value is a text that relates two sides or a list in which some text does."""
     texts = value if isinstance(value, list) else [value]
-    return any(isinstance(text, str) and not isinstance(text, JsonNumber) and "=" in text for text in texts)
+    return any(isinstance(text, str) and not isinstance(text, JsonNumber) and relates_two_sides(text) for text in texts)
+
+
+def _is_text(value: Any) -> bool:
+    """Return whether a value is a record with an equation in it."""
+    return isinstance(value, JsonObject) and (bool(_sides(value)) or any(_is_texts(entry) for _, entry in value.pairs))
+
+
+def _sides(value: JsonObject) -> list[str]:
+    """Return the two sides of an equation that a record has each by itself, [] for any other record."""
+    found = ([side for side in map(value.value, names) if isinstance(side, str)] for names in _SIDES)
+    return next((sides for sides in found if len(sides) == 2), [])
 
 
 def _flat(value: Any) -> bool:

@@ -11,7 +11,8 @@ from collections.abc import Callable
 
 from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.office.builder import add_lines
-from coursework.grading.reading.equations.notation.latex import matrices_in_one_piece
+from coursework.grading.reading.equations.notation.latex import matrices_in_one_piece, with_formulas_joined
+from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
 from coursework.words.sentence import Sentence
@@ -55,7 +56,7 @@ def add_markdown(document: Document, text: str, place: Callable[[int], Sentence]
             while end < len(lines) and "|" in lines[end]:
                 end += 1
             document.add_table(map(_cells, [lines[at], *lines[at + 2 : end]]), place(at + 1))
-            kept += [line if "=" in line else "" for line in lines[at:end]]
+            kept += [line if relates_two_sides(line) else "" for line in lines[at:end]]
             at = end
         else:
             kept.append(lines[at])
@@ -86,10 +87,10 @@ def _add_plain(document: Document, text: str, first: int, place: Callable[[int],
     is_code = False
     for number, line in enumerate(text.split("\n"), start=first):
         is_code ^= line.lstrip().startswith("```")
-        if is_code or ("=" not in line and "\\" not in line and "$" not in line):
+        if is_code or not ("\\" in line or "$" in line or relates_two_sides(line)):
             document.add_line(line, place(number))
             continue
-        bare = _MARKUP.sub("", line)
+        bare = with_formulas_joined(_MARKUP.sub("", line))
         pieces: list[tuple[str, bool]] = []
         end = 0
         for found in _INLINE.finditer(bare):

@@ -14,6 +14,7 @@ from typing import Any
 from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.json_text import JsonObject, read_json
 from coursework.grading.reading.documents.markdown import add_markdown
+from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.html_text import text_of
 
 _MOST_CELLS, _MOST_OUTPUTS = 2000, 200
@@ -44,7 +45,7 @@ def document_of_notebook(text: str, kind: str) -> Document:
     for output, place in reversed(shown[-_MOST_OUTPUTS:]):
         document.texts.append((output, place))
         for line in output.split("\n"):
-            if "=" in line and "\t" not in line:
+            if relates_two_sides(line) and "\t" not in line:
                 document.add_line(line, place)
     return document
 

@@ -11,6 +11,7 @@ import re
 from itertools import islice
 
 from coursework.grading.reading.documents.document import MOST_LINES, MOST_TABLES, Document, place_of
+from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.files.html_text import text_of
 from coursework.grading.reading.limits import CELL_CHARACTERS
@@ -99,7 +100,7 @@ def _add_piece(document: Document, piece: str, is_table: bool, most_rows: int, m
         cells = [[Cell(text.strip()[:CELL_CHARACTERS]) for text in row] for row in rows]
         place = place_of("table", number=min(len(document.tables) + 1, MOST_TABLES))
         document.add_table(cells, place)
-        for text in (text for line in lines for text in line.split("\t") if "=" in text):
+        for text in (text for line in lines for text in line.split("\t") if relates_two_sides(text)):
             document.add_line(text.replace(_MARK, ""), place, _MARK in text)
         return
     for line in lines:
@@ -130,7 +131,7 @@ def _add_formulas(document: Document, body: str, number: int) -> None:
     """Add the cells with a sign of equality as lines; the body begins in line `number`."""
     for row in _ROW_END.split(body, maxsplit=MOST_LINES)[:MOST_LINES]:
         for cell in _CELL_END.split(_RULES.sub(" ", row)):
-            if "=" in cell:
+            if relates_two_sides(cell):
                 document.add_line(cell, place_of("line", line=number + cell[: len(cell) - len(cell.lstrip())].count("\n")))
             number += cell.count("\n")
 

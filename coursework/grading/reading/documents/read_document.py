@@ -24,6 +24,7 @@ from coursework.grading.reading.documents.pdf.pdf import document_of_pdf, is_pdf
 from coursework.grading.reading.equations.equations import Names, names_for, names_of
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.names_in_text import BUILT_IN
+from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.expected import Expected, Grid
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Sheet
@@ -36,8 +37,12 @@ from coursework.grading.reading.table.table import read_parts, weight
 from coursework.grading.reading.table.tables_of_file import parts_of_text
 
 _MOST_TEXTS = 200
-_TRIED = re.compile("[=:≈]")  # signs of equations and answers
+_SAID = re.compile(":|→|->")  # signs before an answer and before what a calculator stores
+_CONTINUES = re.compile(r"\s*[-+*/−–&]")
 _GOES_ON = re.compile(r"(?:[*·+(]|\s[-−])\s*$|(?:\.{3}|…|\s_|&)\s*$")  # and ends in a later line
+_OF_PROGRAM = re.compile(
+    r"\s*(?:def\b.*:|return\b|(?:[a-z]{2,9}\s+){0,2}(?:double|float|function|fn|func|subroutine)\s+\w+\s*[(=])"
+)
 _OPERATION = re.compile(r"[*·×^+]|(?:sin|cos)\b|[)\]]\s*=", re.IGNORECASE)
 _WORD = re.compile(r"[^\W\d_]{3,}")
 _FEWEST_WORDS = 4  # so many words that are not names make a sentence
@@ -82,7 +87,7 @@ def document_of_sheets(sheets: Sequence[Sheet]) -> Document:
         for number, row in enumerate(sheet.rows, start=1):
             for cell in row:
                 for line in cell.text.split("\n") if cell.kind == "text" else ():
-                    if _TRIED.search(line):
+                    if ":" in line or relates_two_sides(line):
                         document.add_line(line, place_of("sheet", sheet=sheet.name or "", row=number))
     return document
 
@@ -125,21 +130,30 @@ def lines_of_document(document: Document, name: str, expected: Expected) -> Line
     names = names_for(expected)
 
     def placed(line: EquationLine) -> EquationLine | None:
-        return _placed(line, document.lines[line.line - 1], names)
+        at = document.lines[line.line - 1]
+        # What only continues, and continues nothing, is the item of a list.
+        is_item = not is_program and not at.is_formula and _CONTINUES.match(at.text) and not relates_two_sides(line.text)
+        return None if is_item else _placed(line, at, names)
 
-    lines = read_lines("\n".join(_tried(document.lines)), name, expected, kept=placed)
+    is_program = any(_OF_PROGRAM.match(line.text) for line in document.lines)
+    lines = read_lines("\n".join(_tried(document.lines, is_program)), name, expected, kept=placed)
     if all(line.may_be_datum for line in lines.equations):
         lines.equations = []  # data alone, such as those of a program, are not student equations
     return lines
 
 
-def _tried(lines: Sequence[DocumentLine]) -> Iterator[str]:
-    r"""Yield the lines that may contain an equation, "" for the others; all lines between \begin and \end are kept."""
+def _tried(lines: Sequence[DocumentLine], is_program: bool) -> Iterator[str]:
+    r"""Yield the lines that may contain an equation, "" for the others; all lines between \begin and \end are kept.
+
+    Where a line is the head of a function or returns something, a formula without a sign of equality may be an equation too.
+    """
     depth = 0
     for line in lines:
         begun = depth + line.text.count("\\begin")
-        is_begun = _OPERATION.search(line.text) and _GOES_ON.search(line.text)
-        yield line.text if begun > 0 or line.is_formula or is_begun or _TRIED.search(line.text) else ""
+        goes_on = _CONTINUES.match(line.text) or (_OPERATION.search(line.text) and _GOES_ON.search(line.text))
+        of_program = is_program and (_OPERATION.search(line.text) or _OF_PROGRAM.match(line.text))
+        is_one = line.is_formula or goes_on or of_program or _SAID.search(line.text) or relates_two_sides(line.text)
+        yield line.text if begun > 0 or is_one else ""
         depth = max(0, begun - line.text.count("\\end"))
 
 

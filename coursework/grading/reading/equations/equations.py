@@ -19,6 +19,7 @@ from coursework.grading.reading.equations.notation.signs import depths, plain_si
 from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_units, plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
 from coursework.grading.reading.expected import Expected
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.system.frozen import frozen
 from coursework.variant.formula import reader
@@ -32,7 +33,7 @@ MORE_LINES = 20  # so many lines are read in addition to twice the equations nee
 _KEYS = tuple(Constraint.keys())
 WORD = re.compile(r"[^\W\d]\w*")
 LETTER = re.compile(r"(?<![A-Za-z])\\?([^\W\d_]|[a-z]{3,5})(?![A-Za-z0-9_])(\u0307)?")
-_PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # the parts of names written without a sign between them
+_PIECE = re.compile(r"[^\W\d]++\d+|[^\W\d_]+")  # the parts of names written without a sign between them
 OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
 _SUM = re.compile(r"\b(?:sin|cos)\s+([\w\s*]{1,20}[-+]\s*)$", re.IGNORECASE)  # the argument of a function without brackets
 _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
@@ -138,7 +139,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
             fault = replace(strict, column=strict.column + max(text.find(candidate), 0))
         else:
             found.append(EquationReading(strict, "" if candidate == text else candidate))
-    if len(text) > reader.MAX_CHARACTERS:
+    if len(text) > EQUATION_CHARACTERS:
         return found, fault
     named: Fault | None = None
     written = [plain(one, names.spellings) for one in dict.fromkeys((shortest, without_labels(text), text))]
@@ -195,8 +196,9 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
 
 def names_in(text: str, spellings: Spellings) -> set[str]:
     """Return the declared names in a text, in any spelling, except t and pi."""
-    words = [piece for word in WORD.findall(plain(text, spellings)) for piece in (word, *_PIECE.findall(word))]
-    return {known for word in words if (known := spellings.canonical(word)) is not None} - {*BUILT_IN}
+    found = {word: spellings.canonical(word) for word in {*WORD.findall(plain(text, spellings))}}
+    pieces = {piece for word, meant in found.items() if meant is None for piece in _PIECE.findall(word)}
+    return {known for known in (*found.values(), *map(spellings.canonical, pieces)) if known is not None} - {*BUILT_IN}
 
 
 def names_of(line: EquationLine, names: Names) -> set[str]:
@@ -215,7 +217,7 @@ def read_as_one(text: str, names: Names) -> EquationReading | Fault:
 
 def _of_any_velocity(text: str, names: Names) -> tuple[EquationReading, ...]:
     """Return the readings of a formula without a name, "=V1*SIN(…)": the value of each sought velocity, or a residual."""
-    if not text.lstrip().startswith("=") or len(text) > reader.MAX_CHARACTERS:
+    if not text.lstrip().startswith("=") or len(text) > EQUATION_CHARACTERS:
         return ()
     formula = text.lstrip(" =")
     meant = [f"{velocity} = {formula}" for velocity in names.expected.variant.sought]

@@ -13,18 +13,19 @@ from coursework.grading.reading.equations.notation.signs import ARROW, depths, r
 from coursework.grading.reading.unit_names import unit_of
 
 _WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
-_MARKS = "•‣⁃▪▫◦●○■□◆◇▸▹►▻▶▷➢➤➔✓✔✅★☆❖🔹🔸👉"  # of the items of a list
+_MARKS = "☐☑☒•‣⁃▪▫◦●○■□◆◇▸▹►▻▶▷➢➤➔✓✔✅★☆❖🔹🔸👉"  # of the items of a list
 _LABEL = re.compile(
     rf"[\s$]*(?:[*{_MARKS}]\s+|[-–]\s\[[ x]\]\s)?(?:[(\[]?{_WORD}[\s.№]*\(?\d{{1,3}}(?!\d)[a-zа-я]?\)?\]?\s*"
     r"(?:[:)]|\.(?!\d))?(?!\s*:?=)(?=\s|\w|[-+−(.])"
     r"|[(\[{<](?:%[io]\d{1,3}|\d{1,3}(?:\.\d{1,3})?(?:['a-zа-я]|\.[a-zа-я])?|[A-ZА-Я]\.\d{1,3}|\*{1,3})[)\]}>]\s*(?::|\.(?!\d))?(?!=)"
-    r"|[\u2460-\u2473\u2474-\u249b]\s*|\d{1,3}/\s+|[a-zа-я]\.\s+|[(\[]O?[A-ZА-Я][)\]]:?\s+(?![+=*/·])|[A-Z]{1,4}\d{1,3}\.\s+|\d{1,3}[)\]]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
+    r"|[\u2460-\u249b\u2776-\u2793]\s*|\d{1,2}\ufe0f?\u20e3\s*|[\u2160-\u217f]{1,3}[).:]?\s+|\d{1,3}/\s+|[a-zа-я]\.\s+|[(\[](?:O?[A-ZА-Я]|[A-Z]{1,2}\d{1,2})[)\]]:?\s+(?![+=*/·])|(?:\d{1,2}|O[xyXY])\s*\|\s+|[A-Z]{1,4}\d{1,3}\.\s+|\d{1,3}[)\]]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
     r"|\(?[IVXivx]{1,5}[).]\s+|\*\*[^*=]{1,30}\*\*[:.]?\s*|\*\s+|>\s+|[|{⎧⎨⎪⎩]\s+"
     rf"|(?<=[{_MARKS}\]]\s))\s*",
     re.IGNORECASE,
 )
 _LABEL_AT_END = re.compile(
-    r"(?:\s|(?<=[,;])|(?<![.…])(?=[.…]{3}))(?:[-–—.…]+\s*)?(?:[(\[/<](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]/>]"
+    r"(?:\s|(?<=[,;])|(?<![.…])(?=[.…]{3}))(?:[-–—.…]+\s*)?(?:[(\[/<]"
+    rf"(?:(?i:{_WORD}[\s.№]*)?\d{{1,3}}(?:[.,]\d{{1,3}})?['a-zа-я]?|\*{{1,3}}|[IVX]{{1,5}})[)\]/>]"
     rf"|(?i:{_WORD})[\s.№]*\(?\d{{1,3}}\)?|(?:—|--)\s?\d{{1,3}})\s*$"
 )
 _VANISHES = re.compile(r"(=\s*0(?:[.,]0+)?)(?!\w|[.,]\d)(?!\s*[-+*/^])")
@@ -41,13 +42,13 @@ _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
 )
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
-_SAID_IN_WORDS = re.compile(r"\s(?:--?|[–—])\s+((?:[^\W\d_]+[\s,.]+)+[^\W\d_]+)[.;]?\s*$")
+_SAID_IN_WORDS = re.compile(r"(?:\s(?:--?|[–—!'\"])|\s?;)\s*((?:[^\W\d_]+[\s,.]+)+[^\W\d_]+)[.;]?\s*$")
 _SAID = re.compile(
     r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
 )
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
-_ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
+_ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)[.,;]?\s*$")
 _POINT_AT_END = re.compile(r"(?<=\S)\s+\([A-Z]\)[.,;]?\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
 _CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")
@@ -55,7 +56,9 @@ _NUMBER_BEHIND = re.compile(r"\s+\d")  # a number after a blank: "at point P 2*r
 _GLUED = re.compile(r".(?:sin|cos)$")  # names written together with a function: vCcos φ2 is no word
 _AXES = ("x", "y", "z", "ox", "oy")
 _PREPOSITIONS = (*"авзікосу",)  # Cyrillic prepositions of one letter
+_ADDED = re.compile(r"\s+[-+−–]\s")  # behind a single word, which may be a name that the task does not have
 _LONG = 5  # a word of at least this many letters is not a symbol
+_SEVERAL = 3  # so many words are no term, even if the first is a name
 _SHORT = 3  # up to this many capitals are a name: BC, AB
 
 
@@ -122,7 +125,8 @@ def without_words(text: str, is_name: Callable[[str], bool]) -> str:
         if _COUNTED.search(text[:start]) and (number := re.match(r"\s*\d{1,3}[):.,]?\s+", text[start:])):
             start += number.end()
     rest = text[start:]
-    return _POINTS.sub("", rest) if start and not re.match(r"\s*[*/^=]|\(", rest) else text
+    is_term = re.match(r"\s*[*/^=]|\(", rest) or (_ADDED.match(rest) and text[:start].strip().isalpha())
+    return _POINTS.sub("", rest) if start and not is_term else text
 
 
 def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
@@ -143,7 +147,7 @@ def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
 def _is_said_in_words(behind: str, is_name: Callable[[str], bool]) -> bool:
     """Return whether words behind a dash are a reason, "C keeps its height", and no term that is taken away."""
     words = re.findall(r"[^\W\d_]+", behind)
-    return not is_name(words[0]) and any(len(word) >= _LONG and not is_name(word) for word in words)
+    return (not is_name(words[0]) or len(words) >= _SEVERAL) and any(len(word) >= _LONG and not is_name(word) for word in words)
 
 
 def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], after: int) -> bool:

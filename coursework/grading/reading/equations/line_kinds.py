@@ -24,8 +24,8 @@ from coursework.grading.reading.equations.notation.signs import plain_signs, rel
 from coursework.grading.reading.equations.plain_text import in_si, of_minutes, plain
 from coursework.grading.reading.equations.repair import is_name, is_product
 from coursework.grading.reading.files.printed import PAIR
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.unit_names import unit_of
-from coursework.variant.formula import reader
 from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 
@@ -37,7 +37,6 @@ _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
 _COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # the number of a line in a list: 1.1, L2
 _LONG_DASH = re.compile(r"\s*[–—]\s+")
 _APART = re.compile(r"^\s*[-–—−]\s+")  # a dash with a blank behind it: the mark of an item, or a minus
-_SLASHES = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
 _CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
 _CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
@@ -57,6 +56,7 @@ _STATEMENT = re.compile(
     r"|(?:double|float|const|static|\s)+\w{1,20}\[\d*\]\s*="
     r"|(?:[a-z]{2,5}\s)?\w{1,20}\s*(?:<-|=)\s*(?:function\s*\(|\([\w\s,]*\)\s*=>|\[&\])|\w{1,20}\s*<-\s*c\("
     r"|\w{1,20}\s*(?:<-|=)\s*(?:\w{1,9}\.)?(?:zeros|ones|empty|linspace|arange|ode\w*|solve_ivp|lsode|ODEProblem|\w*symbols)\s*\("
+    r"|[fF]ind\s*\([\w\s,]*\)\s*(?::?=|→)?$"
     r"|t(?:\[\w\]|\(\w\))?\s*:?=\s*\(?(?:[ikn]|row)(?:\s*-\s*1\s*\))?\s*\*\s*h;?$"
     r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|n\s*=\s*\d+;?$"
 )
@@ -82,7 +82,7 @@ def no_velocity(text: str, names: Names) -> bool:
 
 def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     """Return the word left of "=" if it may be a name of the student, and the formula on the right; ("", "") if it may not."""
-    if len(text) > reader.MAX_CHARACTERS:
+    if len(text) > EQUATION_CHARACTERS:
         return "", ""
     plainly = plain_signs(text.replace("$", " "))
     bare = without_words(without_labels(plainly), lambda word: is_name(word, spellings))
@@ -105,7 +105,7 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
 
 def is_equation_without_sign(text: str, names: Names) -> bool:
     """Return whether a line without "=" is the left side of an equation (readable or not) rather than prose."""
-    if len(text) > reader.MAX_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
+    if len(text) > EQUATION_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
         return False
     if not names_in(text, names.spellings):
         return False
@@ -127,13 +127,6 @@ def _is_mostly_names(text: str, names: Names) -> bool:
     words = WORD.findall(plain(text, names.spellings))
     strange = [word for word in words if not names.is_name(word)]
     return len(strange) <= 1 and bool(names_in(text, names.spellings) & {*names.expected.variant.sought}) and len(words) > _FEWEST
-
-
-def parted(text: str, names: Names) -> str:
-    """Return a line with semicolons for the signs // between its equations; what stands behind // is else a remark."""
-    pieces = _SLASHES.split(text) if "//" in text and len(text) <= reader.MAX_CHARACTERS else []
-    named = [names_in(piece, names.spellings) if relates_two_sides(piece) else set[str]() for piece in pieces]
-    return "; ".join(pieces) if all(len(one) > 1 and one & {*names.expected.variant.sought} for one in named) and pieces else text
 
 
 def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.Pattern[str] | None:
@@ -188,7 +181,7 @@ def without_line_numbers(text: str) -> str:
 
 def is_step(text: str, names: Names) -> bool:
     """Return whether a line is a step of the scheme, "phi3[k+1] = phi3[k] + h*w3[k]", and so not a velocity equation."""
-    left, _, right = _OF_STEP.sub("", text[: reader.MAX_CHARACTERS]).partition("=")
+    left, _, right = _OF_STEP.sub("", text[:EQUATION_CHARACTERS]).partition("=")
     moved = names_in(left, names.spellings)
     begun = moved if left.rstrip().endswith("+") else set[str]()  # phi3 += h*w3
     used = names_in(right, names.spellings) | begun

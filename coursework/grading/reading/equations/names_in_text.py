@@ -101,6 +101,12 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
             rates[angle] = name
     speeds = [*_speeds(variant)]
     others = {key: name for key, name in speeds if len({one for same, one in speeds if same == key}) == 1}
+    for link in (one for one in variant.links if one.rate):  # ω_AB of the link with the points A and B
+        pairs = {_key(f"{symbol}{first}{second}") for symbol in ("w", "omega") for first in link.points for second in link.points}
+        others |= {key: link.rate for key in pairs if link.rate and key not in others}
+    if point := variant.driven:
+        others |= {_key(f"v{axis}{point}"): name for axis in "xy" if (name := f"V{point}{axis}") in names}
+        rates |= {_key(f"{axis}{point}"): name for axis in "xy" if (name := f"V{point}{axis}") in names}  # ẋ_M, dx_M/dt
     others |= {key: found[0] for key, found in aliases(columns).items() if len(found) == 1 and found[0] in names}
     folded: dict[str, list[str]] = {}
     for name in names:

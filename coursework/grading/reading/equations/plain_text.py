@@ -57,8 +57,8 @@ _TYPST = re.compile(r"(?<=[\w)])\s+dot\s+(?=(\w+)|\()|(?<=\bphi)\.alt(?![a-z])")
 _TYPST_SPACE = re.compile(r"(?<=[\w)])\s+(?:thin|med|thick|wide)\s+(?=[\w(])")
 _FRACTION = re.compile(r"\bfrac\s*(?=\()")  # frac(a, b) in Typst, frac(a)(b) in AsciiMath
 # A double of Fortran, 2.D0 or 2d0, the kind behind its numbers, 2.0_dp, and its functions such as DSIN; a datum d multiplies.
-_DOUBLE = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)[dD](?=([-+]?\d{1,2})(?!\w))")
-_OF_KIND = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)_(?:[dwsq]p|r?k?(?:4|8|16)|rk|real(?:32|64)|double)\b", re.IGNORECASE)
+_DOUBLE = re.compile(r"(?<![\w.])(\d++\.?+\d*+|\.\d++)[dD](?=([-+]?\d{1,2})(?!\w))")
+_OF_KIND = re.compile(r"(?<![\w.])(\d++\.?+\d*+|\.\d++)_(?:[dwsq]p|r?k?(?:4|8|16)|rk|real(?:32|64)|double)\b", re.IGNORECASE)
 _OF_DOUBLES = re.compile(r"\b(?:D(?=(?:SIN|COS|TAN|SQRT)\b)|d(?=(?:sin|cos|tan|sqrt)\b))")
 _SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # an index in Mathematica
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
@@ -67,6 +67,8 @@ _OF_ROW = re.compile(r"(?<![\w.])([^\W\d]\w*(?:\[\s*\d{1,2}\s*\])?)(?:\s?\[\s*[i
 _ARC = re.compile(r"(?<!\w)[a𝑎](sin|cos|tan)")
 _LAMBDA = re.compile(r"(^\s*|=\s*)lambda\b[\w\s,]{0,60}:(?!.*=)|(=\s*)@\s*\([\w\s,]{0,60}\)")  # in Python, in MATLAB
 _METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() in Rust
+_BROADCAST = re.compile(r"\b(sin|cos|tan|sqrt)\.(?=\()")  # sin.(phi3) in Julia
+_BARS = re.compile(r"\|\s*([^\W\d]\w{0,5})\s*\|")  # the length of a vector, |r3|
 _DEGREE = r"(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)"
 _DEGREES = re.compile(rf"((?:[-+*/(]|\b(?:sin|cos)(?=[\s\d]))\s*)(\d{{1,3}}(?:[.,]\d{{1,9}})?)\s*{_DEGREE}")
 _MINUTES = re.compile(rf"(\d{{1,3}})\s*{_DEGREE}\s*(\d{{1,2}})\s*'(?!')(?:\s*(\d{{1,2}}(?:[.,]\d+)?)\s*(?:''|\"|″|$))?")
@@ -89,6 +91,9 @@ def plain(text: str, spellings: Spellings) -> str:
     ['w3', '=', 'w3']
     """
     text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
+    if "|" in text:
+        text = _BARS.sub(lambda found: found[1] if spellings.canonical(found[1]) in spellings.data else found[0], text)
+    text = _BROADCAST.sub(r"\1", text) if ".(" in text else text
     text = _METHOD.sub(r"\2(\1)", text)
     text = with_factors(_DEGREES.sub(r"\1(\2*pi/180)", of_minutes(text)))
     text = _LAMBDA.sub(r"\1\2 ", _ROOT.sub(r"sqrt(\1)", text).replace("√", "sqrt"))
@@ -110,6 +115,7 @@ def plain(text: str, spellings: Spellings) -> str:
     for pattern in _DERIVATIVES:
         text = pattern.sub(lambda found: _rate(found, spellings), text)
     text = with_the_rest_unread(text)
+    text = _OF_TIME.sub(lambda found: _of_time(found, spellings), text) if "(t" in text else text  # of a rate, phi3dot(t)
     text = _T_BEHIND.sub("", text) if _AT_TIME.search(text) else text
     for pattern in _SHORT_DERIVATIVES:
         text = pattern.sub(lambda found: found[0] if spellings.canonical(found[0]) else _rate(found, spellings), text)

@@ -21,6 +21,7 @@ _TAIL = " \t\r.,;:✓✔☑"
 _NAMED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:[:;\t]\s*=|=\s*=)\s*")  # a name before the formula of a spreadsheet
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\d,])")
 _SUBSCRIPT = re.compile(r"(?<!\w)([^\W\d]\w*)\[\s*[\w\s,:.-]*\]")  # an index that no name of the variant has; it is not guessed
+_CELLS = re.compile(r"[\w)\]]\t+[-\w(\[][^\t]*[\w)\]]\t+[-\w(\[]")  # three cells of a row are no product
 _WORDS = {"ф": "phi", "Ф": "phi", "щ": "w"}
 # The names of functions in other languages, also in their spreadsheets.
 _ELSEWHERE = {"sen": "sin", **dict.fromkeys(("корень", "корінь", "wurzel", "racine", "raiz", "raíz"), "sqrt")}
@@ -57,7 +58,7 @@ def sides_of(text: str, spellings: Spellings, *, closely: bool = False) -> Sides
     >>> sides_of("2l1 sin φ3 + 0,5", Spellings(frozenset({"l1", "phi3"}), {}, {}))
     Sides(texts=('2 * l1 * sin(phi3) + 0.5', '0'), is_whole=False)
     """
-    if not all(name.lower().endswith(_FUNCTIONS) for name in _SUBSCRIPT.findall(text)):
+    if _CELLS.search(text) or not all(name.lower().endswith(_FUNCTIONS) for name in _SUBSCRIPT.findall(text)):
         return Sides(tuple(text.split("=")))
     typed = _NAMED.sub(r"\1 = ", text.replace("$", " ").translate(_SIGNS).rstrip(_TAIL))
     typed = typed.replace("\\", " ").strip()

@@ -11,6 +11,7 @@ import re
 
 # A script or style up to its end tag, or to the end of the page; the pattern looks at each character once.
 _SILENT = re.compile(r"<(script|style)\b[^<>]{0,500}>[^<]*+(?:<(?!/\1)[^<]*+)*+", re.IGNORECASE)
+_AS_TYPED = re.compile(r"<pre\b[^<>]{0,500}>[^<]*+(?:<(?!/pre)[^<]*+)*+", re.IGNORECASE)  # its lines are lines
 # The end tags of cells and rows may be left out.
 _CELL = re.compile(r"</t[dh]\s*>\s*|(?<=[^>\s])\s?(?=<t[dh]\b)", re.IGNORECASE)
 _ROW = re.compile(r"(?<=[^>\s])\s?(?=<tr\b)", re.IGNORECASE)
@@ -24,7 +25,8 @@ def text_of(page: str) -> str:
     >>> text_of("<p>w1 = 2<br>w2 &lt; 3</p>")
     'w1 = 2\nw2 < 3'
     """
-    kept = " ".join(_SILENT.sub("", page).split())  # a tab that indents a line does not begin a new cell
+    page = _AS_TYPED.sub(lambda found: found[0].replace("\n", "<br>"), _SILENT.sub("", page))
+    kept = " ".join(page.split())  # a tab that indents a line does not begin a new cell
     lined = _LINE.sub("\n", _ROW.sub("\n", _CELL.sub("\t", kept)))
     plain = html.unescape(_TAG.sub("", lined)).replace("\u00a0", " ")
     # The end of a paragraph inside a cell does not end the row.

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from coursework.grading.reading.documents.document import MOST_LINES, Document, place_of
 from coursework.grading.reading.documents.formulas.formula_text import equations_in, on_one_line
 from coursework.grading.reading.documents.signs import plain_signs
+from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.cells import BlankRows, Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
 from coursework.words.sentence import Sentence
@@ -74,7 +75,7 @@ class DocumentBuilder:
         table = self._tables[-1]
         text = "".join([text for text, _ in pieces])
         table.cell.append(text)
-        if "=" in text:
+        if relates_two_sides(text):
             add_lines(self.document, pieces, table.place)
 
     def text(self, text: str, position: str = "") -> None:

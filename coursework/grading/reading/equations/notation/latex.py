@@ -2,8 +2,8 @@ r"""LaTeX as students type it -> the plain signs in which equations are read.
 
 Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; an unknown command is left as
 its word, for the strict reader to refuse.  Nothing is run; what a text itself calls by a short name is put in its place.
-Used by `lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula or matrix of others, `markdown.py`
-and `formula_text.py`.
+Used by `text_lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula or matrix of others,
+`markdown.py`, `parts.py` and `formula_text.py`.
 """
 
 from __future__ import annotations
@@ -11,14 +11,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from coursework.grading.reading.equations.notation.determinants import determinant
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.notation.signs import ARROW
 from coursework.variant.formula.alphabet import greek
 
+_BETWEEN = re.compile(r"(?<!\$)\s*\$\s*(?:-(?=-))?([-+–−])\s*\$\s*(?!\$)")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
-_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\[[tbc]\])?(?:\{[lcr|@\d\s]*(?:\{[^{}]*\}[lcr|@\s]*)*\})?")
+_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\[[tbc]\])?(?:\{[lcrLCR|@\d\s]*(?:\{[^{}]*\}[lcrLCR|@\s]*)*\})?")
 _MATRIX = re.compile(
-    r"\\begin\s*\{((?:[pbvBV]|small)?matrix|array)\}(?:\[[tbc]\])?(?:\{[lcr|@\s]*\})?(.{0,4000}?)\\end\s*\{\1\}", re.DOTALL
+    r"(\\left\s*\|\s*|\\det\s*)?\\begin\s*\{((?:[pbvBV]|small)?matrix|array)\}(?:\[[tbc]\])?(?:\{[lcr|@\s]*\})?(.{0,4000}?)\\end\s*\{\2\}(?(1)\s*(?:\\right\s*\|)?)",
+    re.DOTALL,
 )
 _LINE_END = re.compile(r"\\(?:\\\*?(?:\s*\[[^\]\n]{0,20}\])?|newline|tabularnewline)")
 _PREAMBLE = re.compile(r"\A.*?\\begin\s*\{document\}", re.DOTALL)
@@ -28,15 +31,26 @@ _DELIMITERS = re.compile(r"\\[\[\]()]|\$\$?")
 _DROPPED = re.compile(
     r"\\(?:left|right)\s*(?:\\[{}|]|\.)"
     r"|\\(?:left|right|[bB]ig+[lrm]?|displaystyle|textstyle|limits|nonumber|notag|hfill|noindent)(?![A-Za-z])|\\[,;!: ]"
-    r"|\\(?:label|tag|hspace|vspace|phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}"
+    r"|\\(?:label|tag|hspace|vspace|[hv]?phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}"
     r"|\\(?:text|textrm|mbox|hbox)\s*\{\s*\([^{}=]{0,40}\)\s*\}|\\eqno\s*\([^()]*\)|&"
 )
 _ALIGNED = re.compile(r"&\s*=|=\s*&")
 _BOXED = re.compile(r"^\s*\\(?:boxed|fbox)\s*\{(.*)\}([^{}]*)$")
-_PRIME, _POWER = re.compile(r"\^\s*\{?\s*(?:\\prime(?![A-Za-z])|')\s*\}?"), re.compile(r"\^\s*\{\s*(\d)\s*\}")
+_PRIME, _POWER = re.compile(r"\^\s*\{?\s*(?:\\prime(?![A-Za-z])|')\s*\}?"), re.compile(r"\^\s*\{\s*(-?\d)\s*\}")
+_EMPTY = re.compile(r"\{\s*\}")  # {} around a sign or behind a command
+_COLOUR = re.compile(r"\\(?:text|row|cell)?color(?:box)?\s*(?:\[[^\[\]]{0,20}\])?\s*\{[^{}]{0,40}\}(?=\s*(\{)?)")
+_OF_ONE_LETTER = re.compile(r"\\(?:mathrm|mathit|mathsf|text|rm|it|operatorname)\s+([A-Za-z])(?![A-Za-z])")  # \mathrm d
+_BRACED = re.compile(r"\\(?:under|over)(?:brace|bracket)\s*(?=\{)")  # marks a part, with a remark below or above
+_REMARK_AT = re.compile(r"\s*[_^]\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\s*[_^]\s*\w")
+_DOTTED_GROUP = re.compile(r"\{\s*(\\dot\s*(?:\{[^{}]{1,20}\}|\\?[A-Za-z]+))\s*\}")  # {\dot\varphi}_3
+_IN_BRACES = re.compile(r"(?<![A-Za-z])\{\s*([-+=]|\\[a-z]+(?=\s*\}\s*_))\s*\}")  # {=} and {\omega}_3
+_OVER = re.compile(r"\{([^{}]{0,200})\\over(?![A-Za-z])([^{}]{0,200})\}")
+_UNIT = re.compile(r"\\(?:si|unit)\s*(?:\[[^\[\]]{0,40}\])?\{([^{}]{1,60})\}")
+_SET_OVER = re.compile(r"\\(?:overset|stackrel|underset)\s*\{[^{}]{0,20}\}\s*\{([^{}]{0,20})\}")  # a mark at a sign
+_UNITS = {"\\radian": "rad", "\\second": "s", "\\meter": "m", "\\metre": "m", "\\per": "/", "\\degree": "°"}
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
 _UPRIGHT = re.compile(
-    r"\\(?:text|mathrm|mathit|mathsf|mathnormal|mathop|operatorname\*?|textit|textrm|textbf|rm|mathbf|boldsymbol|bm|mbox|hbox|vec"
+    r"\\(?:text|mathrm|mathbin|mathrel|mathord|mathit|mathsf|mathnormal|mathop|operatorname\*?|textit|textrm|textbf|rm|mathbf|boldsymbol|bm|mbox|hbox|vec"
     r"|overline|underline|bar|hat|ensuremath|num|ang)\s*\{([^{}]*)\}"
 )
 _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi", "\\omega": "ω", "\\varphi": "φ",
@@ -87,6 +101,11 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
     return [*lines, (first, kept)] if kept.strip() else lines
 
 
+def with_formulas_joined(line: str) -> str:
+    """Return a line in which formulas with only a sign between them are one, $a$ -- $b$."""
+    return _BETWEEN.sub(r" \1 ", line) if line.count("$") > 2 else line
+
+
 def matrices_in_one_piece(text: str) -> str:
     r"""Return the text with each matrix in one piece: [a, b; c, d] for \begin{pmatrix}a & b \\ c & d…"""
     return _MATRIX.sub(_as_matrix, text) if text.count("\\begin") < _MOST else text
@@ -94,10 +113,11 @@ def matrices_in_one_piece(text: str) -> str:
 
 def _as_matrix(found: re.Match[str]) -> str:
     r"""Return a matrix in one piece, "[a, b; c, d]" as in MATLAB; leave an array of equations (after a brace) unchanged."""
-    if "=" in found[2]:
+    if "=" in found[3]:
         return found[0]
-    rows = _LINE_END.split(found[2].replace("\n", " "))
-    return in_one_piece(row.split("&") for row in rows) + "\n" * found[0].count("\n")
+    rows = [row.split("&") for row in _LINE_END.split(found[3].replace("\n", " ")) if row.strip()]
+    sum_ = determinant(rows) if found[1] or found[2] == "vmatrix" else ""
+    return (sum_ or (found[1] or "") + in_one_piece(rows)) + "\n" * found[0].count("\n")
 
 
 def in_one_piece(rows: Iterable[Iterable[str]]) -> str:
@@ -118,12 +138,18 @@ def without_latex(text: str) -> str:
     """
     if "\\" not in text:
         return text.replace("&", " ") if _ALIGNED.search(text) else text
+    text = _SET_OVER.sub(r" \1 ", text) if "{=}" in text else text
+    text = _OVER.sub(r"((\1)/(\2))", _IN_BRACES.sub(r" \1 ", text))
+    text = _OF_ONE_LETTER.sub(
+        r" \1 ", _COLOUR.sub(lambda found: "\\boxed" if found[1] else "", _EMPTY.sub(" ", _UNIT.sub(_unit, text)))
+    )
+    text = _DOTTED_GROUP.sub(r"\1", _unbraced(text)) if "brace" in text or "{\\dot" in text else text
     text = _PRIME.sub("'", _POWER.sub(r"^\1 ", text))
     text = _SPACE.sub(" ", _DROPPED.sub(" ", _BOXED.sub(r"\1\2", text)))
     text = _UPRIGHT.sub(_upright, text.replace("{,}", ","))
     text = _COMMAND.sub(lambda found: _sign(found[0]), text)
     text = _derivatives(text)
-    for name in ("frac", "dfrac", "tfrac", "cfrac"):
+    for name in ("frac", "dfrac", "tfrac", "cfrac", "nicefrac", "sfrac"):
         text = _fractions(text, f"\\{name}")
     for _ in range(_MOST):
         dotted = re.sub(r"\\dot\s*(?:\{\s*(\w)([^{}]*)\}|(\w))", lambda m: f" {m[1] or m[3]}\u0307{m[2] or ''}", text, count=1)
@@ -131,6 +157,23 @@ def without_latex(text: str) -> str:
             break
         text = dotted
     return re.sub(r"\\([A-Za-z]+)", r" \1 ", text)
+
+
+def _unit(found: re.Match[str]) -> str:
+    r"""Return a unit of siunitx in brackets, [1/s] for \per\second."""
+    unit = "".join(_UNITS.get(command, command) for command in re.findall(r"\\[A-Za-z]+|[^\\]+", found[1])).replace(" ", "")
+    return f" [{'1' if unit.startswith('/') else ''}{unit}]"
+
+
+def _unbraced(text: str) -> str:
+    """Return a text without the braces drawn below or above parts of it, and without the remarks at them."""
+    for _ in range(_MOST):
+        if (found := _BRACED.search(text)) is None:
+            break
+        inner, end = _argument(text, found.end())
+        remark = _REMARK_AT.match(text, end)
+        text = f"{text[: found.start()]}({inner}){text[remark.end() if remark else end :]}"
+    return text
 
 
 def _upright(found: re.Match[str]) -> str:

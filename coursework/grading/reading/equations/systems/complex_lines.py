@@ -9,7 +9,7 @@ import re
 
 from coursework.grading.reading.equations.notation.latex import without_latex
 from coursework.grading.reading.equations.notation.signs import depths, plain_signs
-from coursework.variant.formula.reader import MAX_CHARACTERS
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
 
 _POWER = re.compile(
     r"(?<![^\W\d_])(?:e\s*\^\s*|exp\s*(?=[({\[]))(?:([({\[])\s*(-?)\s*1?[ij]\s*[*·]?\s*|(-?)1?[ij]\s*[*·]?\s*([^\W\d]\w*))"
@@ -27,7 +27,7 @@ def real_and_imaginary(line: str) -> list[str]:
     >>> real_and_imaginary("i (a e^(i phi1)) = 0"), real_and_imaginary("e*w1 = 0")
     ([], [])
     """
-    if len(line) > MAX_CHARACTERS or not _POWER.search(text := plain_signs(without_latex(_ROUND.sub(r"\1", line)))):
+    if len(line) > EQUATION_CHARACTERS or not _POWER.search(text := plain_signs(without_latex(_ROUND.sub(r"\1", line)))):
         return []
     sides = [[_parts(term) for term in _terms(side)] for side in text.split("=")]
     if len(sides) != 2 or any(term is None for side in sides for term in side):

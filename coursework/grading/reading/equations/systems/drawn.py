@@ -1,6 +1,6 @@
 """A product of matrices drawn over several lines, [ a  b ] [x] = [e] above [ c  d ] [y]   [f] -> the product in one line.
 
-Enters: a text.  Leaves: the text with such a block in its first line; other text is unchanged.  Used by `lines.py`.
+Enters: a text.  Leaves: the text with such a block in its first line; other text is unchanged.  Used by `text_lines.py`.
 """
 
 from __future__ import annotations

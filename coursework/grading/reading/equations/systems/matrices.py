@@ -1,7 +1,7 @@
 r"""A system that a program has as named matrices, A = [...], b = [...], x = A\b -> its equations, row by row.
 
 Enters: a text.  Leaves: the text with the equations in place of the matrix and without the other parts of the system; unchanged
-if it has no such system.  Nothing is computed.  Used by `lines.py`.
+if it has no such system.  Nothing is computed.  Used by `text_lines.py`.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from itertools import islice
 
 from coursework.grading.reading.equations.notation.latex import matrices_in_one_piece
 from coursework.grading.reading.equations.notation.signs import depths
+from coursework.grading.reading.equations.systems.determinants import with_determinants
 from coursework.grading.reading.equations.systems.of_r import in_brackets
 from coursework.grading.reading.equations.systems.parts import at_commas, product, vector
 
@@ -21,11 +22,14 @@ _DEFINED = re.compile(
     r"(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)"
 )
 _NAME = r"([^\W\d]\w{0,20})"
-_NAMES = r"[(\[]?((?:[^\W\d]\w{0,20}[ \t]*,[ \t]*)+[^\W\d]\w{0,20})[)\]]?"
+_NAMES = r"[(\[{]?((?:[^\W\d]\w{0,20}[ \t]*,[ \t]*)+[^\W\d]\w{0,20})[)\]}]?"
 _SOLVER = r"(?:(?:lin|lu|l|LU)?[sS]olve|LinearSolve)\s*[(\[]"
 _SOLVED = (
-    rf"(?:(?:[A-Za-z]{{1,9}}\.){{0,2}}{_SOLVER}\s*{_NAME}\s*,\s*{_NAME}\s*[)\]]"
-    rf"|{_NAME}[ \t]*\\[ \t]*{_NAME}|(?:[A-Za-z]{{1,9}}\.){{0,2}}inv\(\s*{_NAME}\s*\)[ \t]*[*@][ \t]*{_NAME})[ \t]*;?[ \t]*"
+    rf"(?:(?:[A-Za-z]{{1,13}}(?:\.|:-)){{0,2}}{_SOLVER}\s*{_NAME}\s*,\s*{_NAME}\s*[)\]]"
+    rf"|{_NAME}[ \t]*\\[ \t]*{_NAME}"
+    rf"|{_NAME}\.(?:\w{{1,12}}solve|solve|inv(?:erse)?\(\)[ \t]*[*@])[ \t]*\(?{_NAME}\)?"
+    rf"|{_NAME}[ \t]*\^[ \t]*[({{]?-1[)}}]?[ \t]*[*·][ \t]*{_NAME}"
+    rf"|(?:[A-Za-z]{{1,9}}\.){{0,2}}[iI]nv(?:ert|erse)?[(\[]\s*{_NAME}\s*[)\]][ \t]*[*@.][ \t]*{_NAME})[ \t]*;?[ \t]*"
 )
 _PRODUCTS = (
     re.compile(
@@ -49,7 +53,7 @@ _FUNCTION = re.compile(r"(?m)^[ \t]*(?:def|function)\b[^(\n]{0,60}?([^\W\d]\w{0,
 # w1 = x(1), w1(i) = x(1)
 _TAKEN = (
     rf"(?m)(?:^|(?<=[;,]))[ \t]*{_TYPE}{_NAME}(?:[\[(][ijkn][\])])?[ \t]*:?=[ \t]*"
-    r"%s[ \t]*[\[(][ \t]*(\d{1,2})[ \t]*[\])][ \t]*(?:[;,]|$)"
+    r"(?:Element\(%s,|%s[ \t]*[\[(])[ \t]*(\d{1,2})(?:[ \t]*,[ \t]*1)?[ \t]*[\])][ \t]*(?:[;,]|$)"
 )
 _LATEX = re.compile(r"\\(?:begin|math|q?quad)")
 _IN_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathsf|mathrm|underline|overline)\s*\{(\w)\}|\\[,;:! ]")
@@ -64,6 +68,9 @@ _ROW_OF_CELLS = re.compile(
 )
 # An array with its values in braces, double A[2][2] = {{a, b}, {c, d}};
 _IN_BRACES = re.compile(rf"(?m)(?:^|(?<=;))[ \t]*{_TYPE}([^\W\d]\w{{0,20}})((?:[ \t]*\[\w{{0,9}}\]){{1,2}})[ \t]*=[ \t]*(?=\{{)")
+_LISTS = re.compile(r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*(?::=|=|:)[ \t]*(?:(matrix)[ \t]*(?=\(\s*\[)|(?=\{))")
+_ASSIGNED = re.compile(r"(?m)^[ \t]*([^\W\d]\w{0,20})[ \t]*:[ \t]*(?=invert\b|[^\W\d]\w{0,20}\[\d)")
+_ROUND = str.maketrans("[]", "()")  # of functions in Mathematica
 _BRACES = str.maketrans("{}", "[]")
 # A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\[e; f]
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*[\w.]{{0,20}}\s*\(?\s*\[)")
@@ -80,9 +87,9 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     >>> in_rows("A = [a, b; c, d]; k = [e; f];\nw1, w2 = np.linalg.solve(A, k)")
     '(a)*(w1) + (b)*(w2) = e; (c)*(w1) + (d)*(w2) = f; ;\n'
     """
-    if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind")):
+    if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind", "{{")):
         return text
-    text = _without_braces(in_brackets(text))
+    text = _without_braces(in_brackets(_as_lists(with_determinants(text))))
     text = _named_apart(_elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text))))
     whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
     named = {name: (begin, end, content) for name, begin, end, content in _matrices(whole)}
@@ -94,7 +101,9 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
             break
     else:
         return text
-    taken = [] if "," in unknowns else sorted(re.finditer(_TAKEN % re.escape(unknowns), whole), key=lambda one: int(one[2]))
+    taken = (
+        [] if "," in unknowns else sorted(re.finditer(_TAKEN % ((re.escape(unknowns),) * 2), whole), key=lambda one: int(one[2]))
+    )
     columns = vector(unknowns) if "," in unknowns else vector(named[unknowns][2]) if unknowns in named else []
     columns = columns or [one[1] for one in taken] or [*sought]
     equations = product(named[matrix][2], columns, vector(named[right][2]))
@@ -107,6 +116,19 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     for begin, end, said in sorted(pieces, reverse=True):
         whole = whole[:begin] + said + "\n" * whole.count("\n", begin, end) + whole[end:]
     return whole
+
+
+def _as_lists(text: str) -> str:
+    """Return a text with [[a, b], [c, d]] for the matrices of Mathematica, {{a, b}, {c, d}}, and of Maxima, matrix([a, b], …)."""
+    named = "{{" in text
+    for begun in reversed([*islice(_LISTS.finditer(text), _MOST)]):
+        inside = depths(text[begun.end() : begun.end() + _LONGEST])
+        if 0 in inside and (named or begun[2]):
+            end = begun.end() + inside.index(0) + 1
+            content = text[begun.end() : end]
+            content = f"[{content[1:-1]}]" if begun[2] else content.translate(_ROUND).translate(_BRACES)
+            text = f"{text[: begun.start()]}{begun[1]} = {content}{text[end:]}"
+    return _ASSIGNED.sub(r"\1 = ", text) if "matrix" not in text and _ASSIGNED.search(text) else text
 
 
 def _without_braces(text: str) -> str:

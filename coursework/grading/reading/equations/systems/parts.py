@@ -9,10 +9,14 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
+from coursework.grading.reading.equations.notation.latex import with_formulas_joined
 from coursework.grading.reading.equations.notation.signs import ARROWS, depths, relates_two_sides
-from coursework.variant.formula.reader import MAX_CHARACTERS, MAX_DEPTH
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
+from coursework.variant.formula.reader import MAX_DEPTH
 
-_BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s")
+_BETWEEN = re.compile(
+    rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s&\s(?!\s*=)|\|\||\s\|\s|\s--\s|/\\|[∧⋀]|\\(?:land|wedge)(?![A-Za-z])|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s"
+)
 # Another equation begins after "= 0": nothing multiplies or adds to a zero.
 _VANISHED = re.compile(
     r"=\s*0(?:[.,]0+)?((?:\\(?:(?:tag|label)\*?\s*\{[^{}]*\}|nonumber|notag)|\s|(?<=\s)/(?=\s))+)(?=[^\s=*/^\\]|\\(?!tag|label|no))"
@@ -31,10 +35,14 @@ _GROUPS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]")  # around a matrix that h
 _BLANK = re.compile(r"(?<![-+*/,\s])\s+(?![*/\s]|[-+]\s)")  # between two cells without a comma
 _NEXT_LINE = re.compile(r"\.{3}[^\n]*\n?")  # in MATLAB: the row continues, or ends with a semicolon
 _COMMA = re.compile(r"(?<!\\),")
-LIST = re.compile(r"\s*(?:\w{1,20}\s*:?=\s*|[^\W\d]\w{0,20}:\s*)?([A-Za-z.]{1,20}\s*[(\[]\s*)?(?:\\left)?\s*\\?[\[{]")
+LIST = re.compile(
+    r"\s*(?:\w{1,20}\s*:?=\s*(?:@\([\w\s,]{0,40}\)\s*)?|[^\W\d]\w{0,20}:\s*)?([A-Za-z.]{1,20}\s*[(\[]\s*)?(?:\\left)?\s*\\?[\[{]"
+)
 _ENCLOSED = re.compile(r"\s*()\(")
 # A call that solves equations for unknowns, as on a TI calculator or in Mathematica.
-_SOLVED = re.compile(r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+),\s*[\[{][\w\s,]+[\]}]\s*[)\]];?")
+_SOLVED = re.compile(
+    r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+?)(?:,\s*[\[{][\w\s,]+[\]}]|(?:,\s*[^\W\d]\w{0,9})+)\s*[)\]];?"
+)
 _ROW = re.compile(r"\|(.+)\||\"?\d{1,3}\"?\s*;(.+)")  # a row of a table
 _LONGEST = 4000
 _MOST_ROWS, _MOST_WITHIN = 12, 3  # most rows of a matrix; most brackets around it
@@ -53,8 +61,9 @@ def parts_of(line: str) -> list[str]:
         return [one for piece in pieces for one in (parts_of(piece) if relates_two_sides(piece) else [f"{piece} = 0"])]
     if rows := _rows(line) or _listed(line):
         return rows
-    if len(line) > MAX_CHARACTERS:
+    if len(line) > EQUATION_CHARACTERS:
         return [line]
+    line = with_formulas_joined(line)
     if line.count("$") > 2 and not relates_two_sides(_BETWEEN_DOLLARS.sub(" ", line)):
         # Prose around formulas: take only the formulas that relate two sides.
         formulas = [found[1].strip() for found in _BETWEEN_DOLLARS.finditer(line)]
@@ -105,7 +114,7 @@ def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
     >>> product("[a, b], [c, d]", ["x", "y"], ["e", "0"]), product("a -b; c d", ["x", "y"], ["e", "0"])[0]
     (['(a)*(x) + (b)*(y) = e', '(c)*(x) + (d)*(y) = 0'], '(a)*(x) + (-b)*(y) = e')
     """
-    for rows in (_matrix(matrix), [[cell for cell in _split(_BLANK, row[0].strip()) if cell] for row in _matrix(matrix)]):
+    for rows in (rows_of(matrix), [[cell for cell in _split(_BLANK, row[0].strip()) if cell] for row in rows_of(matrix)]):
         if 0 < len(rows) == len(right) <= _MOST_ROWS and all(len(row) == len(unknowns) for row in rows):
             sums = (" + ".join(f"({cell})*({name})" for cell, name in zip(row, unknowns, strict=True)) for row in rows)
             return [f"{one} = {value}" for one, value in zip(sums, right, strict=True)]
@@ -114,11 +123,11 @@ def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
 
 def vector(content: str) -> list[str]:
     """Return the cells of a row or column vector; without commas, blanks separate the cells."""
-    cells = [cell for row in _matrix(content) for cell in row]
+    cells = [cell for row in rows_of(content) for cell in row]
     return [cell for cell in _split(_BLANK, cells[0]) if cell] if len(cells) == 1 else cells
 
 
-def _matrix(content: str) -> list[list[str]]:
+def rows_of(content: str) -> list[list[str]]:
     """Return the rows of a matrix: nested lists, or separated by semicolons or line ends."""
     for _ in range(_MOST_WITHIN):
         rows = [row.strip() for row in at_commas(content.rstrip(" \t\n,"))]
@@ -151,7 +160,7 @@ def _listed(line: str) -> list[str]:
     pieces = parts_of(line[found.end() : end].rstrip("\\ "))
     if len(pieces) < 2:
         return []
-    behind = line[end + 1 :][:MAX_CHARACTERS].lstrip(" ;,")  # of a call: the unknowns
+    behind = line[end + 1 :][:EQUATION_CHARACTERS].lstrip(" ;,")  # of a call: the unknowns
     return pieces + (parts_of(behind) if not found[1] and relates_two_sides(behind) else [])
 
 

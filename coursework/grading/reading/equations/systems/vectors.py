@@ -1,7 +1,7 @@
 """The vectors of a program, y[0], x(2), dydt[1], Y[k, 0] -> the names of the task, in the order found in the text.
 
 Enters: a text, the variant.  Leaves: the text with names in place of vector entries and with returned lists as equations.
-Nothing is computed.  Used by `lines.py`.
+Nothing is computed.  Used by `text_lines.py`.
 """
 
 from __future__ import annotations

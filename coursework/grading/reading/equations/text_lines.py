@@ -1,0 +1,153 @@
+"""A text -> its lines as they are meant, without comments, statements of programs and quotation marks, continuations joined.
+
+Enters: a text as decoded, `Names`.  Leaves: pairs of the number of a line, from 1, and the line; one may hold several equations.
+Used by `lines.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from coursework.grading.reading.equations.equations import TURNED, Names
+from coursework.grading.reading.equations.line_kinds import (
+    is_equation_without_sign,
+    is_part_of_equation,
+    is_statement,
+    without_line_numbers,
+)
+from coursework.grading.reading.equations.notation.escapes import unquoted, with_line_ends
+from coursework.grading.reading.equations.notation.latex import logical_lines
+from coursework.grading.reading.equations.notation.signs import VANISHED, depths, relates_two_sides
+from coursework.grading.reading.equations.separators import parted
+from coursework.grading.reading.equations.systems.drawn import in_one_line
+from coursework.grading.reading.equations.systems.matrices import in_rows
+from coursework.grading.reading.equations.systems.parts import LIST, of_row
+from coursework.grading.reading.equations.systems.vectors import with_entries_named
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
+
+# Rows of empty cells, of which a spreadsheet may leave a million, and blanks longer than anybody types: patterns would be slow.
+_BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)
+_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\|\s_)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&|\s_))\s*$")
+_IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
+_GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&|\s_)\s*$")
+_MARKED = re.compile(r"[\w)\]]\s*\\\s*$")
+_BARE = re.compile(r"[^-+/−–\s]+")  # the names of a line with no other sign: "vC/a -"
+_IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
+_BEGINS = re.compile(r"\s*[-+*/=−–]")
+_ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # at the start of a continued line
+_NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # the number of a line; a comment starts with # alone
+_TYPED = re.compile(
+    r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
+)  # a declaration in Pascal, Rust, Python
+_DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
+# An equation that is assigned to a name: eq[1] := …, eq||1 := … in Maple, F(1) = … == … in MATLAB.
+_KEPT = re.compile(
+    r">?\s*([^\W\d]\w{0,20})(?:[\[({]\s*|\|\|)(\d{1,3})\s*[\])}]?\s*(?::=\s*(?=[^=]+=)|(=)(?!=)\s*(?=[^=]+==[^=]+$))"
+)
+# A function of a program, and the expression it returns.
+_DEFINED = re.compile(
+    r"\s*(?:def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:|(?:[a-z]{2,9}\s+){0,2}(?:double|float|function|fn|func)\s+(\w{1,40})\s*\([^()]*\)"
+    r"[^(){}=]{0,20}\{?)\s*(return\b[^}]*)?\}?\s*"
+)
+# A function without a name of its own: w3 = (t, y) => … in JavaScript, w3 <- function(t) … in R.
+_UNNAMED = re.compile(
+    r"^(?:(?:const|let|var)\s+)?(\w{1,40})\s*(?:=|<-)\s*(?:(?:\([\w\s,]*\)|\w{1,20})\s*=>|function\s*\([\w\s,]*\))\s*\{?\s*(?:return\s+)?"
+    r"(?=[^{\[\s][^={}]*[*/])|\s*\}\s*;?\s*$"
+)
+# What a solver of Mathematica finds, {{w3 -> a*b, …}}, and what a calculator stores, a*b→w3.
+_FOUND, _RULE = re.compile(r"\s*\{+\s*\w{1,20}\s*(?:->|→)[^=]*$"), re.compile(r"(?<=[{\s,])(\w{1,20})\s*(?:->|→)")
+_STORED = re.compile(r"([^=→]*[*/][^=→]*?)\s*(?:→|->)\s*([^\W\d]\w{0,8})\s*;?\s*")
+_RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
+_REMARK = re.compile(
+    r"(?<!\\)%(?![io]\d+\)|(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
+)
+
+
+def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
+    """Yield (number, line) of the lines that are neither blank nor comments nor statements of a program."""
+    function = ""
+    text, numbers = with_line_ends(_BLANKS.sub("", text))
+    for place, line in _continued(logical_lines(_by_names(text, names)), names):
+        number = numbers[place - 1] if numbers else place
+        if defined := _DEFINED.fullmatch(line):
+            called = defined[1] or defined[2]
+            meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 in calc_w3
+            function = f"{meant[0] if len(meant) == 1 else called} = "
+            line = defined[3] or ""
+        bare = _REMARK.sub("", _NUMBERED.sub("", parted(line, names)).partition("#")[0]).strip()
+        bare = unquoted(bare)
+        if "→" in bare or "->" in bare:
+            bare = _RULE.sub(r"\1 = ", bare.strip("{} ").join("{}")) if _FOUND.match(bare) else bare
+            bare = f"{stored[2]} = {stored[1]}" if (stored := _STORED.fullmatch(bare)) else bare
+        bare = _UNNAMED.sub(lambda found: f"{found[1]} = " if found[1] else "", bare) if _UNNAMED.match(bare) else bare
+        bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
+        if (under := _KEPT.match(bare)) and (under[3] or names.spellings.angle(under[1] + under[2]) is None):
+            bare = bare[under.end() :]
+        if is_statement(bare, names.expected.variant.sought):
+            continue
+        bare = of_row(bare.strip("'") if bare.startswith("'") else bare)
+        if returned := _RETURNED.match(bare):
+            rest = bare[returned.end() :]  # a list of residuals is not the value of a name
+            is_value = TURNED.search(rest) or function.partition(" ")[0] in names.expected.variant.sought
+            bare = f"{function if is_value and not rest.startswith('[') else ''}{rest}"
+        bare = _closed(bare)
+        if any(map(str.isalnum, bare)):  # not an underline of signs below a title
+            yield number, bare
+
+
+def _by_names(text: str, names: Names) -> str:
+    """Return a text with matrix systems written as equations and with names in place of vector entries."""
+    rows = in_rows(in_one_line(without_line_numbers(text)), names.expected.variant.sought)
+    return with_entries_named(rows, names.expected.variant, names.spellings)
+
+
+def _closed(line: str) -> str:
+    """Return a line without the bracket of a list that opens in it and closes in a later line, or that closes in it.
+
+    >>> _closed("eqs = {a == b,"), _closed("c == d}, {x, y}]"), _closed("[a = b]")
+    ('a == b,', 'c == d', '[a = b]')
+    """
+    inside = depths(line)
+    if (begun := LIST.match(line)) and inside[-1] == inside[begun.end() - 1] > 0:
+        return line[begun.end() :].strip()
+    end = inside.index(-1) if -1 in inside else 0
+    return line[:end].strip() if line[end : end + 1] in {"]", "}"} and not relates_two_sides(line[end:]) else line
+
+
+def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple[int, str]]:
+    """Yield the lines, each joined with its continuation lines; a sign repeated at the line break is kept once."""
+    first, kept = 0, ""
+    for number, line in lines:
+        if kept and line.strip() and len(kept) < EQUATION_CHARACTERS and _goes_on(kept, line, names):
+            begun = _GOES_ON_SIGN.sub("", kept).rstrip()
+            rest = _ALIGNED.sub("", line)
+            kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()
+            continue
+        if kept:
+            yield first, kept
+        first, kept = number, line
+    if kept:
+        yield first, kept
+
+
+def _goes_on(kept: str, line: str, names: Names) -> bool:
+    """Return whether `line` continues `kept`: `kept` ends with a sign or in an open parenthesis, or `line` begins with a sign."""
+    if _IMPORT.match(kept) or not (_IS_FORMULA.search(kept) or all(map(names.spellings.canonical, _BARE.findall(kept)))):
+        return False
+    if kept.lstrip().startswith("[[") and depths(kept)[-1]:
+        return True
+    both = "=" in kept and "=" in line
+    if both and _MARKED.search(kept) and not _BEGINS.match(_ALIGNED.sub("", line)):
+        return False  # in Typst the sign ends a line
+    if _GOES_ON.search(kept):
+        return not (kept.rstrip().endswith("=") and "=" in line)
+    if "=" in kept and not both and kept.count("(") > kept.count(")"):
+        return True
+    rest = _ALIGNED.sub("", line)
+    if both or not _BEGINS.match(rest):
+        return False
+    if "=" in line:
+        return line[:1].isspace() or is_part_of_equation(kept, names)
+    rest += ")" * (rest.count("(") - rest.count(")"))  # of a quotient whose denominator goes on in the next line
+    return "=" in kept and not VANISHED.search(kept) and is_equation_without_sign(rest, names)
