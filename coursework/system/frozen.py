@@ -82,9 +82,7 @@ def _first_init(made: Any) -> Callable[..., None]:
     return __init__
 
 
-def _filled(
-    self: Any, every: tuple[Any, ...], wanted: dict[str, None], values: tuple[Any, ...], named: dict[str, Any]
-) -> bool:
+def _filled(self: Any, every: tuple[Any, ...], wanted: dict[str, None], values: tuple[Any, ...], named: dict[str, Any]) -> bool:
     """Set the fields of an object; return False if the arguments are wrong, which the compiled `__init__` then reports."""
     content = dict(zip(wanted, values, strict=False)) | named
     if len(values) + len(named) != len(content) or not content.keys() <= wanted.keys():
