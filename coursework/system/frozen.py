@@ -67,24 +67,25 @@ def _made(kind: type[Kind], own: dict[str, Any], *, slots: bool = True) -> type[
 
 def _first_init(made: Any) -> Callable[..., None]:
     """Return the `__init__` for the first objects of a class: most classes have too few objects to be worth compiling one."""
-    left = _FEW
+    left, every = _FEW, fields(made)
+    wanted = dict.fromkeys(one.name for one in every if one.init)
 
     def __init__(self: Any, *values: Any, **named: Any) -> None:
         nonlocal left
         left -= 1
-        if left < 0 or not _filled(self, made, values, named):
+        if left < 0 or not _filled(self, every, wanted, values, named):
             made.__init__ = _init(made)
             made.__init__(self, *values, **named)
+        elif hasattr(made, "__post_init__"):
+            self.__post_init__()
 
     return __init__
 
 
-def _filled(self: Any, made: Any, values: tuple[Any, ...], named: dict[str, Any]) -> bool:
+def _filled(self: Any, every: tuple[Any, ...], wanted: dict[str, None], values: tuple[Any, ...], named: dict[str, Any]) -> bool:
     """Set the fields of an object; return False if the arguments are wrong, which the compiled `__init__` then reports."""
-    every = fields(made)
-    wanted = [one.name for one in every if one.init]
     content = dict(zip(wanted, values, strict=False)) | named
-    if len(values) + len(named) != len(content) or not content.keys() <= {*wanted}:
+    if len(values) + len(named) != len(content) or not content.keys() <= wanted.keys():
         return False
     for one in every:
         if one.name in content:
@@ -98,8 +99,6 @@ def _filled(self: Any, made: Any, values: tuple[Any, ...], named: dict[str, Any]
         else:
             continue
         object.__setattr__(self, one.name, value)
-    if hasattr(made, "__post_init__"):
-        self.__post_init__()
     return True
 
 

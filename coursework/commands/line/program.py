@@ -8,8 +8,6 @@ Exit status: 0 all passed; 1 a check failed or the motion stopped; 2 the input i
 
 from __future__ import annotations
 
-import atexit
-import gc
 import sys
 from typing import Any, NoReturn
 
@@ -20,11 +18,6 @@ from coursework.system.standard_streams import patient_streams
 from coursework.words.errors import CourseworkError
 
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
-
-# Nearly all objects of a run live until its end, so searching them for garbage takes a tenth of the run in vain.  At the end it
-# would take as long again, although the process then gives all memory back at once.
-gc.set_threshold(200_000, 50, 100)
-atexit.register(gc.freeze)
 
 
 class Program(click.Group):

@@ -46,7 +46,8 @@ class Closure:
     `names` are the equations, `free` the indices of the coordinates they determine, `driven` those of the driven coordinates;
     `drives` names for each equation the drive it follows ("" for none); `origin` is its target at t = 0 (m or rad).
     `function(t, *q)` gives the values and their derivatives by the free coordinates, `rows` the same over arrays (n,).
-    `combination` (k, k) adds and subtracts equations so that they fall into `blocks` (rows, free columns), solved in turn.
+    `blocks` are solved in turn: each is a matrix (r, k) that adds and subtracts equations so that only r free coordinates are
+    left in them, the columns of these in the Jacobian, and their places among all coordinates.
     `agreed` names the written velocity equations that the geometry confirms; `unjudged` those it cannot judge, each with its
     undetermined velocities; `unseen` those with terms whose signs have no effect; `asked` caches computed targets.
     """
@@ -60,8 +61,7 @@ class Closure:
     function: Callable[..., Any]
     rows: Callable[..., Any]
     equations: VelocityEquations
-    combination: Array
-    blocks: tuple[tuple[list[int], list[int]], ...]
+    blocks: tuple[tuple[Array, list[int], list[int]], ...]
     agreed: tuple[str, ...] = ()
     unjudged: tuple[tuple[str, tuple[str, ...]], ...] = ()
     unseen: tuple[tuple[str, tuple[str, ...]], ...] = ()
@@ -151,11 +151,9 @@ class Closure:
         if not self.blocks:
             return self.linear(t, q, target)
         moved = q.copy()
-        for rows, columns in self.blocks:
+        for mixed, columns, places in self.blocks:
             residual, jacobian = self.residual(t, moved, target)
-            mixed = self.combination[rows]
-            part = np.linalg.solve((mixed @ jacobian)[..., columns], -(residual @ mixed.T)[..., None])[..., 0]
-            moved[..., [self.free[column] for column in columns]] += part
+            moved[..., places] -= np.linalg.solve((mixed @ jacobian)[..., columns], (residual @ mixed.T)[..., None])[..., 0]
         return moved - q
 
     def linear(self, t: float | Array, q: Array, target: Array) -> Array:
@@ -233,10 +231,10 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
         raise InputError([Fault(told, variant.file, variant.nearest_line("closure"))]) from error
     origin = np.where([position.target == "zero" for position in positions], 0.0, values)
     followed = tuple("" if position.target in {"zero", "start"} else position.target for position in positions)
-    combination, blocks = equations.once("closure blocks", lambda: _blocks([p.expression for p in positions], names, equations))
+    blocks = equations.once("closure blocks", lambda: _blocks([p.expression for p in positions], names, equations, free))
     return Closure(
         tuple(p.name for p in positions), free, driven, followed, origin, np.array(start, dtype=float), function, rows, equations,
-        combination, blocks,
+        blocks,
     )  # fmt: skip
 
 
@@ -255,11 +253,11 @@ def _without_value(equations: VelocityEquations, wanted: list[Expression], start
 
 
 def _blocks(
-    expressions: list[Expression], names: list[Expression], equations: VelocityEquations
-) -> tuple[Array, tuple[tuple[list[int], list[int]], ...]]:
-    """Return combinations of the equations (k, k) in which fewer coordinates occur, and the blocks in the order of solution.
+    expressions: list[Expression], names: list[Expression], equations: VelocityEquations, free: tuple[int, ...]
+) -> tuple[tuple[Array, list[int], list[int]], ...]:
+    """Return the blocks of a `Closure` in the order of solution, with sums of equations in which fewer coordinates occur.
 
-    There are no blocks if the equations cannot be matched one to one with the coordinates.
+    There are none if the equations cannot be matched one to one with the coordinates.
     """
     places = {name: i for i, name in enumerate(names)}
     definitions = equations.symbols.definitions
@@ -281,6 +279,8 @@ def _blocks(
                 combination[i] = combination[i] + sign * combination[j]
     owner = match(rows, len(names))
     if count != len(names) or -1 in owner:
-        return combination, ()
-    ordered = block_order(rows, owner)
-    return combination, tuple(([owner[column] for column in columns], columns) for columns in ordered)
+        return ()
+    return tuple(
+        (combination[[owner[column] for column in columns]], columns, [free[column] for column in columns])
+        for columns in block_order(rows, owner)
+    )

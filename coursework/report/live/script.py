@@ -24,7 +24,8 @@ from coursework.words.generated_code import made_once
 _TYPES = re.compile(r"/\*\* .*? \*/ ?")  # comments for a type checker
 _TEXT = re.compile(r"""("(?:[^"\\\n]|\\.)*"|`[^`\n]*`)""")
 # Line breaks that end no statement, and the semicolon after the last statement of a block; no loop of ours has an empty body.
-_NEEDLESS = re.compile(r";?\n(?=})|(?<=[;{,(\[])\n|\n(?=[)\]])")
+# Each alternative begins with a character of its own, so that a search looks at no others.
+_NEEDLESS = re.compile(r";\n(?=})|\n(?=[})\]])|\n(?<=[;{,(\[]\n)")
 _SIGN = r"[-=+*/<>?:,;{}()\[\]&|!]"
 _BESIDE = re.compile(rf" (?={_SIGN})|(?<={_SIGN}) ")
 # Names in generated functions; words of the language that no name may be; successive lines of constants.

@@ -255,7 +255,7 @@ def _plain(value: Any) -> Any:
 DRAWING, GRAPH = 11.0, 12.0  # px, the least height of letters
 INDEX = 0.7  # parts of that height which suffice for a subscript
 PIXELS = 96 / 25.4  # per mm, as browsers count
-_SIZE = re.compile(r'(<tspan dy="[\d.]+" )?font-size="([\d.]+)"')
+_SIZE, _LOWERED = re.compile(r'font-size="([\d.]+)"'), re.compile(r'<tspan dy="[\d.]+" ')
 
 
 def least_width(svg: str, width: float, word: float = DRAWING) -> float:
@@ -266,5 +266,10 @@ def least_width(svg: str, width: float, word: float = DRAWING) -> float:
     >>> least_width('<svg><text font-size="3.2">A<tspan dy="0.8" font-size="2.3">1</tspan></text></svg>', 100.0)
     91.0
     """
-    parts = ((INDEX if lowered else 1.0) * word / (PIXELS * float(size)) for lowered, size in _SIZE.findall(svg))
+    parts = (
+        (INDEX if _LOWERED.fullmatch(svg, svg.rfind("<", 0, size.start()), size.start()) else 1.0)
+        * word
+        / (PIXELS * float(size[1]))
+        for size in _SIZE.finditer(svg)
+    )
     return math.ceil(10 * width * max(parts, default=0.0)) / 10

@@ -113,15 +113,16 @@ def printed(text: str) -> str:
     "A.x" becomes x_A; a chain of points "M-B-C" gets dashes and no line break.
     """
     text = _sub(_POWER, lambda match: f"{'' if match[1] == '1' else f'{match[1]}·'}10{superscript(str(int(match[2])))}", text)
-    text = _EXPONENT.sub(lambda match: superscript(match[1]), _sub(_ROOT, "√(", text))
+    text = _EXPONENT.sub(lambda match: superscript(match[1]), _sub(_ROOT, "√(", text, "sqrt("))
     text = _OF_ONE_NAME.sub(f"\\1{THIN}\\2", text)
-    text = _sub(_NEGATIVE, "−", _sub(_MINUS, " − ", _TIMES.sub("·", text)))
-    text = _sub(_CHAIN, lambda match: unbroken(match[0].replace("-", "–")), text)
-    return _sub(_COMPONENT, lambda match: symbol(match[0]).text, text)
+    text = _sub(_NEGATIVE, "−", _sub(_MINUS, " − ", _TIMES.sub("·", text), " - "), "-")
+    text = _sub(_CHAIN, lambda match: unbroken(match[0].replace("-", "–")), text, "-")
+    return _sub(_COMPONENT, lambda match: symbol(match[0]).text, text, ".")
 
 
-def _sub(pattern: str, replaced: str | Callable[[re.Match[str]], str], text: str) -> str:
-    return made_for(text, pattern).sub(replaced, text)
+def _sub(pattern: str, replaced: str | Callable[[re.Match[str]], str], text: str, piece: str = "") -> str:
+    """Return a text with what matches a pattern replaced; `piece` is in each match: without it nothing is made nor sought."""
+    return made_for(text, pattern).sub(replaced, text) if piece in text else text
 
 
 def begun(text: str) -> str:
@@ -203,9 +204,14 @@ def numeral(text: str) -> str | list[Run]:
 
 def spelt(text: str, names: Iterable[str]) -> str:
     """Return a sentence in which those of `names` that are certainly symbols are replaced: "w3" by ω₃."""
+    pattern = _of_symbols(tuple(names))
+    return _sub(pattern, lambda match: symbol(match[1]).text, text) if pattern else text
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _of_symbols(names: tuple[str, ...]) -> str:
+    """Return the pattern of those of `names` that are certainly symbols; "" if there are none."""
     sure = {name for name in names if len(name) > 1 and (name in GREEK or _NAMELIKE.search(name) or is_named_after(name))}
-    if not sure:
-        return text
-    pattern = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))
+    either = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))
     behind = rf"(?![^\W{HAN_HERE}{_RAISED_DIGITS}]|\()"  # a raised digit is not part of a name: l2²
-    return _sub(rf"(?<!{_WORD})(?<!\.)({pattern}){behind}", lambda match: symbol(match[1]).text, text)
+    return rf"(?<!{_WORD})(?<!\.)({either}){behind}" if sure else ""

@@ -1,6 +1,6 @@
-"""Linear algebra in one thread: the matrices of a mechanism are small, and idle worker threads slow down the start.
+"""One thread for linear algebra and Typst: matrices are small, pages few, and idle worker threads cost more than they save.
 
-Enters: nothing.  Leaves: environment variables that NumPy reads when it is loaded; those set by the user are kept.
+Enters: nothing.  Leaves: environment variables that NumPy and Typst read when they are loaded; those set by the user are kept.
 Used by `pool.py` and `commands/line/program.py`.
 """
 
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 
-ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "RAYON_NUM_THREADS"), "1")
 
 
 def keep_to_one_thread() -> None:
