@@ -127,7 +127,7 @@ def _handed_in_again(names: Collection[str]) -> dict[str, str]:
     for name in names:
         if again := _AGAIN.fullmatch(name):
             by_original.setdefault(f"{again[1]}{again[3] or ''}", []).append((int(again[2]), name))
-    found = {}
+    found: dict[str, str] = {}
     for original in by_original.keys() & set(names):
         *older, newest = [original, *(name for _, name in sorted(by_original[original]))]
         found |= dict.fromkeys(older, newest)
