@@ -137,7 +137,9 @@ def _odd_rows(key: Key, marked: TableMarks) -> Iterator[Reason]:
 
 def _counted(found: Counts) -> Sentence:
     start = say("feedback.counts_start", number=found.start) if found.start else ""
-    told = say("feedback.counts", cells=found.cells, wrong=found.wrong, missing=found.missing, carried=found.carried)
+    right = found.cells - found.wrong - found.missing - found.carried
+    known = {"wrong": found.wrong, "missing": found.missing, "carried": found.carried, "right": right}
+    told = say("feedback.counts", cells=found.cells, **known)
     return joined([told, start])
 
 
@@ -154,7 +156,9 @@ def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
     rule = OTHER_STEP if earned.cause in OTHER_STEPS else earned.rule
-    return say(f"feedback.earned.{rule}", **known, alone=round(earned.of_cells * most, 2), line=earned.cause)
+    known |= {"cells": cells, "counted": in_sum(earned.of_cells * cells), "alone": round(earned.of_cells * most, 2)}
+    row_one = say("feedback.earned.row_one") if "start" in earned.shut else ""
+    return joined([say(f"feedback.earned.{rule}", **known, line=earned.cause), row_one])
 
 
 def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:
