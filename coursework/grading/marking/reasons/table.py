@@ -6,6 +6,7 @@ Enters: a `Key`, `TableMarks`, the points.  Leaves: `Reason`s, in order.  Used b
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import asdict
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
@@ -35,20 +36,25 @@ _MOST_RUNS = 6
 
 @frozen
 class Counts:
-    """How many cells count (all but the start values), and their marks; `start` counts start values other than the task's."""
+    """How many cells count (all but the start values), and their marks: together all of them.
+
+    `right` are as in the key; `start` counts start values other than the task's.
+    """
 
     cells: int
     wrong: int
     missing: int
     carried: int
+    right: int
     start: int
 
 
 def counts(key: Key, marked: TableMarks) -> Counts:
-    """Return the counts of a table; right, carried, wrong and missing cells together are all that count."""
+    """Return the counts of a table."""
     m, cells = len(key.coordinates), marked.cells
     wrong, missing, carried = (int((found & cells.counted).sum()) for found in (cells.wrong, cells.missing, cells.carried))
-    return Counts(marked.points.cells, wrong, missing, carried, int(cells.wrong[0, :m].sum()))
+    count = marked.points.cells
+    return Counts(count, wrong, missing, carried, count - wrong - missing - carried, int(cells.wrong[0, :m].sum()))
 
 
 def shut(marked: TableMarks) -> Mapping[str, int]:
@@ -137,9 +143,7 @@ def _odd_rows(key: Key, marked: TableMarks) -> Iterator[Reason]:
 
 def _counted(found: Counts) -> Sentence:
     start = say("feedback.counts_start", number=found.start) if found.start else ""
-    right = found.cells - found.wrong - found.missing - found.carried
-    known = {"wrong": found.wrong, "missing": found.missing, "carried": found.carried, "right": right}
-    told = say("feedback.counts", cells=found.cells, **known)
+    told = say("feedback.counts", **asdict(found))
     return joined([told, start])
 
 
