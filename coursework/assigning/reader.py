@@ -25,6 +25,7 @@ SECTIONS = ("given", "start", "time", "limits", "difficulty")
 LIMITS = ("least_determinant", "least_transmission", "largest_velocity", "least_rows_a_turn", "tries")
 DIFFICULTY = ("band", "numbers")
 RANGE = ("from", "to", "step", "choice")
+_OF_VARIANTS = ("format", "coordinates", "drive")  # keys by which a variant is known that was named instead of ranges
 MOST_TRIES, MOST_BAND, MOST_ROWS_A_TURN = 100_000, 10.0, 1e6
 
 
@@ -59,6 +60,9 @@ class _Reader:
 
     def ranges(self) -> Ranges:
         data = self.source.data
+        if place := next((key for key in _OF_VARIANTS if key in data), ""):
+            self._say((place,), "fault.A033", at_key=True, template=self.template.file)
+            raise InputError(self.faults)
         self._known(data, SECTIONS, ())
         units = {given.name: given.si for given in self.template.given}
         starts = {c.name: c.unit for c in self.template.coordinates}

@@ -173,7 +173,8 @@ def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | 
 @click.option(
     "--overrides",
     type=line.PATH,
-    help="Your own decisions: id,check,points,reason,say; check is table, equations, answers or total.",
+    help="Your own decisions: id,check,points,reason,say; check is table, equations, answers or total. Students read what stands "
+    "under say; under reason only if there is no column say.",
 )
 @click.option("--worksheet", type=line.PATH, help="Moodle's offline grading worksheet, to be filled in.")
 @click.option(

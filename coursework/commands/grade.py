@@ -19,7 +19,7 @@ from coursework.grading.batch.journal import Journal
 from coursework.grading.batch.single import autograder_results
 from coursework.grading.batch.work import Setup, Task, VariantSource
 from coursework.grading.batch.workers import trade_of
-from coursework.grading.batch.written import write_gradebook
+from coursework.grading.batch.written import record_in, write_gradebook
 from coursework.grading.collecting.sources import Source, collect_one
 from coursework.grading.marking.late import LATE, OF_FILE, UNKNOWN
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
@@ -90,6 +90,8 @@ def grade_source(
             for key, word in (("late_unknown", UNKNOWN), ("late_by_file", OF_FILE)):
                 if count := sum(time.startswith(word) for time in times):
                     tell(say(f"screen.{key}", count=count))
+            if gradebook and (count := sum(bool(p.file_lists) and record_in(gradebook, p) is None for p in listed.places)):
+                tell(say("screen.not_in_canvas", count=count))
             if sheet and (locked := [place.id for place in listed.places if place.row and place.row.locked]):
                 who = joined(locked[:MOST_NAMED] + ["…"] * (len(locked) > MOST_NAMED), "join.comma")
                 tell(say("screen.locked", count=len(locked), who=who))

@@ -9,6 +9,7 @@ import pytest
 
 import coursework
 from coursework.report.graphs.strips import RIGHT, strip
+from coursework.words.data_folders import folder
 from tests.command import call
 from tests.grading.batch.classroom import EQUATIONS
 from tests.grading.batch.in_this_process import in_this_process
@@ -222,7 +223,7 @@ def test_another_students_data_are_told_apart(tmp_path):
         (
             "id\na\n",
             ("--ranges", "nowhere"),
-            'There are no ranges named "nowhere". Name a file, or those of a template: 31',
+            'There are no ranges named "nowhere". Name a file (--ranges FILE), or those of a template: 31',
         ),
         ("id\na\n", ("--ranges", "nowhere.toml"), "nowhere.toml: the file could not be read (No such file or directory)."),
         ("id\na\n", ("--template", "cardan"), 'There are no ranges named "cardan"'),
@@ -235,3 +236,14 @@ def test_what_cannot_be_assigned_is_told_and_nothing_is_written(tmp_path, roster
     assert result.exit_code == 2
     assert told in result.output
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("words", [(), ("--ranges", "mine.toml")])
+def test_a_variant_in_the_place_of_ranges_is_told_by_one_sentence_with_the_command(tmp_path, monkeypatch, words):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.toml").write_text((folder("variants") / "31.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    (tmp_path / "roster.csv").write_text("id\na\n", encoding="utf-8")
+    result = call("assign", "roster.csv", "--template", "mine.toml", "--seed", "1", "--out", "out", *words)
+    assert result.exit_code == 2
+    assert result.output.count("A033") == 1 and result.output.count("mine.toml:") == 1, result.output
+    assert "coursework assign ROSTER --template mine.toml --ranges RANGES.toml" in result.output

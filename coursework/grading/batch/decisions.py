@@ -34,17 +34,23 @@ _SHARE = re.compile(r"([^%％]*?)\s*[%％]")
 class Override:
     """A decision of the instructor: `points` for a part ("table", "equations", "answers") or for the "total".
 
-    `say` is a sentence to the student; `appeal`, `by`, `at` and `marker` are kept as they stand.
+    `say` is the sentence to the student, who then is not told the `reason`; None: the file has no such column, and the student
+    reads the reason.  `appeal`, `by`, `at` and `marker` are kept as they stand.
     """
 
     check: str
     points: float
     reason: str
-    say: str = ""
+    say: str | None = None
     appeal: str = ""
     by: str = ""
     at: str = ""
     marker: str = ""
+
+    @property
+    def told(self) -> str:
+        """Return what the student reads about the decision, besides the points."""
+        return self.reason if self.say is None else self.say
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it, without further columns that are empty."""
@@ -78,7 +84,8 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
         if points is None:
             faults.append(Fault(say("fault.G031", most=most, points=values["points"][:80]), file, line))
             continue
-        found.setdefault(student, []).append(Override(check, points, values["reason"], **{key: values[key] for key in FURTHER}))
+        further = {key: values[key] for key in FURTHER if key in cells.columns}
+        found.setdefault(student, []).append(Override(check, points, values["reason"], **further))
     if faults:
         raise InputError(faults)
     return {student: tuple(listed) for student, listed in found.items()}
@@ -104,7 +111,7 @@ def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: 
     had_all = _have_points(changed, counted)
     for override in overrides:
         most = rubric.points if override.check == "total" else rubric.most(override.check)
-        said = decided(override.plain(), rounded_points(most))
+        said = decided(override.check, float(override.points), rounded_points(most), override.told)
         changed["reasons"] = after_decision(changed.get("reasons", []), said)
         if override.check == "total":
             changed["score"], changed["proposed"] = rounded_points(override.points), None

@@ -123,12 +123,16 @@ def _marks(places: Mapping[str, Place], graded: Graded, words: Phrases) -> dict[
 def _points(places: Mapping[str, Place], graded: Graded, canvas: Gradebook) -> dict[int, float]:
     found = {}
     for entry in graded.entries():
-        place = places[entry.id]
-        keys = (place.id, place.email, *(file_list.number for file_list in place.file_lists))
-        record = canvas.record_of(keys, place.name)
+        record = record_in(canvas, places[entry.id])
         if record is not None and entry.grade["score"] is not None:
             found[record] = entry.grade["score"]
     return found
+
+
+def record_in(canvas: Gradebook, place: Place) -> int | None:
+    """Return the record of a student in Canvas's export, None if there is none."""
+    keys = (place.id, place.email, *(file_list.number for file_list in place.file_lists))
+    return canvas.record_of(keys, place.name)
 
 
 def _pages(out: Path, places: Mapping[str, Place], graded: Graded) -> Iterator[tuple[str, str, bytes]]:

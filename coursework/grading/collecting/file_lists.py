@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Iterable, Iterator
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import replace
 from itertools import count
 from pathlib import PurePosixPath
@@ -16,12 +17,13 @@ from pathlib import PurePosixPath
 from coursework.grading.platforms.downloads import Owner, canvas_owner, moodle_owner
 from coursework.grading.platforms.names import legible, same_key
 from coursework.grading.reading.files.kinds import is_ignored
-from coursework.grading.reading.submission import Note
+from coursework.grading.reading.submission import Note, note
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _COPY = re.compile(r"(.+?) ?\([0-9]{1,2}\)")  # browsers and systems add such a number to the second of two equal names
+_AGAIN = re.compile(r"(.+?)-([0-9]{1,3})(\.[^.]+)?")  # so Canvas names a file whose name was handed in before
 
 
 @frozen
@@ -103,14 +105,33 @@ def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[Fil
     file_lists = []
     for key, found in owners.items():
         first = found[0]
-        attempts = {owner.attempt for owner in found}
-        review = say("reading.review.resubmitted", names=tuple(sorted(attempts))) if len(attempts) > 1 else None
-        student = first.folder or key
+        again = Counter(owner.file for owner in found if owner.attachment)
+        twice = sorted(owner.attachment for owner in found if again[owner.file] > 1)
+        review = say("reading.review.resubmitted", names=tuple(twice)) if twice else None
+        student, handed_in = first.folder or key, sorted(files.get(key, []))
+        newer = _handed_in_again(again)
+        older = (note("ignored_file", name=name, why=say("reading.why.older", name=newer[name])) for name in sorted(newer))
         file_lists.append(FileList(
-            student, first.name, tuple(sorted(files.get(key, []))), first.number, first.folder, tuple(notes[key]), review,
-            late=any(owner.late for owner in found),
+            student, first.name, tuple(file for file in handed_in if file[0] not in newer), first.number, first.folder,
+            (*notes[key], *older), review, late=any(owner.late for owner in found),
         ))  # fmt: skip
     return file_lists
+
+
+def _handed_in_again(names: Collection[str]) -> dict[str, str]:
+    """Return for each name in Canvas under which a later file was handed in, too, that of the last: table.csv, table-2.csv.
+
+    Names of which none is without a number may be a student's own: of two parts of one work.
+    """
+    by_original: dict[str, list[tuple[int, str]]] = {}
+    for name in names:
+        if again := _AGAIN.fullmatch(name):
+            by_original.setdefault(f"{again[1]}{again[3] or ''}", []).append((int(again[2]), name))
+    found: dict[str, str] = {}
+    for original in by_original.keys() & set(names):
+        *older, newest = [original, *(name for _, name in sorted(by_original[original]))]
+        found |= dict.fromkeys(older, newest)
+    return found
 
 
 def _by_folder(names: Names) -> list[FileList]:

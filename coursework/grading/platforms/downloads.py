@@ -20,21 +20,27 @@ from coursework.system.frozen import frozen
 _MOODLE = re.compile(
     r"(?P<owner>(?P<name>.*?)_(?P<number>[0-9]+)_assignsubmission_(?P<plugin>[a-z]+))(?:_(?P<rest>.*))?", re.DOTALL
 )
-_CANVAS = re.compile(r"(?P<name>[^_]+)(?P<late>_LATE)?_(?P<user>[0-9]+)_(?P<submission>[0-9]+)_(?P<rest>.+)", re.DOTALL)
+# Canvas writes "name_LATE_user_attachment_file", and of a text typed there "name_LATE_user_text.html"; while marking is anonymous
+# "LATE_anon_id" stands for name and user, where the id is a few letters and digits.
+_CANVAS = re.compile(
+    r"(?:(?P<late>LATE_)?(?P<anonymous>anon_[0-9A-Za-z]+)|(?P<name>[^_]+)(?P<delayed>_LATE)?_(?P<user>[0-9]+))"
+    r"_(?:(?P<attachment>[0-9]+)_(?P<rest>.+)|(?P<typed>(?:text|link)\.html))",
+    re.DOTALL,
+)
 
 
 @frozen
 class Owner:
     """The owner of a folder or file: a `key` equal for all work of one student, the platform's number, the name given there.
 
-    `attempt` tells two submissions of one student apart; `folder` is the name under which feedback is returned; `file` is the
-    name a file had before the platform changed it ("" for a folder); `late`: the platform marks it as late.
+    `attachment` is the platform's number of the file, "" if it has none; `folder` is the name under which feedback is returned;
+    `file` is the name a file had before the platform changed it ("" for a folder); `late`: the platform marks it as late.
     """
 
     key: str
     number: str
     name: str | None
-    attempt: str
+    attachment: str
     folder: str
     file: str
     late: bool = False
@@ -62,11 +68,16 @@ def canvas_owner(name: str) -> Owner | None:
 
     >>> canvas_owner("leeann_LATE_101_20777_table-1.csv").file
     'table-1.csv'
+    >>> canvas_owner("anon_aB3xY_20777_table.csv").key
+    'anon_aB3xY'
     """
     match = _CANVAS.fullmatch(unicodedata.normalize("NFC", name))
     if not match:
         return None
-    return Owner(match["user"], match["user"], match["name"], match["submission"], "", match["rest"], bool(match["late"]))
+    # An anonymous id may consist of digits, but is nobody's number.
+    key, number = match["anonymous"] or match["user"], match["user"] or ""
+    late = bool(match["late"] or match["delayed"])
+    return Owner(key, number, match["name"], match["attachment"] or "", "", match["rest"] or match["typed"], late)
 
 
 def feedback_zip(pages: Iterable[tuple[str, str, bytes]]) -> bytes:

@@ -35,6 +35,7 @@ from coursework.grading.reading.files.kinds import (
     is_html,
     is_ignored,
     is_named_as_table,
+    is_record,
     kind_of_parts,
     real_kind,
 )
@@ -206,6 +207,8 @@ def _nothing_in(file: SubmittedFile, could_be_table: bool, found: _Found) -> tup
 
 def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
     decoded = decode(file.content)
+    if is_record(decoded.text):
+        return ("ignored",)
     decoded = replace(decoded, text=with_formulas(decoded.text))
     if is_variant_file(decoded.text):
         _read_variant(file, expected, found)

@@ -1,13 +1,14 @@
 """Links of zero length, whose angular velocity has no meaning, or of negative length: refused before any computation.
 
-Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `whole_file.py`; the sentence about a length that becomes negative
-during the motion comes from `motion/geometry/chain.py`.  Source: hard case H16.
+Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `whole_file.py` and `other_data.py`; the sentence about a length
+that becomes negative during the motion comes from `motion/geometry/chain.py`.  Source: hard case H16.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from coursework.variant.formula.tree import Formula, named, spelled
 from coursework.variant.record.no_value import known_value
@@ -65,8 +66,23 @@ def refused_length(reason: str) -> Sentence:
     return say("fault.V308", reason=reason)
 
 
+def is_refused(variant: Variant, name: str, value: float) -> bool:
+    """Return whether the variant would be refused with another value (SI) of a datum, as a length would be zero or negative."""
+    other = replace(variant, given=tuple(replace(one, value=value) if one.name == name else one for one in variant.given))
+    return bool(_below(other)) or any(_value(length, other) == 0 for _, length, _ in _lengths(other))
+
+
 def _negative(variant: Variant, source: Source) -> list[Fault]:
     """Return a fault for each datum that makes a length negative, at its simplest use, and for other such lengths of a group."""
+    faults = []
+    for path, length, value in _below(variant):
+        reason = say("group.positive.alone", what=spelled(length), found=_typed(length, value, variant), row=0)
+        faults.append(source.fault(source.path_of(path), refused_length(reason)))
+    return faults
+
+
+def _below(variant: Variant) -> list[tuple[KeyPath, Formula, float]]:
+    """Return the path, formula and value of each length that a datum makes negative, where it is used most simply."""
     below = {name for name, value in variant.values.items() if value < 0}
     worst: dict[str, tuple[int, KeyPath, Formula, float]] = {}
     for path, length, is_signed in _lengths(variant):
@@ -77,11 +93,7 @@ def _negative(variant: Variant, source: Source) -> list[Fault]:
                 plainness = sum(1 for _ in length.walk())
                 if name not in worst or plainness < worst[name][0]:
                     worst[name] = (plainness, path, length, value)
-    faults = []
-    for _, path, length, value in worst.values():
-        reason = say("group.positive.alone", what=spelled(length), found=_typed(length, value, variant), row=0)
-        faults.append(source.fault(source.path_of(path), refused_length(reason)))
-    return faults
+    return [(path, length, value) for _, path, length, value in worst.values()]
 
 
 def _typed(length: Formula, value: float, variant: Variant) -> str:

@@ -85,7 +85,36 @@ def test_further_columns_are_kept_and_the_student_reads_what_is_said_to_him(tmp_
     assert "See &lt;me&gt; on Friday." in page
     assert "Dr. K" not in page
     sentence = next(csv.DictReader((tmp_path / "out" / "grades.csv").read_text(encoding="utf-8-sig").splitlines()))["sentence"]
-    assert "60 points. scan. See <me> on Friday. " in sentence and sentence.endswith(" x.")
+    assert "60 points. See <me> on Friday. " in sentence and sentence.endswith("equations, 40 of 40 points.")
+
+
+@pytest.mark.parametrize(("head", "rest", "read"), [
+    (HEAD, "copied from bob", "copied from bob"), (f"{HEAD},say", "copied from bob,Please see me", "Please see me"),
+    (f"{HEAD},say", "copied from bob,", ""),
+    (f"{HEAD},by", "copied from bob,Dr. K", "copied from bob"),
+])  # fmt: skip
+@pytest.mark.parametrize("check", ["table", "total"])
+def test_a_reason_is_the_teacher_s_as_soon_as_a_column_is_for_the_student(tmp_path, check, head, rest, read):
+    """On the page, in grades.csv and for the platforms; grades.json keeps the reason."""
+    hand_in(tmp_path / "in" / "ada")
+    (tmp_path / "decided.csv").write_text(f"{head}\nada,{check},30,{rest}\n", encoding="utf-8")
+    out = tmp_path / "out"
+    assert grade(tmp_path / "in", out, "--overrides", tmp_path / "decided.csv").exit_code == 0
+    with (out / "grades.csv").open(encoding="utf-8-sig", newline="") as file:
+        sentence = next(csv.DictReader(file))["sentence"]
+    assert sentence.endswith(f" points. {read}." if read else " points.")
+    page = (out / "feedback" / "ada.html").read_text(encoding="utf-8")
+    assert ("copied" in page) is (read == "copied from bob") and read in page
+    assert submissions(out)["ada"]["overrides"][0]["reason"] == "copied from bob"
+
+
+def test_a_student_is_marked_again_when_the_reason_becomes_the_teacher_s(tmp_path):
+    hand_in(tmp_path / "in" / "ada")
+    for head, end in ((HEAD, "a secret."), (f"{HEAD},say", " points.")):
+        (tmp_path / "decided.csv").write_text(f"{head}\nada,table,30,a secret\n", encoding="utf-8")
+        assert grade(tmp_path / "in", tmp_path / "out", "--overrides", tmp_path / "decided.csv").exit_code == 0
+        page = (tmp_path / "out" / "feedback" / "ada.html").read_text(encoding="utf-8")
+        assert ("a secret" in page) is (end == "a secret.")
 
 
 CAN = [("Yes", "No"), ("Да", "Нет"), ("Так", "Ні"), ("Ja", "Nein"), ("Oui", "Non"), ("Sí", "No"), ("是", "否")]

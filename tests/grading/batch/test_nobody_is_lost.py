@@ -278,3 +278,23 @@ def test_a_variant_that_stops_at_once_is_told_and_costs_nobody(tmp_path):
     assert "the motion stops at once" in found["ada"]["sentence"]
     assert "dead point" in found["ada"]["sentence"]
     assert (tmp_path / "out" / found["ada"]["page"]).is_file()
+
+
+def test_each_file_of_canvas_counts_also_without_names_and_who_is_not_in_the_export_is_told(tmp_path):
+    """Two files of one student have two numbers; while marking is anonymous nobody is in the export, and everybody is marked."""
+    hand_in(tmp_path / "made")
+    (tmp_path / "in").mkdir()
+    for begin in ("anon_aB3xY_77", "LATE_anon_Qz9Kk_80", "rightada_101_55"):
+        for number, file in enumerate(("table.csv", "equations.txt")):
+            (tmp_path / "in" / f"{begin}{number}_{file}").write_bytes((tmp_path / "made" / file).read_bytes())
+    export = tmp_path / "export.csv"
+    export.write_text('Student,ID,Work (9)\n    Points Possible,,100\n"Right, Ada",101,\n', encoding="utf-8")
+    done = grade(tmp_path / "in", tmp_path / "out", "--canvas", export)
+    assert {name: one["score"] for name, one in submissions(tmp_path / "out").items()} == {
+        "101": 100, "anon_aB3xY": 100, "anon_Qz9Kk": 100,
+    }  # fmt: skip
+    assert (tmp_path / "out" / "canvas.csv").read_text(encoding="utf-8-sig").splitlines()[2] == '"Right, Ada",101,100'
+    assert "no line of the Canvas export belongs: 2; their points" in done.output
+    for file in (tmp_path / "in").glob("*anon*"):
+        file.unlink()
+    assert "Canvas export" not in grade(tmp_path / "in", tmp_path / "out", "--canvas", export).output

@@ -22,7 +22,11 @@ from tests.grading.marking import students
 from tests.grading.pages.truths import RIGHT, ROWS, VARIANT, Case, cases
 
 PARTS = {"table": 60.0, "equations": 40.0}
-COUNTS = re.compile(r"Of (\d+) cells that count, wrong: (\d+); missing or with too few digits: (\d+); right from .*?: (\d+)\.")
+COUNTS = re.compile(
+    r"Of (\d+) cells that count, wrong: (\d+); missing or with too few digits: (\d+); "
+    r"not the key's, .*?: (\d+); as in the key: (\d+)\."
+)
+ALONE = re.compile(r"counted one by one, ([\d.]+) of the (\d+) cells would count, which is ([\d.]+) points\.")
 SUM = re.compile(r"(Table|Equations): ([\d.]+) of ([\d.]+) points")
 FACTORS = re.compile(r"\(([\d.]+) · ([\d.]+) ([·/]) ([\d.]+)\)")
 START = re.compile(r"Start values in row 1 that are not those of the task: (\d+)\.")
@@ -128,10 +132,10 @@ def test_counts_are_those_of_the_files(seen, handed_in):
     start = {(0, column) for column in range(3)}
     counted = 0
     for student, (_, truth) in handed_in.items():
-        for cells, wrong, missing, _ in COUNTS.findall(seen[student].row["sentence"]):
+        for cells, wrong, missing, carried, right in COUNTS.findall(seen[student].row["sentence"]):
             counted += 1
             starts = sum(map(int, START.findall(seen[student].row["sentence"])))
-            assert int(cells) == ROWS * 7 - 3
+            assert int(cells) == ROWS * 7 - 3 == sum(map(int, (wrong, missing, carried, right)))
             if truth.wrong is not None and truth.counted:
                 assert int(wrong) == len(truth.wrong - start), student
                 assert starts == len(truth.wrong & start), student
@@ -147,7 +151,7 @@ def test_cells_right_from_own_numbers_are_those_off_the_key(seen):
     slack = 0.505e-4 + 2e-4 * np.ptp(RIGHT, axis=0)
     for student, table in (("slip", students.slip(10, 1, 1.05)), ("m-heun", students.table(students.heun))):
         off = np.abs(np.round(table, 4) - RIGHT) > slack
-        _, wrong, _, carried = map(int, COUNTS.search(seen[student].row["sentence"]).groups())
+        _, wrong, _, carried, _ = map(int, COUNTS.search(seen[student].row["sentence"]).groups())
         assert wrong + carried == int(off[1:].sum() + off[0, 3:].sum()), student
 
 
@@ -163,11 +167,26 @@ def test_sums_give_the_points_and_name_every_cell_that_does_not_count(seen):
             assert float(first) == float(most)
             assert value == pytest.approx(float(points), abs=0.0051), student
         if found := re.search(r"of the (\d+) cells ([\d.]+) count", text):
-            _, wrong, missing, _ = map(int, COUNTS.search(text).groups())
+            _, wrong, missing, *_ = map(int, COUNTS.search(text).groups())
             shut = sum(map(int, SHUT.findall(text)))
             start = sum(map(int, START.findall(text)))
             assert max(int(found[1]) - wrong - missing - shut - start, 0) == int(found[2]), student
     assert sums > 30
+
+
+def test_what_the_cells_would_earn_one_by_one_contradicts_no_count(seen):
+    """Where another rule earns more, it is told how many cells would count, and why those that follow from row 1 would not."""
+    told = {student: one.row["sentence"] for student, one in seen.items() if ALONE.search(one.row["sentence"])}
+    for student, text in told.items():
+        counted, cells, points = map(float, ALONE.search(text).groups())
+        assert points == pytest.approx(60 * counted / cells, abs=0.0051), student
+        assert float(SUM.search(text)[2]) > points, student
+        _, _, _, carried, right = map(int, COUNTS.search(text).groups())
+        assert counted <= carried + right, student
+        assert not re.search("but do not count|by themselves", text), student
+        if START.search(text) and counted < right:
+            assert "a cell that follows from a row 1 that is not right does not count" in text, student
+    assert len(told) >= 3 and "start" in told
 
 
 def test_what_is_named_was_changed(seen, handed_in):

@@ -160,8 +160,10 @@ def _first(held: Held, values: Values) -> bool:
 
 
 def _counts(held: Held, values: Values) -> bool:
-    numbers = {name: int(values[name]) for name in ("cells", "wrong", "missing", "carried")}
+    numbers = {name: int(values[name]) for name in ("cells", "wrong", "missing", "carried", "right")}
     m, coarse = held.machine.m, held.truth.kind == "worthless"
+    if numbers["cells"] != sum(numbers[name] for name in ("wrong", "missing", "carried", "right")):
+        return False
     wrong, right = (found.copy() for found in held.sure)
     wrong[0, :m] = right[0, :m] = False
     if held.truth.wrong is None and (held.truth.code in READ_OTHERWISE or coarse):
@@ -260,6 +262,7 @@ CHECKS: dict[str, Check] = {
     **dict.fromkeys([f"feedback.earned.{rule}" for rule in ("misconception", "other_step", "start", "own_equations")], _product),
     **dict.fromkeys(("feedback.independent", "feedback.earned.equations"), _equations),
     **dict.fromkeys(("feedback.line_wrong", "feedback.place_wrong", "feedback.equation.wrong", "feedback.hint"), _line),
+    "feedback.earned.row_one": _wrong_rule,
     "feedback.hint.sign": _sign,
     **dict.fromkeys(
         ("feedback.misconception", "feedback.counts_start", "feedback.start_costs", "reading.note.turns"), _wrong_rule

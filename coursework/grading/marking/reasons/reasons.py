@@ -53,14 +53,11 @@ def _of_part(grade: Grade, part: str, points: float | None, most: float) -> Iter
         yield Reason(part, "rule", say("reading.note.no_part", part=say(f"feedback.part.{part}")))
 
 
-def decided(entry: Mapping[str, Any], most: float) -> list[Reason]:
-    """Return what the instructor decided and says about a part; it replaces everything that was found there."""
-    part = say(f"feedback.part.{entry['check']}")
-    key = "feedback.override_why" if entry["reason"] else "feedback.override"
-    reason = _closed(clean(str(entry["reason"]), LONGEST))
-    text = say(key, check=part, points=float(entry["points"]), most=most, reason=reason)
-    told = [Reason(entry["check"], "decided", _closed(clean(str(entry["say"]), LONGEST)))] if entry.get("say") else []
-    return [Reason(entry["check"], "decided", text), *told]
+def decided(check: str, points: float, most: float, told: str) -> Reason:
+    """Return what the instructor decided about a part, and what the student is `told`; it replaces all that was found there."""
+    key = "feedback.override_why" if told else "feedback.override"
+    part, reason = say(f"feedback.part.{check}"), _closed(clean(told, LONGEST))
+    return Reason(check, "decided", say(key, check=part, points=points, most=most, reason=reason))
 
 
 def _closed(text: str) -> str:
@@ -77,14 +74,14 @@ def lost_by_time(minutes: int | None, lost: float, most: float) -> Reason:
     return Reason("late", "rule", say("feedback.late", days=days, hours=hours, minutes=rest, lost=lost, most=most))
 
 
-def after_decision(found: list[dict[str, str]], decision: list[Reason]) -> list[dict[str, str]]:
+def after_decision(found: list[dict[str, str]], decision: Reason) -> list[dict[str, str]]:
     """Return the reasons of a grade after a decision; a decision about the total replaces them all."""
-    part, said = decision[0].part, [reason.plain() for reason in decision]
+    part = decision.part
     if part == "total":
-        return said
+        return [decision.plain()]
     place = next((place for place, entry in enumerate(found) if entry["part"] == part), len(found))
     kept = [entry for entry in found if entry["part"] != part]
-    return [*kept[:place], *said, *kept[place:]]
+    return [*kept[:place], decision.plain(), *kept[place:]]
 
 
 def summary(grade: Grade) -> list[Sentence | str]:

@@ -6,6 +6,7 @@ Enters: a `Key`, `TableMarks`, the points.  Leaves: `Reason`s, in order.  Used b
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import asdict
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
@@ -35,20 +36,25 @@ _MOST_RUNS = 6
 
 @frozen
 class Counts:
-    """How many cells count (all but the start values), and their marks; `start` counts start values other than the task's."""
+    """How many cells count (all but the start values), and their marks: together all of them.
+
+    `right` are as in the key; `start` counts start values other than the task's.
+    """
 
     cells: int
     wrong: int
     missing: int
     carried: int
+    right: int
     start: int
 
 
 def counts(key: Key, marked: TableMarks) -> Counts:
-    """Return the counts of a table; right, carried, wrong and missing cells together are all that count."""
+    """Return the counts of a table."""
     m, cells = len(key.coordinates), marked.cells
     wrong, missing, carried = (int((found & cells.counted).sum()) for found in (cells.wrong, cells.missing, cells.carried))
-    return Counts(marked.points.cells, wrong, missing, carried, int(cells.wrong[0, :m].sum()))
+    count = marked.points.cells
+    return Counts(count, wrong, missing, carried, count - wrong - missing - carried, int(cells.wrong[0, :m].sum()))
 
 
 def shut(marked: TableMarks) -> Mapping[str, int]:
@@ -137,7 +143,7 @@ def _odd_rows(key: Key, marked: TableMarks) -> Iterator[Reason]:
 
 def _counted(found: Counts) -> Sentence:
     start = say("feedback.counts_start", number=found.start) if found.start else ""
-    told = say("feedback.counts", cells=found.cells, wrong=found.wrong, missing=found.missing, carried=found.carried)
+    told = say("feedback.counts", **asdict(found))
     return joined([told, start])
 
 
@@ -154,7 +160,9 @@ def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
     rule = OTHER_STEP if earned.cause in OTHER_STEPS else earned.rule
-    return say(f"feedback.earned.{rule}", **known, alone=round(earned.of_cells * most, 2), line=earned.cause)
+    known |= {"cells": cells, "counted": in_sum(earned.of_cells * cells), "alone": round(earned.of_cells * most, 2)}
+    row_one = say("feedback.earned.row_one") if "start" in earned.shut else ""
+    return joined([say(f"feedback.earned.{rule}", **known, line=earned.cause), row_one])
 
 
 def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:

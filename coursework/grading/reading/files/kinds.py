@@ -27,6 +27,9 @@ _PARTS = (
 _HTML = re.compile(
     r"\s*<(?:!--|(?:!doctype html|html|head|body|meta|style|title|center|b|p|div|table|span|br|ul|ol|h[1-6])\b)", re.IGNORECASE
 )
+# How `run.json` and `accuracy.json` begin, which `coursework run` and `accuracy` write last, and how they end.
+_RECORD = re.compile(r'\s*\{\s*"variant": ".{0,9999}?"versions": \{"coursework": "', re.DOTALL)
+_ITS_END = re.compile(r'"stamp": "[0-9a-f]+",\s*"files": \{')
 OLD_EXCEL, OLD_WORD = "xls", "doc"
 PICTURES = {"JPEG", "PNG", "GIF", "TIFF", "BMP", "HEIC", "WebP", "DjVu"}
 _WORD_STREAM = "WordDocument".encode("utf-16-le")  # the name of a stream inside an OLE file
@@ -65,3 +68,8 @@ def is_named_as_table(name: str) -> bool:
 def is_html(text: str) -> bool:
     """Return whether a text is HTML, as Moodle stores text typed online."""
     return bool(_HTML.match(text[:500].lstrip("\ufeff")))
+
+
+def is_record(text: str) -> bool:
+    """Return whether a text is the record of a run that this tool wrote beside a table: it is no work of a student."""
+    return bool(_RECORD.match(text.removeprefix("\ufeff")) and _ITS_END.search(text))

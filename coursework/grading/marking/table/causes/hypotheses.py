@@ -25,7 +25,7 @@ from coursework.grading.marking.table.causes.other_data import (
 )
 from coursework.grading.marking.table.causes.other_drive import other_drive
 from coursework.grading.marking.table.causes.own_equations import equation_claims
-from coursework.grading.marking.table.causes.step_lengths import DEGREE, WHOLE, parts_of_step, told_step
+from coursework.grading.marking.table.causes.step_lengths import DEGREE, WHOLE, parts_of_step, small_steps, steps_a_row, told_step
 from coursework.grading.marking.table.starts import march
 from coursework.grading.marking.table.ways import HALF
 from coursework.motion.schemes import EULER, SCHEMES, Scheme
@@ -209,11 +209,18 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             for claim, velocities_at in zip(claims, made, strict=False)
         ]
         if (times := round(1 / part)) > 1 and abs(times * part - 1) < WHOLE:
-            several = partial(_small_steps, printed.key, m, times)
-            at_once = printed.stacked(several)
-            claim = printed.claim("other_step", printed.steps(at_once(printed.q), printed.spread(at_once)))
-            claims.append(replace(claim, table=printed.marched(made[0], several)))
+            claims.append(_in_small_steps(printed, times))
         yield from (replace(claim, part=part, names=(told_step(part * h),)) for claim in claims)
+    if times := steps_a_row(printed):
+        yield replace(_in_small_steps(printed, times), part=1 / times, names=(told_step(h / times),), is_read_off=True)
+
+
+def _in_small_steps(printed: TableUnderTest, times: int) -> Claim:
+    """Return the claim that each row was made in several Euler steps."""
+    several = partial(small_steps, printed.key, printed.m, times)
+    at_once = printed.stacked(several)
+    claim = printed.claim(OTHER_STEP, printed.steps(at_once(printed.q), printed.spread(at_once)))
+    return replace(claim, table=printed.marched(printed.key.velocities_at, several))
 
 
 def _of_degrees(key: Key) -> Array:
@@ -234,14 +241,6 @@ def _longer(step: float | Array, m: int, t: Array, q: Array, w: Array) -> Array:
 def _rounded(h: float, m: int, decimals: int, t: Array, q: Array, w: Array) -> Array:
     """Return the increments (n, m) of steps with velocities rounded to so many decimals."""
     return h * np.round(w[:, :m], decimals)
-
-
-def _small_steps(key: Key, m: int, times: int, t: Array, q: Array, w: Array | None = None) -> Array:
-    """Return the increments (n, m) of rows made in several Euler steps each (`times`) instead of one."""
-    h, moved = key.step / times, q
-    for place in range(times):
-        moved = moved + h * key.velocities_at(t + place * h, moved)[:, :m]
-    return moved - q
 
 
 def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Claim]:

@@ -18,6 +18,7 @@ from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.hypotheses import DEGREE_STEPS, OTHER_STEP, STEPS_IN_DEGREES, claims
 from coursework.grading.marking.table.causes.misread_key import MisreadKey
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows
+from coursework.grading.marking.table.causes.other_data import may_be
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.causes.own_rows import on_own_rows
 from coursework.grading.marking.table.causes.step_lengths import told_step
@@ -175,6 +176,7 @@ def explanations(
         return Found(None, found, began, untold)
     best = max(share for share, _, _ in named.values())
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
+    tied = [code for code in tied if may_be(key, code, named[code][2])] or tied
     tied = [code for code in tied if code not in read_off and is_one_thing(code, named[code][2])] or tied
     if equations is not None and equations.wrong:  # what stands in the equations, too, is likelier than what does not
         tied.sort(key=lambda code: not code.startswith("equation_"))

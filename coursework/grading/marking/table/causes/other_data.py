@@ -1,12 +1,12 @@
 """What a wrong table may have been made with: other data, another table, or columns with another meaning.
 
 Enters: a `TableUnderTest`, the rubric's confusions, tables of other variants.  Leaves: `Claim`s.
-Used by `hypotheses.py`.
+Used by `hypotheses.py`, and by `misconceptions.py` for what a file's own rules refuse.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import combinations, islice, product
@@ -21,8 +21,10 @@ from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 from coursework.variant.formula.units import size_of
+from coursework.variant.judging.lengths import is_refused
 from coursework.variant.record.entries import Given
 
+DATUM = "datum_"
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
 # Turns per second taken for radians per second, or centimetres or millimetres for metres, and the other way round.
 _UNITS = {"1/s": (2 * np.pi, 0.5 / np.pi), "m": (100.0, 0.01, 1000.0, 0.001)}
@@ -41,7 +43,7 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     """Yield claims of velocities with other data: one scaled, negated, left out, confused or read off, or two exchanged."""
     given = printed.key.variant.given
     tried: list[tuple[str, dict[str, float]]] = [
-        (f"datum_{datum.name}", {datum.name: factor * datum.value})
+        (f"{DATUM}{datum.name}", {datum.name: factor * datum.value})
         for datum in given
         for factor in (*FACTORS, *_UNITS.get(datum.si, ()))
         if factor or _may_vanish(printed, datum)
@@ -54,13 +56,13 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     ]
     tried += [(f"confusion_{name}", {name: value}) for name, value in confusions.items()]
     sets = printed.key.sets_at(printed.key.t, printed.q, [data for _, data in tried])
-    by_code = {f"datum_{datum.name}": datum for datum in given}
+    by_code = {f"{DATUM}{datum.name}": datum for datum in given}
     for (code, data), found in zip(tried, sets, strict=True):
         shown = _shown(by_code[code], *data.values()) if code in by_code else ()
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found, shown)
     for datum, value in [(one, value) for one, read in _values_read_off(printed) for value in _as_typed(one, read)]:
         at = partial(printed.key.velocities_at, data={datum.name: value})
-        for claim in printed.velocity_claim(f"datum_{datum.name}", at, names=_shown(datum, value)):
+        for claim in printed.velocity_claim(f"{DATUM}{datum.name}", at, names=_shown(datum, value)):
             yield replace(claim, is_read_off=True)
 
 
@@ -83,6 +85,13 @@ def _shown(datum: Given, value: float) -> tuple[str, ...]:
     """Return a value and its unit as a sentence tells them; empty for a number without a unit."""
     unit = datum.unit or datum.si
     return (f"{value / (size_of(datum.unit) or 1.0):.4g}", unit) if unit else ()
+
+
+def may_be(key: Key, code: str, names: Sequence[str]) -> bool:
+    """Return whether a cause may be one, with its `names`: a datum may not have a value and unit that a file may not have."""
+    if not code.startswith(DATUM) or not names or (value := float(names[0])) > 0:
+        return True
+    return not is_refused(key.variant, code.removeprefix(DATUM), value * (size_of(names[1]) or 1.0))
 
 
 def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:

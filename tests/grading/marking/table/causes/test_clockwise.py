@@ -11,7 +11,7 @@ from coursework.commands.line.options import RUBRIC_KEYS
 from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key.key import key_of
-from coursework.grading.marking.rubric import KEYS, Rubric, read_rubric
+from coursework.grading.marking.rubric import FLOORS, KEYS, Rubric, read_rubric
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
@@ -249,6 +249,7 @@ def test_the_example_of_a_rubric_is_the_default_and_the_help_names_its_keys():
     assert (shown.exit_code, read_rubric(shown.output)) == (0, Rubric())
     assert all(re.search(rf"^(# )?\[*{key}\b", shown.output, re.MULTILINE) for key in KEYS)
     assert ", ".join(KEYS) == RUBRIC_KEYS
+    assert all(re.search(rf"^{floor} = [\d.]+  # \w+", shown.output, re.MULTILINE) for floor in FLOORS)
     optional = "\n".join(line.removeprefix("# ") for line in shown.output.splitlines())
     assert read_rubric(optional).confusions
     assert read_rubric(optional).answers

@@ -11,6 +11,7 @@ from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import indistinct, looked_for
+from coursework.grading.marking.table.causes.other_data import may_be
 from coursework.grading.marking.table.cells import mark_cells
 from coursework.grading.marking.table.explained import euler_cells
 from tests.grading.marking import students
@@ -129,4 +130,23 @@ def test_a_hypothesis_that_the_digits_cannot_tell_is_not_named(key):
     found = found_in(key, cells).named
     assert found is not None
     assert found.code == "sign_w1"
-    assert found_in(key, cells, hidden=(found.code, *found.ties, "equation_16")).named is None  # a slip in two
+    assert found.ties == ()  # nor a length with the other sign, which no file may have
+    assert found_in(key, cells, hidden=(found.code, "datum_r1", "equation_16")).named is None  # a slip in two
+
+
+@pytest.mark.parametrize("name", ["31", "v107", "example-1", "homework", "watt"])
+def test_a_value_that_a_file_may_not_have_is_no_cause(name):
+    """Held against the reader of files: a datum with the other sign, or 0, is no cause where a length would not be positive."""
+    key, refused = key_of(coursework.load(name)), 0
+    for datum in key.variant.given:
+        for value in (f"-{datum.text}".replace("--", ""), "0"):
+            try:
+                key.variant.with_data({datum.name: f"{value} {datum.unit}".strip()})
+                expected = True
+            except coursework.InputError as error:
+                expected = not {"V308", "V087"} & {fault.code for fault in error.faults}
+            assert may_be(key, f"datum_{datum.name}", (value, datum.unit or datum.si)) is expected, (datum.name, value)
+            refused += not expected
+        assert may_be(key, f"datum_{datum.name}", (datum.text.lstrip("-"), datum.unit or datum.si))
+    assert refused
+    assert may_be(key, f"datum_{datum.name}", ()) and may_be(key, "sign_w1", ("-1", "m"))
