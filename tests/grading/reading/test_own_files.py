@@ -6,6 +6,8 @@ import pytest
 from click.testing import CliRunner
 
 from coursework.commands.cli import main
+from coursework.grading.reading.documents.document import Document, DocumentLine, place_of
+from coursework.grading.reading.documents.read_document import lines_of_document
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
 from tests.grading.batch.classroom import EQUATIONS
@@ -41,3 +43,11 @@ def test_a_student_s_own_json_is_read(more):
     own = {**more, "table": [HEAD, *ROWS], "equations": list(EQUATIONS)}
     found = read(own_json=json.dumps(own, indent=1).encode())
     assert found.table is not None and len(found.equations) == len(EQUATIONS)
+
+
+def test_lines_within_a_line_do_not_move_the_places_of_what_stands_below():
+    """The report of the tool as LaTeX, handed in, ended the marking: its equations lay behind the last line of the document."""
+    texts = ["The largest residual = 0 is\nthat of equation 12\n= 0.", EQUATIONS[0]]
+    lines = [DocumentLine(text, place_of("line", line=place)) for place, text in enumerate(texts, start=1)]
+    found = lines_of_document(Document("tex", lines=lines), "report.tex", expected("31")).equations
+    assert (found[-1].text, found[-1].place, found[-1].tree is None) == (texts[1], lines[1].place, False)

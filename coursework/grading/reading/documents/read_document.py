@@ -153,7 +153,7 @@ def _tried(lines: Sequence[DocumentLine], is_program: bool) -> Iterator[str]:
         goes_on = _CONTINUES.match(line.text) or (_OPERATION.search(line.text) and _GOES_ON.search(line.text))
         of_program = is_program and (_OPERATION.search(line.text) or _OF_PROGRAM.match(line.text))
         is_one = line.is_formula or goes_on or of_program or _SAID.search(line.text) or relates_two_sides(line.text)
-        yield line.text if begun > 0 or is_one else ""
+        yield line.text.replace("\n", " ") if begun > 0 or is_one else ""  # a cell of LaTeX may have several lines
         depth = max(0, begun - line.text.count("\\end"))
 
 
