@@ -174,6 +174,8 @@ def test_variant_31_is_read_as_the_guide_reads_it() -> None:
     assert {name: one.explained for name, one in read.items()} == pytest.approx(worst)
     assert all(one.rests for one in read.values())
     assert (str(read["ω₃"].relation), str(read["V_C"].relation), str(read["ω₄"].relation)) == ("V_M/P₃M", "ω₃·P₃C", "V_C/PC")
+    # The speed of a crank's pin is the product of two data: no reading, and nothing that a drawing checks.
+    assert [one.rests for one in check_of("example-2").readings] == [False, True, True]
 
 
 @pytest.mark.parametrize(
