@@ -105,3 +105,13 @@ def test_rows_of_the_wrong_assembly_are_in_doubt(singles, monkeypatch):
     found = follow_closure(closure, scene.rates, times)
     assert len(singles) > 0
     assert np.max(np.abs(found - right)) < 1e-12
+
+
+@pytest.mark.parametrize("name", ["jansen", "whitworth", "watt"])
+def test_a_whole_turn_at_once_is_followed_by_halves(name):
+    """What one step guesses there is too far off: each half is followed by itself, and its halves where they are needed."""
+    scene = coursework.solve(name, quantities=["table"]).scene
+    period = scene.variant.time.period
+    found = follow_closure(scene.closure, scene.rates, np.array([0.0, period]))
+    fine = follow_closure(scene.closure, scene.rates, np.linspace(0.0, period, 61))
+    assert np.max(np.abs(found - fine[[0, -1]])) < 1e-12

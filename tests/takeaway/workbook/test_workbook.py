@@ -271,3 +271,11 @@ def test_what_has_no_workbook_is_told_and_the_rest_written(folder, monkeypatch):
     monkeypatch.setattr("coursework.system.extras.find_spec", lambda name: None)
     told = call("run", "31", "--quantities", "table", "--format", "csv,xlsx", "--out", "missing")
     assert told.exit_code == 2 and "-m pip install" in told.stderr and "[workbook]" in told.stderr
+
+
+def test_a_tabulated_law_stands_beside_the_data_below_its_heads():
+    data = openpyxl.load_workbook(io.BytesIO(book("variable-crank-table")))["Data"]
+    heads, first, second = ([cell.value for cell in row][8:19] for row in data.iter_rows(1, 3))
+    assert heads == ["r", *(f"{of}·u^{power}" for of in ("r", "r′") for power in range(5))]
+    ((place, length), (following, longer)) = coursework.load("variable-crank-table").functions[0].table[:2]
+    assert (first[:2], second[:2]) == ([pytest.approx(place), length], [pytest.approx(following), pytest.approx(longer)])
