@@ -68,3 +68,13 @@ def test_a_step_is_run_before_it_is_advised_where_a_force_breaks_between_two_row
     assert told.verdict == "COARSE" and str(told.sentence).endswith(f"A step of {0.05 / parts:.10g} s does: it was tried.")
     found = coursework.solve(variant, scheme, float(f"{0.05 / parts:.10g}"), end=1.5)
     assert [one.code for one in found.checks if one.verdict == "COARSE"] == []
+
+
+def test_the_energy_of_a_pendulum_in_a_field_that_leans_is_that_of_its_weight():
+    """A rod of 4 kg and 0.6 m falls freely: T + V with V = -m g·r by hand, which stays, is what the scene gives in every row."""
+    text = mechanism("pendulum", ("[forces]\n", '[forces]\ngravity = "(1.5, -9.5)"\n'), s=None, d=None, k=None, c=None)
+    run = coursework.solve(coursework.parse_variant(text), scheme="exact")
+    phi, w = (run.motion.column(name) for name in ("phi", "w"))
+    by_hand = 4 * 0.6**2 / 6 * w**2 - 4 * 0.3 * (1.5 * np.cos(phi) - 9.5 * np.sin(phi))
+    assert np.ptp(w) > 1 and np.ptp(by_hand) < 1e-12
+    assert run.scene.energy_of(run.motion) == pytest.approx(by_hand, abs=1e-12)
