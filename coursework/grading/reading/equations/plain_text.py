@@ -12,7 +12,7 @@ from coursework.grading.reading.equations.derived_sums import derived, with_sums
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, plain_name
 from coursework.grading.reading.equations.notation.degrees import with_factors
 from coursework.grading.reading.equations.notation.latex import without_latex
-from coursework.grading.reading.equations.notation.signs import depths, plain_signs
+from coursework.grading.reading.equations.notation.signs import closing, depths, plain_signs
 from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.tree import constant
@@ -142,8 +142,7 @@ def _dot_or_product(found: re.Match[str], spellings: Spellings) -> str:
 def _fractions(text: str) -> str:
     """Return a line with a/b for frac(a, b) and frac(a)(b)."""
     while found := _FRACTION.search(text):
-        inside = depths(text[found.end() :])
-        end = found.end() + inside.index(0) if 0 in inside else found.end()
+        end = closing(text, found.end())
         above = text[found.end() + 1 : end]
         cut = next((place for place, depth in enumerate(depths(above)) if depth == 0 and above[place] == ","), len(above))
         if cut == len(above) and not text[end + 1 :].startswith("("):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from coursework.grading.reading.equations.equations import TURNED, Names
+from coursework.grading.reading.equations.equations import TURNED, Names, names_in, read_as_one
 from coursework.grading.reading.equations.line_kinds import (
     is_equation_without_sign,
     is_part_of_equation,
@@ -18,13 +18,15 @@ from coursework.grading.reading.equations.line_kinds import (
 )
 from coursework.grading.reading.equations.notation.escapes import unquoted, with_line_ends
 from coursework.grading.reading.equations.notation.latex import logical_lines
-from coursework.grading.reading.equations.notation.signs import VANISHED, depths, relates_two_sides
-from coursework.grading.reading.equations.separators import parted
+from coursework.grading.reading.equations.notation.signs import VANISHED, depths, relates_two_sides, relations
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.parts import LIST, of_row
 from coursework.grading.reading.equations.systems.vectors import with_entries_named
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
+from coursework.variant.dimensions.formulas import Clash, Measurer
+from coursework.variant.record.places import measures
+from coursework.words.errors import Fault
 
 # Rows of empty cells, of which a spreadsheet may leave a million, and blanks longer than anybody types: patterns would be slow.
 _BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)
@@ -63,6 +65,11 @@ _REMARK = re.compile(
     r"(?<!\\)%(?![io]\d+\)|(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
 )
 
+# Slashes and dots between the equations of one line, a = b / c = d.
+_TWO = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
+_MOST_SLASHES = 20  # slashes of a line
+_ONE = re.compile(r"(?<=\S)\s+[/•·∙⋅●]\s+(?=\S)")
+
 
 def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Yield (number, line) of the lines that are neither blank nor comments nor statements of a program."""
@@ -75,7 +82,7 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
             meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 in calc_w3
             function = f"{meant[0] if len(meant) == 1 else called} = "
             line = defined[3] or ""
-        bare = _REMARK.sub("", _NUMBERED.sub("", parted(line, names)).partition("#")[0]).strip()
+        bare = _REMARK.sub("", _NUMBERED.sub("", _parted(line, names)).partition("#")[0]).strip()
         bare = unquoted(bare)
         if "→" in bare or "->" in bare:
             bare = _RULE.sub(r"\1 = ", bare.strip("{} ").join("{}")) if _FOUND.match(bare) else bare
@@ -151,3 +158,55 @@ def _goes_on(kept: str, line: str, names: Names) -> bool:
         return line[:1].isspace() or is_part_of_equation(kept, names)
     rest += ")" * (rest.count("(") - rest.count(")"))  # of a quotient whose denominator goes on in the next line
     return "=" in kept and not VANISHED.search(kept) and is_equation_without_sign(rest, names)
+
+
+def _parted(text: str, names: Names) -> str:
+    """Return a line with semicolons for slashes and dots between its equations; what stands behind // is else a remark."""
+    if len(text) > EQUATION_CHARACTERS:
+        return text
+    pieces = _TWO.split(text) if "//" in text else []
+    if pieces and all(_is_one(piece, names) for piece in pieces):
+        return "; ".join(pieces)
+    return "; ".join(_at_slashes(text, names)) if _ONE.search(text) else text
+
+
+def _is_one(text: str, names: Names) -> bool:
+    """Return whether a text may be an equation by itself: it relates two sides and names a sought velocity and something else."""
+    named = names_in(text, names.spellings) if relates_two_sides(text) else set[str]()
+    return len(named) > 1 and not named.isdisjoint(names.expected.variant.sought)
+
+
+def _at_slashes(text: str, names: Names) -> list[str]:
+    """Return the equations of a line that slashes or dots part.
+
+    In a = b / c = d the slash divides if a and b / c can have one unit, and parts two equations if only a and b can. If neither
+    can, nothing is right in which it divides: it parts the two, if it is the only one and each may be an equation by itself.
+    """
+    inside, signs = depths(text), relations(text)
+    pieces, start = list[str](), 0
+    slashes = [found for found in _ONE.finditer(text) if inside[found.start()] == 0]
+    for found in slashes if len(signs) > 1 and len(slashes) <= _MOST_SLASHES else ():
+        before = max((sign for sign in signs if sign < found.start()), default=-1)
+        behind = min((sign for sign in signs if sign > found.start()), default=-1)
+        if before < start or behind < 0 or not _is_one(text[found.end() :], names):
+            continue
+        alone = sum(before < other.start() < behind for other in slashes) == 1
+        is_zero = "0" in {text[start:before].strip(), text[found.end() : behind].strip()}
+        divides = not is_zero and _has_one_unit(text[start:behind], names)
+        if not divides and (_has_one_unit(text[start : found.start()], names) or (alone and _is_one(text[start:before], names))):
+            pieces.append(text[start : found.start()])
+            start = found.end()
+    return [*pieces, text[start:]]
+
+
+def _has_one_unit(text: str, names: Names) -> bool:
+    """Return whether a text can be read as an equation whose terms all have one unit."""
+    read = read_as_one(text.rstrip(" :<"), names)
+    if isinstance(read, Fault):
+        return False
+    units = measures(names.expected.variant)
+    try:
+        Measurer(units, frozenset(units)).measure(read.tree)  # beside any name a number is a plain one
+    except Clash:
+        return False
+    return True

@@ -10,7 +10,8 @@ import math
 import re
 from fractions import Fraction
 
-from coursework.grading.reading.equations.notation.signs import depths
+from coursework.grading.reading.equations.notation.signs import closing
+from coursework.variant.formula.made import summed
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, mapped, number
 from coursework.variant.record.variant import Variant
 
@@ -38,8 +39,8 @@ def with_factors(text: str) -> str:
     while found := _OF_DEGREES.search(text):
         begun = found.end() + len(text[found.end() :]) - len(text[found.end() :].lstrip())
         word = re.match(r"\w+", text[begun:])
-        inside = depths(text[begun:])
-        end = begun + (word.end() if word else inside.index(0) + 1 if 0 in inside else len(text) - begun)
+        shut = closing(text, begun)
+        end = begun + word.end() if word else shut + 1 if shut > begun else len(text)
         text = f"{text[: found.start()]}{found[1]}((pi/180)*{text[begun:end]}){text[end:]}"
     return text
 
@@ -74,11 +75,5 @@ def _in_radians(argument: Formula, angles: set[str]) -> Formula | None:
     is_sum = abs(together - rest - _DEGREE * sum((1.0 + k) * slope for k, slope in enumerate(slopes.values()))) <= _SAME * _DEGREE
     if not is_sum or any(abs(abs(slope) - 1) > _SAME for slope in slopes.values()):
         return None
-    sum_: Formula | None = number(Fraction(round(rest, 9)).limit_denominator(10**9)) if abs(rest) > _SAME * _DEGREE else None
-    for name, slope in slopes.items():
-        term = found[name]
-        if sum_ is None:
-            sum_ = term if slope > 0 else Formula("neg", (term,))
-        else:
-            sum_ = Formula("+" if slope > 0 else "-", (sum_, term))
-    return sum_
+    of_number = [(number(Fraction(round(rest, 9)).limit_denominator(10**9)), 1)] if abs(rest) > _SAME * _DEGREE else []
+    return summed([*of_number, *((found[name], 1 if slope > 0 else -1) for name, slope in slopes.items())])

@@ -1,6 +1,6 @@
 """A determinant of two or three rows -> the sum of products that it is.
 
-Enters: its rows.  Leaves: text.  Used by `latex.py` and, for the determinants of programs, by `determinants.py`.
+Enters: its rows.  Leaves: text.  Used by `latex.py` and, for the determinants of programs, by `matrices.py`.
 """
 
 from __future__ import annotations

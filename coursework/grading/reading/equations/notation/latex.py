@@ -9,7 +9,7 @@ Used by `text_lines.py` (what is one line), `plain_text.py` (what stands in it) 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from coursework.grading.reading.equations.notation.determinants import determinant
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
@@ -61,8 +61,10 @@ _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi
                            "\\Leftrightarrow", "\\iff", "\\therefore", "\\leadsto"), ARROW)}  # fmt: skip
 # A derivative of the packages physics, derivative and diffcoeff: \dv{\varphi_3}{t}, \dv[1]{t}\varphi_3.
 _DERIVATIVE = re.compile(r"\\(?:o?dv|pdv|derivative|diff)(?![A-Za-z])\*?\s*(?:\[1\])?(?=\s*\{)")
+_FRACTION = re.compile(r"\\(?:[dtcs]|nice)?frac")
+_DOT = re.compile(r"\\dot\s*(?:\{\s*(\w)([^{}]*)\}|(\w))")
 _DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
-_MOST = 200  # fractions and dots in one line, environments in a text
+_MOST = 200  # fractions in one line, environments in a text
 
 _ASCIIDOC = re.compile(r"\b(?:latexmath|asciimath|stem):\[(.*)\]")
 
@@ -143,18 +145,13 @@ def without_latex(text: str) -> str:
     text = _OF_ONE_LETTER.sub(
         r" \1 ", _COLOUR.sub(lambda found: "\\boxed" if found[1] else "", _EMPTY.sub(" ", _UNIT.sub(_unit, text)))
     )
-    text = _DOTTED_GROUP.sub(r"\1", _unbraced(text)) if "brace" in text or "{\\dot" in text else text
+    text = _DOTTED_GROUP.sub(r"\1", _worked_out(_BRACED, _unbraced, text)) if "brace" in text or "{\\dot" in text else text
     text = _PRIME.sub("'", _POWER.sub(r"^\1 ", text))
     text = _SPACE.sub(" ", _DROPPED.sub(" ", _BOXED.sub(r"\1\2", text)))
     text = _UPRIGHT.sub(_upright, text.replace("{,}", ","))
     text = _COMMAND.sub(lambda found: _sign(found[0]), text)
-    text = _derivatives(text)
-    for name in ("frac", "dfrac", "tfrac", "cfrac", "nicefrac", "sfrac"):
-        text = _fractions(text, f"\\{name}")
-    for _ in range(_MOST):
-        dotted = re.sub(r"\\dot\s*(?:\{\s*(\w)([^{}]*)\}|(\w))", lambda m: f" {m[1] or m[3]}\u0307{m[2] or ''}", text, count=1)
-        if dotted == text:
-            break
+    text = _worked_out(_FRACTION, _fraction, _worked_out(_DERIVATIVE, _derivative, text))
+    while (dotted := _DOT.sub(lambda m: f" {m[1] or m[3]}\u0307{m[2] or ''}", text)) != text:
         text = dotted
     return re.sub(r"\\([A-Za-z]+)", r" \1 ", text)
 
@@ -165,15 +162,21 @@ def _unit(found: re.Match[str]) -> str:
     return f" [{'1' if unit.startswith('/') else ''}{unit}]"
 
 
-def _unbraced(text: str) -> str:
-    """Return a text without the braces drawn below or above parts of it, and without the remarks at them."""
+def _worked_out(command: re.Pattern[str], meaning: Callable[[str, int], tuple[str, int]], text: str) -> str:
+    """Return a text with each command as its `meaning`, which is told the place of the arguments and tells where they end."""
     for _ in range(_MOST):
-        if (found := _BRACED.search(text)) is None:
+        if (found := command.search(text)) is None:
             break
-        inner, end = _argument(text, found.end())
-        remark = _REMARK_AT.match(text, end)
-        text = f"{text[: found.start()]}({inner}){text[remark.end() if remark else end :]}"
+        said, end = meaning(text, found.end())
+        text = text[: found.start()] + said + text[end:]
     return text
+
+
+def _unbraced(text: str, place: int) -> tuple[str, int]:
+    """Return what stands in a brace drawn below or above it, without the remark at the brace."""
+    inner, end = _argument(text, place)
+    remark = _REMARK_AT.match(text, end)
+    return f"({inner})", remark.end() if remark else end
 
 
 def _upright(found: re.Match[str]) -> str:
@@ -190,30 +193,19 @@ def _sign(command: str) -> str:
     return f" {sign}" if sign != command[1:] else command
 
 
-def _fractions(text: str, command: str) -> str:
-    for _ in range(_MOST):
-        start = text.find(command)
-        if start < 0:
-            return text
-        above, place = _argument(text, start + len(command))
-        below, end = _argument(text, place)
-        text = f"{text[:start]}(({above})/({below})){text[end:]}"
-    return text
+def _fraction(text: str, place: int) -> tuple[str, int]:
+    above, place = _argument(text, place)
+    below, end = _argument(text, place)
+    return f"(({above})/({below}))", end
 
 
-def _derivatives(text: str) -> str:
-    r"""Return a text with the derivatives of packages as fractions: ((d φ_3)/(d t)) for \dv{φ_3}{t}, ((d)/(d t)) for \dv{t}."""
-    for _ in range(_MOST):
-        if (found := _DERIVATIVE.search(text)) is None:
-            return text
-        above, end = _argument(text, found.end())
-        below = above
-        if text[end:].lstrip().startswith("{"):
-            below, end = _argument(text, end)
-            text = f"{text[: found.start()]}((d {above})/(d {below})){text[end:]}"
-        else:
-            text = f"{text[: found.start()]}((d)/(d {below})){text[end:]}"
-    return text
+def _derivative(text: str, place: int) -> tuple[str, int]:
+    r"""Return a derivative of packages as a fraction: ((d φ_3)/(d t)) for \dv{φ_3}{t}, ((d)/(d t)) for \dv{t}."""
+    above, end = _argument(text, place)
+    if not text[end:].lstrip().startswith("{"):
+        return f"((d)/(d {above}))", end
+    below, end = _argument(text, end)
+    return f"((d {above})/(d {below}))", end
 
 
 def _argument(text: str, place: int) -> tuple[str, int]:

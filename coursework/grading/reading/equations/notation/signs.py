@@ -59,6 +59,16 @@ def depths(text: str) -> list[int]:
     return [*accumulate((sign in "([{") - (sign in ")]}") for sign in text)]
 
 
+def closing(text: str, opening: int, most: int | None = None) -> int:
+    """Return the place of the bracket that closes the one at `opening`, among the `most` next signs; `opening` if there is none.
+
+    >>> closing("a*(b + [c]) - d", 2), closing("(a", 0)
+    (10, 0)
+    """
+    inside = depths(text[opening : opening + most] if most else text[opening:])
+    return opening + inside.index(0) if 0 in inside else opening
+
+
 def relates_two_sides(text: str) -> bool:
     """Return whether a text has a sign or word of equality (an arrow is none)."""
     return _RELATION.search(ARROWS.sub(" ", text)) is not None or _WORDS.search(text) is not None or _of_julia(text) != text

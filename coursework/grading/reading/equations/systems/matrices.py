@@ -10,11 +10,11 @@ import re
 from collections.abc import Sequence
 from itertools import islice
 
+from coursework.grading.reading.equations.notation.determinants import determinant
 from coursework.grading.reading.equations.notation.latex import matrices_in_one_piece
-from coursework.grading.reading.equations.notation.signs import depths
-from coursework.grading.reading.equations.systems.determinants import with_determinants
+from coursework.grading.reading.equations.notation.signs import closing
 from coursework.grading.reading.equations.systems.of_r import in_brackets
-from coursework.grading.reading.equations.systems.parts import at_commas, product, vector
+from coursework.grading.reading.equations.systems.parts import at_commas, product, rows_of, vector
 
 _TYPE = r"(?:(?:static|const|double|float|real|auto|let|var)[ \t]+)*"
 _DEFINED = re.compile(
@@ -78,7 +78,9 @@ _DIVIDED = re.compile(r"(?m)(?<==)[ \t]*(\[[^=\n]{1,2000}\])[ \t]*\\[ \t]*(\[[^=
 _BRACKETED = re.compile(r"\s*(?:[\w.]{1,20}\s*\()?\s*(\[.*\])\s*\)?\s*", re.DOTALL)
 _SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
 _OF_CALL = ("matrix_of_call", "sides_of_call")
-_MOST, _LONGEST, _MOST_CHARACTERS = 20, 4000, 200_000
+_DETERMINANT = re.compile(r"(?:(?<![\w.])(?:[A-Za-z]{1,13}(?:\.|:-)){1,2}|(?<![\w.]))(?:[dD]et|[dD]eterminant)\s*(?=[(\[])")
+_WRAPPED = re.compile(r"\s*[\w.]{0,20}\s*\(?\s*(\[.*\])\s*\)?\s*", re.DOTALL)
+_MOST, _LONGEST, _LONGEST_DETERMINANT, _MOST_CHARACTERS = 20, 4000, 2000, 200_000
 
 
 def in_rows(text: str, sought: Sequence[str] = ()) -> str:
@@ -89,7 +91,7 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     """
     if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind", "{{")):
         return text
-    text = _without_braces(in_brackets(_as_lists(with_determinants(text))))
+    text = _without_braces(in_brackets(_as_lists(_with_determinants(text))))
     text = _named_apart(_elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text))))
     whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
     named = {name: (begin, end, content) for name, begin, end, content in _matrices(whole)}
@@ -118,13 +120,33 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     return whole
 
 
+def _with_determinants(text: str) -> str:
+    """Return a text with its determinants as sums.
+
+    >>> _with_determinants("w1 = det([a, b; c, d])/np.linalg.det(np.array([[e, f], [g, h]]))")
+    'w1 = ((a)*(d) - (b)*(c))/((e)*(h) - (f)*(g))'
+    """
+    start = 0
+    for _ in range(_MOST):
+        if (found := _DETERMINANT.search(text, start)) is None:
+            break
+        end = closing(text, found.end(), _LONGEST_DETERMINANT)
+        inner = text[found.end() + 1 : end]
+        wrapped = _WRAPPED.fullmatch(inner.translate(_BRACES) if inner.lstrip().startswith("{") else inner)
+        said = determinant(rows_of(wrapped[1][1:-1])) if wrapped else ""
+        start = found.end()
+        if said:
+            text = text[: found.start()] + said + "\n" * inner.count("\n") + text[end + 1 :]
+            start = found.start() + len(said)
+    return text
+
+
 def _as_lists(text: str) -> str:
     """Return a text with [[a, b], [c, d]] for the matrices of Mathematica, {{a, b}, {c, d}}, and of Maxima, matrix([a, b], …)."""
     named = "{{" in text
     for begun in reversed([*islice(_LISTS.finditer(text), _MOST)]):
-        inside = depths(text[begun.end() : begun.end() + _LONGEST])
-        if 0 in inside and (named or begun[2]):
-            end = begun.end() + inside.index(0) + 1
+        end = closing(text, begun.end(), _LONGEST) + 1
+        if end > begun.end() + 1 and (named or begun[2]):
             content = text[begun.end() : end]
             content = f"[{content[1:-1]}]" if begun[2] else content.translate(_ROUND).translate(_BRACES)
             text = f"{text[: begun.start()]}{begun[1]} = {content}{text[end:]}"
@@ -135,8 +157,7 @@ def _without_braces(text: str) -> str:
     """Return a text with the arrays of C in brackets: A = [[a, b], [c, d]]"""
     arrays = [*islice(_IN_BRACES.finditer(text), _MOST)]
     for found in reversed(arrays) if any(one[2].count("[") > 1 for one in arrays) else ():
-        inside = depths(text[found.end() : found.end() + _LONGEST])
-        end = found.end() + inside.index(0) + 1 if 0 in inside else found.end()
+        end = closing(text, found.end(), _LONGEST) + 1
         text = f"{text[: found.start()]}{found[1]} = {text[found.end() : end].translate(_BRACES)}{text[end:]}"
     return text
 
@@ -166,8 +187,7 @@ def _names_of_call(text: str, place: int) -> str:
 def _named_apart(text: str) -> str:
     """Return a text in which matrix and right side of a system that is solved in one line have names, defined at the end."""
     for begun in _CALLED.finditer(text):
-        inside = depths(text[begun.end() - 1 : begun.end() - 1 + _LONGEST])
-        end = begun.end() - 1 + inside.index(0) if 0 in inside else begun.end()
+        end = closing(text, begun.end() - 1, _LONGEST)
         parts = [_BRACKETED.fullmatch(part) for part in at_commas(text[begun.end() : end])]
         if len(parts) == 2 and parts[0] and parts[1] and re.search(r"[;\[]", parts[0][1][1:]):
             matrix, sides = parts[0][1], parts[1][1]
@@ -215,10 +235,7 @@ def _matrices(text: str) -> list[tuple[str, int, int, str]]:
     """Return the matrices of a text: name, start, end and content of each."""
     found = []
     for begun in list(_DEFINED.finditer(text))[:_MOST]:
-        inside = depths(text[begun.end() : begun.end() + _LONGEST])
-        if 0 not in inside:
-            continue
-        end = begun.end() + inside.index(0) + 1
-        closed = end + (text[end : end + 1] == ")") if "(" in begun[0] else end
-        found.append((begun[1], begun.start(), closed, text[begun.end() + 1 : end - 1]))
+        if (end := closing(text, begun.end(), _LONGEST) + 1) > begun.end() + 1:
+            closed = end + (text[end : end + 1] == ")") if "(" in begun[0] else end
+            found.append((begun[1], begun.start(), closed, text[begun.end() + 1 : end - 1]))
     return found

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from coursework.grading.reading.equations.notation.signs import depths
+from coursework.grading.reading.equations.notation.signs import closing
 from coursework.grading.reading.equations.systems.parts import at_commas
 
 _CALL = re.compile(r"\b(matrix|rbind|cbind)\s*\(")
@@ -36,8 +36,7 @@ def in_brackets(text: str) -> str:
     for _ in range(_MOST):
         if (found := _CALL.search(text, place)) is None:
             break
-        inside = depths(text[found.end() - 1 :])
-        end = found.end() + inside.index(0) if 0 in inside else found.end()
+        end = closing(text, found.end() - 1) + 1
         rows = _rows(found[1], at_commas(text[found.end() : end - 1]))
         place = end
         if rows:

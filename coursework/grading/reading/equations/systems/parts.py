@@ -114,7 +114,7 @@ def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
     >>> product("[a, b], [c, d]", ["x", "y"], ["e", "0"]), product("a -b; c d", ["x", "y"], ["e", "0"])[0]
     (['(a)*(x) + (b)*(y) = e', '(c)*(x) + (d)*(y) = 0'], '(a)*(x) + (-b)*(y) = e')
     """
-    for rows in (rows_of(matrix), [[cell for cell in _split(_BLANK, row[0].strip()) if cell] for row in rows_of(matrix)]):
+    for rows in (rows_of(matrix), [[cell for cell in at_signs(_BLANK, row[0].strip()) if cell] for row in rows_of(matrix)]):
         if 0 < len(rows) == len(right) <= _MOST_ROWS and all(len(row) == len(unknowns) for row in rows):
             sums = (" + ".join(f"({cell})*({name})" for cell, name in zip(row, unknowns, strict=True)) for row in rows)
             return [f"{one} = {value}" for one, value in zip(sums, right, strict=True)]
@@ -124,7 +124,7 @@ def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
 def vector(content: str) -> list[str]:
     """Return the cells of a row or column vector; without commas, blanks separate the cells."""
     cells = [cell for row in rows_of(content) for cell in row]
-    return [cell for cell in _split(_BLANK, cells[0]) if cell] if len(cells) == 1 else cells
+    return [cell for cell in at_signs(_BLANK, cells[0]) if cell] if len(cells) == 1 else cells
 
 
 def rows_of(content: str) -> list[list[str]]:
@@ -140,7 +140,7 @@ def rows_of(content: str) -> list[list[str]]:
     return [cells for row in rows if (cells := [one.strip() for one in at_commas(row.strip(" \t[]")) if one.strip()])]
 
 
-def _split(sign: re.Pattern[str], text: str) -> list[str]:
+def at_signs(sign: re.Pattern[str], text: str) -> list[str]:
     """Split a text at the matches of `sign` that are not inside brackets."""
     inside, start, pieces = depths(text), 0, list[str]()
     for found in sign.finditer(text):
@@ -166,7 +166,7 @@ def _listed(line: str) -> list[str]:
 
 def at_commas(row: str) -> list[str]:
     """Split a row at the commas that are not inside brackets."""
-    return _split(_COMMA, row)
+    return at_signs(_COMMA, row)
 
 
 def of_row(line: str) -> str:

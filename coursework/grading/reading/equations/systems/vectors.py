@@ -12,7 +12,8 @@ from collections.abc import Sequence
 from itertools import islice
 
 from coursework.grading.reading.equations.names_in_text import Spellings
-from coursework.grading.reading.equations.notation.signs import depths
+from coursework.grading.reading.equations.notation.signs import closing
+from coursework.grading.reading.equations.systems.parts import at_signs
 from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.record.variant import Variant
 
@@ -40,7 +41,8 @@ _SINES = re.compile(
 )
 _SAME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?::?=|<-)\s*\1\s*(?=[;,}\n#%]|//|$)")  # phi1 = phi1
 _DERIVATIVE = re.compile(r"d[a-z]\w*|\w+_?dot|(?:w|v|om|omega|ω)", re.IGNORECASE)
-_MOST_CHARACTERS, _MOST_SINES = 200_000, 20
+_BETWEEN = re.compile("[,;]")
+_MOST_CHARACTERS, _MOST_SINES, _LONGEST = 200_000, 20, 4000
 
 
 def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str:
@@ -171,18 +173,11 @@ def _returned(text: str, rates: Sequence[str]) -> str:
     """Return a text with a returned list, [w1, (…)/(…)], written as equations, if it has some rates in their places."""
     for found in _RETURNED.finditer(text):
         begun = found.end()
-        inside = depths(text[begun : begun + 4000])
-        if 0 not in inside:
-            continue
-        end = begun + inside.index(0)
-        cells, start = list[str](), begun + 1
-        for place in range(begun + 1, end + 1):
-            if (text[place] in ",;" and inside[place - begun] == 1) or place == end:
-                cells.append(" ".join(text[start:place].split()))
-                start = place + 1
+        end = closing(text, begun, _LONGEST)
+        cells = [" ".join(cell.split()) for cell in at_signs(_BETWEEN, text[begun + 1 : end])]
         pairs = [*zip(rates, cells, strict=False)]
-        if any(map(_ENTRY.fullmatch, cells)):
-            continue  # an entry of a vector without names
+        if end == begun or any(map(_ENTRY.fullmatch, cells)):
+            continue  # a list without an end, or an entry of a vector without names
         if len(cells) == len(rates) and 0 < sum(rate == cell for rate, cell in pairs) < len(rates):
             equations = "; ".join(f"{rate} = {cell}" for rate, cell in pairs if rate != cell)
             return text[: found.start()] + equations + "\n" * text.count("\n", begun, end) + text[end + 1 :].lstrip(")")
