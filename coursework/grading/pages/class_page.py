@@ -9,7 +9,7 @@ import statistics
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
-from coursework.grading.marking.reasons.misconception import misconception_sentence
+from coursework.grading.marking.reasons.reason import misconception_sentence
 from coursework.grading.marking.rubric import PARTS
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.feedback import shown_points

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from coursework.grading.reading.documents.document import FORMATTED, Document
-from coursework.grading.reading.documents.formulas.in_pages import with_formulas
+from coursework.grading.reading.documents.page import with_formulas
 from coursework.grading.reading.documents.read_document import (
     document_of_archive,
     document_of_bytes,
@@ -43,9 +43,8 @@ from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, other_
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, FileEntry, StudentWork, Table, Trouble
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
 from coursework.grading.reading.table.parts import Part, joined
-from coursework.grading.reading.table.same_table import alike
 from coursework.grading.reading.table.table import read_parts
-from coursework.grading.reading.table.tables_of_file import is_spreadsheet, read_spreadsheet, table_of_text
+from coursework.grading.reading.table.tables_of_file import alike, is_spreadsheet, read_spreadsheet, table_of_text
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 

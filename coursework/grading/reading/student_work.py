@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any, Literal
 
 from coursework.grading.reading.submission import Note
@@ -158,6 +158,10 @@ class EquationLine:
         """Return left - right; the line must have been read."""
         assert self.tree is not None
         return self.tree
+
+    def read_as(self, reading: EquationReading, **changes: Any) -> EquationLine:
+        """Return the line in another of its readings, with further changes."""
+        return replace(self, **{"tree": reading.tree, "repaired": reading.text, "guessed": reading.guessed, **changes})
 
     @property
     def where(self) -> Sentence:

@@ -14,7 +14,7 @@ from coursework.grading.batch.work import Setup, Task, VariantSource, failed
 from coursework.grading.batch.workshop import Workshop
 from coursework.grading.marking.key.key import tables_of
 from coursework.grading.marking.late import LATE
-from coursework.grading.marking.reasons.misconception import misconception_sentence
+from coursework.grading.marking.reasons.reason import misconception_sentence
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.class_page import class_page

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from coursework.grading.reading.table.same_table import alike
+from coursework.grading.reading.table.tables_of_file import alike
 
 
 @dataclass

@@ -16,16 +16,13 @@ from typing import Any, Literal
 import numpy as np
 
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
-from coursework.grading.marking.equations.dashes import as_lists_or_minus
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, unlikeliness
 from coursework.grading.marking.equations.lacks import lack_of, law_of
-from coursework.grading.marking.equations.linear import Linear, differing, linear, rank, says_more
+from coursework.grading.marking.equations.linear import Linear, differing, is_one_slip, linear, rank, says_more
+from coursework.grading.marking.equations.meant_together import as_lists_or_minus, as_others_of_their_kind
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
+from coursework.grading.marking.equations.other_forms import with_other_sign, without_ratios
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
-from coursework.grading.marking.equations.ratios import without_ratios
-from coursework.grading.marking.equations.series import as_others_of_their_kind
-from coursework.grading.marking.equations.solved import is_one_slip
-from coursework.grading.marking.equations.turned import with_other_sign
 from coursework.grading.marking.key.key import Key
 from coursework.grading.reading.student_work import EquationLine
 from coursework.grading.reading.submission import Note, note
@@ -224,7 +221,7 @@ class Judge:
         if line.others and (line.tree is None or not self._tells(line.tree)):
             for other in line.others:
                 if self._tells(other.tree):
-                    line = replace(line, tree=other.tree, repaired=other.text, others=(), guessed=True)
+                    line = line.read_as(other, others=(), guessed=True)
                     break
         if line.tree is None:
             column = (line.fault.column if line.fault else 0) or 1  # a fault of a whole file or key has no column
@@ -232,8 +229,7 @@ class Judge:
             return EquationMark(line, "unreadable", Hint("reader", column, message, fault=line.fault))
         verdict = self._verdict(line.tree)
         if verdict == "wrong":
-            others = (replace(line, tree=one.tree, repaired=one.text, guessed=one.guessed) for one in line.others)
-            told = ((one, slip) for one in (line, *others) if (slip := self._slip(one.difference, one)))
+            told = ((one, slip) for one in (line, *map(line.read_as, line.others)) if (slip := self._slip(one.difference, one)))
             return EquationMark(*next(((one, verdict, slip) for one, slip in told), (line, verdict, None)))
         repaired = Hint("repaired", 1, line.repaired) if line.repaired else None
         return EquationMark(line, verdict, repaired)

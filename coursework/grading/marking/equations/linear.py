@@ -1,6 +1,7 @@
 """A line as A·u + b at the points of a probe: what it says about the velocities u, and how far from true it is.
 
-Enters: `left - right` as a tree, a `Probe`.  Leaves: `Linear`.  Used by `equations.py`.
+Enters: `left - right` as a tree, a `Probe`.  Leaves: `Linear`; whether two wrong lines come from one slip.
+Used by `equations.py`.
 A residual is compared with the terms after they are collected: 1.001·ω - ω is 0.001·ω, and that is all wrong, while
 ω + 10⁶ - 10⁶ is ω.
 """
@@ -17,6 +18,7 @@ from coursework.grading.marking.equations.numbers import NoValue, real, size_of,
 from coursework.grading.marking.equations.probe import Probe
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Variant
 
 AFFINE = 1e-9
 # Collected terms smaller than this part of the terms as written are round-off: the line says nothing about the velocities.
@@ -24,6 +26,7 @@ NOTHING = 1e-12
 # Rounding errors of terms may be larger by up to this factor in their sum; lines that differ by less count as the same line.
 NEAR = 5.0
 RANK = 1e-8
+_HOLDS = 1e-6  # residual up to which an equation holds, relative to the sum of the absolute values of its terms
 
 
 @dataclass(frozen=True)
@@ -136,3 +139,31 @@ def says_more(line: Linear, than: Sequence[Linear], limit: float) -> bool:
         kept = np.where(values[..., None] > RANK, rows, 0.0)
         own = own - np.einsum("ni,nji,njk->nk", own, kept, kept)
     return float(np.median(np.linalg.norm(own, axis=1))) > NEAR * limit
+
+
+def is_one_slip(wrong: Sequence[Formula], counted: Sequence[Formula], variant: Variant, probe: Probe) -> bool:
+    """Return whether wrong lines, each solved for a velocity, and the lines that count fulfil all equations of the task but one.
+
+    Lines that are not solved do not qualify: they may be guesses at one equation, and then each wrong one is a fault.
+    """
+    needed = len(variant.sought)
+    if len({side.name for tree in wrong for side in tree.args if side.op == "name" and side.name in variant.sought}) < len(wrong):
+        return False
+    try:
+        lines = [linear(tree, probe) for tree in wrong]
+        for tree in counted:
+            more = [*lines, linear(tree, probe)]
+            lines = more if rank(more) == len(more) else lines
+        task = [linear(one.difference, probe) for one in variant.constraints]
+    except NoValue:
+        return False
+    if len(lines) != needed or len(task) != needed or not all(line.is_affine for line in lines) or rank(lines) < needed:
+        return False
+    slopes, rest = np.stack([line.slopes for line in lines], axis=1), np.stack([line.rest for line in lines], axis=1)
+    velocities = np.asarray(np.linalg.solve(slopes, -rest[..., None])[..., 0], dtype=np.float64)
+    return sum(_holds(line, velocities) for line in task) == needed - 1
+
+
+def _holds(line: Linear, velocities: Array) -> bool:
+    terms = np.column_stack([line.slopes * velocities, line.rest])
+    return bool(np.all(np.abs(terms.sum(axis=1)) <= _HOLDS * np.abs(terms).sum(axis=1)))

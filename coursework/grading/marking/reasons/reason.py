@@ -1,6 +1,7 @@
-"""One sentence on why a grade is what it is.
+"""One sentence on why a grade is what it is, or on what the code of a misconception means.
 
-Enters: nothing.  Leaves: `Reason`, the numbers as sentences say them.  Used by `reasons.py`, `table.py`, `equations.py`.
+Enters: a code.  Leaves: `Reason`, a sentence, the numbers as sentences say them.
+Used by `reasons.py`, `table.py`, `equations.py` and the class page.
 """
 
 from __future__ import annotations
@@ -10,10 +11,15 @@ from typing import Literal
 
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
+from coursework.words.sentences import load_phrases, say
+from coursework.words.templates import clean
 
 # Kinds of sentences: why there is no number, what a person decided, what was found, how the points are summed up.
 Kind = Literal["state", "decided", "first", "cause", "finding", "note", "rule"]
 LONGEST = 300  # characters of a text that came from a student
+# Codes that begin with one of these end in the name of a datum, velocity, column …
+_NAMED = ("rounded_omega", "confusion", "equation", "variant", "origin", "start", "datum", "swap", "sign", "row_above")
+_WHOLE = ("sign_drive",)
 
 
 @frozen
@@ -32,3 +38,26 @@ class Reason:
 def in_sum(value: float) -> float:
     """Return a factor of a sum with enough digits that a student who works it out gets the points to two decimals."""
     return float(f"{value:.5g}")
+
+
+def misconception_sentence(code: str, *, for_student: bool = False) -> Sentence | str:
+    """Return what a code means, with the name it carries (datum, velocity, variant) filled in.
+
+    With `for_student`, the sentence does not say whose variant the table belongs to; only the teacher is told that.
+    """
+    for stem in _NAMED:
+        if code.startswith(f"{stem}_") and code not in _WHOLE:
+            if stem == "variant" and for_student:
+                return say("feedback.misconception.other_variant")
+            name = code.removeprefix(f"{stem}_")
+            name = clean(", ".join(_two_names(name)) if stem == "swap" else name, LONGEST)
+            return say(f"feedback.misconception.{stem}", name=name)
+    key = f"feedback.misconception.{code}"
+    return say(key) if load_phrases().has(key) else code
+
+
+def _two_names(both: str) -> tuple[str, str]:
+    """Return the two names joined in a code such as r1_r2 or l_1_l_2."""
+    parts = both.split("_")
+    middle = (len(parts) + 1) // 2
+    return "_".join(parts[:middle]), "_".join(parts[middle:])

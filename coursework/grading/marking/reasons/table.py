@@ -9,8 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.reasons.misconception import misconception_sentence
-from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum
+from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum, misconception_sentence
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP

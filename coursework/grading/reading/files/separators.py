@@ -14,9 +14,8 @@ from collections.abc import Iterator
 from io import StringIO
 from itertools import pairwise
 
-from coursework.grading.reading.files.cell_by_cell import rows_of_lines, rows_of_typst
 from coursework.grading.reading.files.cells import BlankRows
-from coursework.grading.reading.files.printed import in_whole_lines, listed_rows, named_rows
+from coursework.grading.reading.files.printed import in_whole_lines, listed_rows, named_rows, rows_of_lines, rows_of_typst
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, unreadable
 from coursework.grading.reading.numbers import looks_numeric, marks, plain_text
 from coursework.system.frozen import frozen

@@ -1,4 +1,4 @@
-"""One file -> the table in it, whatever program wrote the file.
+"""One file -> the table in it, whatever program wrote the file; and whether two tables agree.
 
 Enters: the name of a file, an `Archive` or a decoded text, the `Grid`.  Leaves: `Part`s, `Table`.  Raises `Refused`.
 Used by `read_submission.py` and `read_document.py`.
@@ -6,6 +6,7 @@ Used by `read_submission.py` and `read_document.py`.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -17,7 +18,8 @@ from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.files.separators import split
 from coursework.grading.reading.limits import Refused, bounds, unreadable
-from coursework.grading.reading.student_work import Table
+from coursework.grading.reading.numbers import ROUNDED
+from coursework.grading.reading.student_work import Table, TableColumn
 from coursework.grading.reading.submission import note
 from coursework.grading.reading.table.parts import Origin, Part, parts_of
 from coursework.grading.reading.table.table import read_parts, weight
@@ -95,3 +97,18 @@ def parts_of_text(decoded: Decoded, name: str, grid: Grid, place: Sentence | Non
     sheet = Sheet(None, tuple(tuple(map(Cell, row)) for row in rows))
     notes = (note("encoding"),) if decoded.had_nuls else ()
     return parts_of(sheet, Origin(name, decoded.encoding, found.separator, notes, place), grid)
+
+
+def alike(first: Table, second: Table) -> bool:
+    """Return whether two tables agree; if one is from a report, which may round to other digits, up to the rounding."""
+    digits = ROUNDED if first.place or second.place else 0.0
+    both = [(column, other) for column in first.columns if (other := second.column(column.name))]
+    return len(both) == len(first.columns) == len(second.columns) and all(_same(*pair, digits) for pair in both)
+
+
+def _same(column: TableColumn, other: TableColumn, digits: float) -> bool:
+    return all(
+        math.isfinite(value) is math.isfinite(same)
+        and (not math.isfinite(value) or abs(value - same) <= digits * (unit + other_unit))
+        for value, unit, same, other_unit in zip(column.values, column.last_place, other.values, other.last_place, strict=True)
+    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.grading.marking.equations.ratios import multiplied_out
+from coursework.grading.marking.equations.other_forms import multiplied_out
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import spelled
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from coursework.grading.reading.documents.document import place_of
-from coursework.grading.reading.documents.formulas.in_pages import with_formulas
-from coursework.grading.reading.documents.page import document_of_latex, document_of_page
+from coursework.grading.reading.documents.page import document_of_latex, document_of_page, with_formulas
 from coursework.grading.reading.files.kinds import is_html
 from coursework.grading.reading.numbers import plain_text
 

@@ -1,6 +1,7 @@
-"""Lines that begin with a dash: it is the mark of a list in all of them, or a minus in all of them.
+"""Lines that are meant alike: a dash before all is the mark of a list or a minus; F(1) = …, F(2) = … are all residuals, or none.
 
-Enters: lines, each with its possible readings.  Leaves: the lines as they may be meant together.  Used by `equations.py`.
+Enters: lines, each with its possible readings, or their marks.  Leaves: the lines as they may be meant together.
+Used by `equations.py`.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from typing import Protocol
 
 from coursework.grading.reading.equations.line_kinds import dash_apart
 from coursework.grading.reading.student_work import EquationLine, EquationReading
@@ -17,6 +19,7 @@ from coursework.words.sentences import say
 _BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—−]"
 _DASHED, _CLOSELY = re.compile(rf"{_BEGINS}\s)"), re.compile(rf"{_BEGINS})")  # the second without a blank behind the dash
 _SIGNS = re.compile(r"[\s\-–—−(]*")
+_STEM = re.compile(r"\s*([^\d=]{1,20})\d{1,2}\s*+[)\]]?\s*+(?:\([\w\s,]*\))?\s*(?::?=|<-)")
 
 
 def as_lists_or_minus(
@@ -66,10 +69,43 @@ def _meant(line: EquationLine, is_minus: bool, dash: re.Pattern[str]) -> Equatio
     ]
     if not kept:
         return line
-    return replace(line, tree=kept[0].tree, repaired=kept[0].text, guessed=kept[0].guessed, others=tuple(kept[1:]))
+    return line.read_as(kept[0], others=tuple(kept[1:]))
 
 
 def _signs(text: str) -> int:
     """Return how many minus signs a formula begins with."""
     begun = _SIGNS.match(text)
     return sum(sign in "-–—−" for sign in begun[0]) if begun else 0
+
+
+class Marked(Protocol):
+    """A line with its verdict."""
+
+    @property
+    def line(self) -> EquationLine: ...
+
+    @property
+    def verdict(self) -> str: ...
+
+
+def as_others_of_their_kind(
+    lines: Sequence[EquationLine], marks: Sequence[Marked], right: Sequence[str]
+) -> Iterator[EquationLine]:
+    """Yield each line; one that is not right is read as "… = 0" if lines of its series are `right` in that reading."""
+    vanishing = {
+        stem
+        for line, mark in zip(lines, marks, strict=True)
+        if (stem := _stem(line)) and mark.verdict in right and mark.line.guessed and _vanishes(mark.line.repaired)
+    }
+    for line, mark in zip(lines, marks, strict=True):
+        meant = [other for other in line.others if _vanishes(other.text) and _stem(line) in vanishing]
+        yield line.read_as(meant[0], others=(), fault=None, guessed=True) if meant and mark.verdict not in right else line
+
+
+def _stem(line: EquationLine) -> str:
+    found = _STEM.match(line.text)
+    return found[1].strip() if found else ""
+
+
+def _vanishes(text: str) -> bool:
+    return text.endswith("= 0")

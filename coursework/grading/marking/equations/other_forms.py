@@ -1,6 +1,6 @@
-"""A line with velocities in a denominator, as in the ratio w4/w3 = 2*(…) -> the line multiplied by the denominators.
+"""A line in another form: without velocities in a denominator, as in w4/w3 = 2*(…), or with the sign of some velocities turned.
 
-Enters: a line, the names of the sought velocities.  Leaves: the line so changed.  Used by `equations.py`.
+Enters: a line, names of velocities.  Leaves: the line so changed.  Used by `equations.py`.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from itertools import islice
 
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.reader import MAX_NODES
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, with_names
 
 _MOST = 4  # different denominators with velocities in a line
 
@@ -68,3 +68,12 @@ def _together(first: list[Formula], second: list[Formula]) -> list[Formula]:
 
 def _times(first: Formula, second: Formula) -> Formula:
     return Formula("*", (first, second))
+
+
+def with_other_sign(line: EquationLine, names: Collection[str]) -> EquationLine:
+    """Return a line in which each of the names is replaced by its negative; its text does not change."""
+
+    def turned(name: Formula) -> Formula:
+        return Formula("neg", (name,), column=name.column) if name.name in names else name
+
+    return replace(line, tree=with_names(line.difference, turned), others=())
