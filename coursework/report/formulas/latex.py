@@ -9,13 +9,10 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from coursework.report.text.symbols import GREEK
+
 _TOKEN = re.compile(r'"[^"]*"|[^\W\d_]+(?:\.[^\W\d_]+)*|\d+(?:\.\d+)?|\s+|.', re.DOTALL)
-_GREEK = {
-    "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "varepsilon", "ζ": "zeta", "η": "eta", "θ": "theta",
-    "ι": "iota", "κ": "kappa", "λ": "lambda", "μ": "mu", "ν": "nu", "ξ": "xi", "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau",
-    "υ": "upsilon", "φ": "varphi", "χ": "chi", "ψ": "psi", "ω": "omega", "Γ": "Gamma", "Δ": "Delta", "Θ": "Theta",
-    "Λ": "Lambda", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma", "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega",
-}  # fmt: skip
+_GREEK = {letter: word for word, letter in GREEK.items()} | {"ε": "varepsilon", "φ": "varphi", "ι": "iota", "υ": "upsilon"}
 # Words of Typst -> LaTeX; those in `_CALLS` have a gap (%s) for each argument.
 _WORDS = {
     "dot": r"\cdot", "angle": r"\angle", "partial": r"\partial", "degree": r"^\circ", "slash": "/", "quad": r"\quad",

@@ -13,13 +13,9 @@ from functools import lru_cache
 
 from coursework.drawing.paper.symbols import LOWERED
 from coursework.system.frozen import frozen
+from coursework.variant.formula.alphabet import LETTERS
 
-GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eps": "ε", "zeta": "ζ", "eta": "η",
-    "theta": "θ", "kappa": "κ", "lambda": "λ", "lam": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ",
-    "sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "w": "ω", "Delta": "Δ", "Phi": "Φ", "Psi": "Ψ",
-    "Omega": "Ω", "Theta": "Θ", "Gamma": "Γ", "Sigma": "Σ", "Lambda": "Λ", "Lam": "Λ", "Xi": "Ξ", "Pi": "Π",
-}  # fmt: skip
+GREEK = {**LETTERS, "epsilon": "ε", "lambda": "λ", "omega": "ω", "Lambda": "Λ"}
 _NAME = re.compile(r"\w+(\.\w+)?")
 _GREEK_HEAD = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))})(?=$|[\dA-Z_])_?(\w*)")
 # "phij", "wb", "wpsi": the angle of side j, the angular velocity of b, that of psi.  Names that begin words are left out.

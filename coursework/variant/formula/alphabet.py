@@ -18,7 +18,7 @@ _GREEK = {
     "φ": "phi", "ϕ": "phi", "χ": "chi", "ψ": "psi", "ω": "w", "Δ": "Delta", "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega",
     "Θ": "Theta", "Γ": "Gamma", "κ": "kappa", "ϵ": "eps", "ϱ": "rho", "µ": "mu", "Λ": "Lam", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma",
 }  # fmt: skip
-_LETTERS = {word: letter for letter, word in reversed(_GREEK.items())}
+LETTERS = {word: letter for letter, word in reversed(_GREEK.items())}
 # Letters typed on a keyboard with another alphabet that look exactly like Latin ones.
 LOOK_ALIKE = dict(zip("асеорхуіјѕАВЕКМНОРСТХІЅοιυΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "aceopxyijsABEKMHOPCTXISoiuABEZHIKMNOPTYX", strict=True))
 # Letters of a word in two alphabets, by their look or by their sound.
@@ -46,7 +46,7 @@ def spell_path(path: Iterable[str | int]) -> tuple[str | int, ...]:
 
 def greek(word: str) -> str:
     """Return the Greek letter that a word spells ("phi": φ); any other word unchanged."""
-    return _LETTERS.get(word, word)
+    return LETTERS.get(word, word)
 
 
 def in_one_alphabet(word: str) -> tuple[str, ...]:

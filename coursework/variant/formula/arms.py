@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from coursework.system.frozen import frozen
-from coursework.variant.formula.made import part_of_pi, product_of, summed
+from coursework.variant.formula.made import part_of_pi, quotient_of, summed
 from coursework.variant.formula.tree import Formula, factors, mapped, named, number, on_axes, signed
 
 _Term = tuple[Formula, int]  # with its sign
@@ -68,7 +68,7 @@ def _factored(tree: Formula) -> Formula:
         return mapped(tree, with_arms)
     own, angle = vectors[0].args
     scales = [one for one in parts if one[0].op not in {"pair", "@"}]
-    return Formula("@", (_product((*scales, *((own, 1) for _ in range(own != number(1))))), angle), column=tree.column)
+    return Formula("@", (quotient_of((*scales, *((own, 1) for _ in range(own != number(1))))), angle), column=tree.column)
 
 
 def _shared(one: _Term, axis: str) -> object:
@@ -106,7 +106,7 @@ def _vector(across: _Term, beside: _Term) -> _Term:
         sense, axis = -along * up, [(part_of_pi(Fraction(1, 2)), up)]
     turned = [(term, sign * sense) for term, sign in signed(first.angle)]
     angle = summed([*turned, *axis] if turned[0][1] > 0 else [*axis, *turned])
-    return Formula("@", (_product(first.length), angle), column=x.column), 1
+    return Formula("@", (quotient_of(first.length), angle), column=x.column), 1
 
 
 def _side(term: Formula) -> _Side | None:
@@ -117,9 +117,3 @@ def _side(term: Formula) -> _Side | None:
         return None
     (part,) = turning
     return _Side(part.name, part.args[0], tuple(one for one in parts if one[0] is not part))
-
-
-def _product(parts: tuple[_Term, ...]) -> Formula:
-    above = product_of([part for part, power in parts if power > 0])
-    below = [part for part, power in parts if power < 0]
-    return Formula("/", (above, product_of(below))) if below else above

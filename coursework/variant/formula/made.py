@@ -35,6 +35,13 @@ def product_of(parts: Sequence[Formula]) -> Formula:
     return reduce(lambda first, second: Formula("*", (first, second)), parts) if parts else number(1)
 
 
+def quotient_of(parts: Iterable[tuple[Formula, int]]) -> Formula:
+    """Return the product of factors with their powers, 1 or -1."""
+    parts = [*parts]
+    above, below = (product_of([part for part, power in parts if power == side]) for side in (1, -1))
+    return above if constant(below) == 1 else Formula("/", (above, below))
+
+
 def part_of_pi(part: Fraction) -> Formula:
     """Return pi, 3*pi/2 … for a nonnegative multiple of pi.
 

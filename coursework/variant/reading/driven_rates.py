@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from coursework.variant.formula.made import product_of, summed
+from coursework.variant.formula.made import quotient_of, summed
 from coursework.variant.formula.tree import Formula, constant, factors, named, signed
 from coursework.variant.reading.parts import ZERO
 from coursework.variant.record.no_value import known_value
@@ -74,17 +74,10 @@ def _solved(rate: str, left: Formula, right: Formula) -> Formula | None:
             return _solved(rate, inner[0], right if sign > 0 else summed([(right, -1)]))
         if inner[0] != named(rate):
             return None
-        slopes.append((_product(others), sign))
+        slopes.append((quotient_of(others), sign))
     slope = summed(slopes)
     return Formula("/", (right, slope)) if constant(slope) != 0 else None
 
 
 def _rounded(value: float | None) -> str:
     return "" if value is None else f"{value:.12g}"
-
-
-def _product(parts: list[tuple[Formula, int]]) -> Formula:
-    """Return the product of factors with their powers, 1 or -1."""
-    above = product_of([part for part, power in parts if power > 0])
-    below = product_of([part for part, power in parts if power < 0])
-    return above if constant(below) == 1 else Formula("/", (above, below))

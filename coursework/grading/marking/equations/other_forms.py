@@ -11,6 +11,7 @@ from functools import reduce
 from itertools import islice
 
 from coursework.grading.reading.student_work import EquationLine
+from coursework.variant.formula.made import product_of
 from coursework.variant.formula.reader import MAX_NODES
 from coursework.variant.formula.tree import Formula, with_names
 
@@ -51,7 +52,7 @@ def _fraction(tree: Formula, below: Collection[Formula]) -> tuple[Formula, list[
     if tree.op == "*":
         return Formula("*", (parts[0][0], parts[1][0]), column=tree.column), [one for _, under in parts for one in under]
     common = reduce(_together, (under for _, under in parts))
-    whole = tuple(reduce(_times, _together(under, common)[len(under) :], part) for part, under in parts)
+    whole = tuple(product_of([part, *_together(under, common)[len(under) :]]) for part, under in parts)
     return Formula(tree.op, whole, column=tree.column), common
 
 
@@ -64,10 +65,6 @@ def _together(first: list[Formula], second: list[Formula]) -> list[Formula]:
         else:
             lacking.append(one)
     return [*first, *lacking]
-
-
-def _times(first: Formula, second: Formula) -> Formula:
-    return Formula("*", (first, second))
 
 
 def with_other_sign(line: EquationLine, names: Collection[str]) -> EquationLine:

@@ -68,21 +68,16 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     if before := names.before:
         for meant in (text, _apart(text, names, before)):
             found += [replace(one, is_loose=True) for one in _readings(meant, before)[0]]
-    for meant in (of_one_component(text, variant), of_products(text, names.spellings)):
+    in_si = of_units(text)
+    for meant in (of_one_component(text, variant), of_products(text, names.spellings), in_si):
+        is_loose = meant is not in_si or any(not one.is_loose for one in found)  # 0.4 m may also be a product with a datum m
         read = _readings(meant, names)[0] if meant != text else []
-        found += [replace(one, text=one.text or meant, is_loose=True) for one in read]
-    if (in_si := of_units(text)) != text:
-        is_loose = any(not reading.is_loose for reading in found)  # 0.4 m may also be a product with a datum m
-        found += [replace(one, text=one.text or in_si, is_loose=is_loose) for one in _readings(in_si, names)[0]]
-    for reading in [*found]:
-        if (turned := with_angles_in_degrees(reading.tree, variant)) is not None:
-            found.append(EquationReading(turned, " = ".join(map(spelled, turned.args)), is_loose=True))
-    firm = [reading for reading in found if not reading.is_loose]
-    for tree in in_smaller_units(firm[0].tree, variant) if firm else ():
-        found.append(EquationReading(tree, " = ".join(map(spelled, tree.args)), is_loose=True))
-    if firm:
-        first = firm[0]
-        others = tuple(reading for reading in found if reading is not first)
+        found += [replace(one, text=one.text or meant, is_loose=is_loose) for one in read]
+    found += [_loosely(tree) for one in found if (tree := with_angles_in_degrees(one.tree, variant)) is not None]
+    first = next((one for one in found if not one.is_loose), None)
+    if first is not None:
+        found += map(_loosely, in_smaller_units(first.tree, variant))
+        others = tuple(one for one in found if one is not first)
         return EquationLine(file, line, text, first.tree, first.text, others=others, guessed=first.guessed)
     assert fault is not None  # without a firm reading, the strict reader refused the line
     others = tuple(found) or _of_any_velocity(without_labels(text), names)
@@ -94,6 +89,11 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and TURNED.search(short) is not None)
     is_prose = not relates and _is_prose(short, names)
     return EquationLine(file, line, short, fault=told, others=others, relates=relates, is_prose=is_prose)
+
+
+def _loosely(tree: Formula) -> EquationReading:
+    """Return the reading of a line that may mean this tree instead, if it is right."""
+    return EquationReading(tree, " = ".join(map(spelled, tree.args)), is_loose=True)
 
 
 def _apart(text: str, names: Names, before: Names) -> str:
@@ -132,8 +132,9 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
     """Return the readings of a line, the most likely first, and the fault of the line as it stands, None if it has none."""
     found: list[EquationReading] = []
     fault: Fault | None = None
-    shortest = names.listed.sub("", without_labels(text)) if names.listed else text
-    for candidate in dict.fromkeys((shortest, without_labels(text), text)):
+    bare = without_labels(text)
+    candidates = dict.fromkeys((names.listed.sub("", bare) if names.listed else text, bare, text))
+    for candidate in candidates:
         strict = _strict(candidate, names)
         if isinstance(strict, Fault):
             fault = replace(strict, column=strict.column + max(text.find(candidate), 0))
@@ -142,8 +143,8 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
     if len(text) > EQUATION_CHARACTERS:
         return found, fault
     named: Fault | None = None
-    written = [plain(one, names.spellings) for one in dict.fromkeys((shortest, without_labels(text), text))]
-    for candidate in dict.fromkeys(bare for one in written for bare in bare_equations(one, names.is_name)):
+    written = [plain(one, names.spellings) for one in candidates]
+    for candidate in dict.fromkeys(one for whole in written for one in bare_equations(whole, names.is_name)):
         for closely in (False,) if found else (False, True):
             sides = sides_of(candidate, names.spellings, closely=closely)
             read = _of_sides(sides, names)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import Names, most_lines, names_for, names_in, names_of, read_line
+from coursework.grading.reading.equations.equations import WORD, Names, most_lines, names_for, names_in, names_of, read_line
 from coursework.grading.reading.equations.legends import with_legend
 from coursework.grading.reading.equations.line_kinds import (
     definition,
@@ -38,7 +38,6 @@ from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.formula.tree import Formula
 
 _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur in equations
-_WORD = re.compile(r"[^\W\d]\w*")
 # Of a table, with nothing but numbers.
 _ROW = re.compile(r"^[-+−]?\d[^;\t ,\n]*+(?:[;\t ]|,[^,\n]*+,)[-+−\d.,eE;\t ]*+$", re.MULTILINE)
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
@@ -68,7 +67,11 @@ class Lines:
 _Kept = Callable[[EquationLine], EquationLine | None]
 
 
-def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None, kept: _Kept | None = None) -> Lines:
+def _as_it_is(line: EquationLine) -> EquationLine:
+    return line
+
+
+def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None, kept: _Kept = _as_it_is) -> Lines:
     """Return the equations and answers in a text; `#` begins a comment, prose without "=" is skipped.
 
     `beside` is the table in the same text, None if it has none.  Its rows are skipped and do not count as lines that were tried.
@@ -99,15 +102,12 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
-        elif beside is None and (
-            _defines(line, own, names, defined) or is_datum(line, names) or is_step(line, names) or is_row(line)
-        ):
-            continue
-        elif beside is None and _is_equation(line, names):
-            read = read_line(line, name, number, with_own)
-            found.equations += [read] if kept is None else [one for one in [kept(read)] if one]
-        elif beside is not None and relates(read := read_line(line, name, number, names), names):
-            found.equations.append(read)
+        elif beside is not None:
+            read = read_line(line, name, number, names)
+            found.equations += [read] if relates(read, names) else []
+        elif not (_defines(line, own, names, defined) or is_datum(line, names) or is_step(line, names) or is_row(line)):
+            one = kept(read_line(line, name, number, with_own)) if _is_equation(line, names) else None
+            found.equations += [one] if one else []
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
     checks = [_is_of_one_row(line, names) for line in found.equations]
@@ -130,7 +130,7 @@ def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, st
     """Yield the lines with a name and "=" that may be equations or answers; skip table rows, which contain `sign`."""
     for number, line in text_lines(_ROW.sub("", text), names):
         bare = line.strip(_EDGES)
-        if relates_two_sides(bare) and not (sign and sign in bare) and _WORD.search(bare):
+        if relates_two_sides(bare) and not (sign and sign in bare) and WORD.search(bare):
             yield number, bare
 
 
@@ -144,14 +144,14 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
     spoken = [plain_signs(line[:EQUATION_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
     # A list that a program only returns, as in return [f1, f2], holds residuals: it is no use of the names.
     spoken = [_GATHERED.sub("", line) for line in spoken]
-    words = Counter(plain_name(word) for line in spoken for word in {*_WORD.findall(line)})
+    words = Counter(plain_name(word) for line in spoken for word in {*WORD.findall(line)})
     names_left = {plain_name(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
     with_own = replace(names, own=own, spellings=replace(names.spellings, own=dict.fromkeys(names_left)))
     labels: set[str] = set()  # names that label several lines: V_D = … = 0 along x, and again along y
     for turn in range(_PASSES):  # in a program the data may follow the formulas that use them
         waiting = 0
         for _, line in lines[:_MOST_DEFINITIONS]:
-            waits = {*map(plain_name, _WORD.findall(line.partition("=")[2]))} & names_left - own.keys()
+            waits = {*map(plain_name, WORD.findall(line.partition("=")[2]))} & names_left - own.keys()
             waiting += bool(waits)
             if waits and turn < _PASSES - 1:
                 continue
@@ -167,11 +167,11 @@ def _defines(line: str, own: Mapping[str, Formula], names: Names, before: set[st
     """Return whether a line defines a name of the student; a second formula for a velocity (V_Bx of two links) is an equation."""
     name, formula = own_name(line, names.spellings) if own else ("", "")
     called = plain_name(name)
-    if called not in own or (called in before and name[:1] in "vV" and _WORD.search(_FUNCTION.sub("", formula))):
+    if called not in own or (called in before and name[:1] in "vV" and WORD.search(_FUNCTION.sub("", formula))):
         return False
     before.add(called)
     # V_Cy = … = 0 is also an equation; V_Cy = 0.3*4.1 = 1.23 is its value in some row.
-    return "=" not in formula or not _WORD.search(_FUNCTION.sub("", formula))
+    return "=" not in formula or not WORD.search(_FUNCTION.sub("", formula))
 
 
 def _is_of_one_row(read: EquationLine, names: Names) -> bool:

@@ -43,14 +43,10 @@ def with_line_ends(text: str) -> tuple[str, list[int]]:
         ends, text = _LINE_END, _BEFORE_U.sub(r"\\n ", text)
     else:
         return text, []
-    lines = [line if _PRINTED.search(line) else ends.sub("\n", _unquoted_around(line, ends)) for line in text.split("\n")]
+    lines = text.split("\n")
+    lines = [line if _PRINTED.search(line) or not ends.search(line) else ends.sub("\n", unquoted(line)) for line in lines]
     numbers = [number for number, line in enumerate(lines, start=1) for _ in range(line.count("\n") + 1)]
     return "\n".join(lines), numbers
-
-
-def _unquoted_around(line: str, ends: re.Pattern[str]) -> str:
-    """Return a line without quotation marks around several lines in it."""
-    return unquoted(line) if ends.search(line) else line
 
 
 def unquoted(line: str) -> str:
