@@ -34,7 +34,7 @@ _SHORT = 24  # a shorter text needs no place to break in its words
 _PIECE = re.compile(r"\S{1,12}")
 # In a stylesheet: comments, blanks around signs, leading zeros and blanks that mean nothing.
 _BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,>])\s*|(?<=:)\s+|(?<=[\s,(:])0(?=\.\d)|^\s+""", re.DOTALL | re.MULTILINE)
-_INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
+INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
 def filled(name: str, /, **content: Any) -> str:
@@ -149,7 +149,7 @@ def clean(text: str, longest: int = LONGEST) -> str:
     if is_chinese(joined):
         joined = made_for(joined, _LINE_END).sub("", joined)
     spaced = re.sub(r"[^\S\u00a0\u202f]+", " ", joined)
-    plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in _INVISIBLE).strip()
+    plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in INVISIBLE).strip()
     if len(plain) > longest:
         plain = plain[: longest - 1].rstrip() + "…"
     return made_for(plain, _UNBROKEN).sub(lambda word: "\u200b".join(_PIECE.findall(word[0])), plain)

@@ -8,6 +8,8 @@ from __future__ import annotations
 import re
 import unicodedata
 
+from coursework.words.templates import INVISIBLE
+
 _STARTS_FORMULA = tuple("=+-@＝＋－＠\t\r\n\0")
 _PARTED = re.compile(
     r"([;\t\r\n][\s\"\u00a0]*)([=+\-@＝＋－＠](?=[\w(@\"'])(?!\d+(?:[.,]\d+)?(?:e[+-]?\d+)?(?:[\s;,.)]|$)))", re.IGNORECASE
@@ -37,4 +39,4 @@ def shown(text: str) -> str:
 
 
 def _is_visible(letter: str) -> bool:
-    return letter in "\n\t" or unicodedata.category(letter) not in {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
+    return letter in "\n\t" or unicodedata.category(letter) not in INVISIBLE

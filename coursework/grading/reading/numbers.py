@@ -87,6 +87,14 @@ class PrintedNumber(NamedTuple):
         return self.flag in {"", "error", "date", "formula"}
 
 
+def no_number(text: str, flag: Flag) -> PrintedNumber:
+    """Return a cell that has no number, and why."""
+    return PrintedNumber(text, math.nan, 0, 0, flag)
+
+
+NOTHING = no_number("", "missing")
+
+
 def differ(first: PrintedNumber, second: PrintedNumber, factor: float = 1.0, other: float = 1.0) -> bool:
     """Return whether two cells are numbers that differ by more than rounding; the factors convert them to a common unit."""
     rounded = ROUNDED * (first.last_place * factor + second.last_place * other)
@@ -156,20 +164,20 @@ def printed(text: str, mark: str, strict: bool = False) -> PrintedNumber:
     """
     plain, by_comma, by_point = _matched(text)
     if not plain or plain in {"-", "--", "---", "—", "…", ".", "*"}:
-        return PrintedNumber(text, math.nan, 0, 0, "missing")
+        return no_number(text, "missing")
     other = "," if mark == "." else "."
     match, second = (by_comma, by_point) if mark == "," else (by_point, by_comma)
     if not match or (strict and other in plain and mark not in plain):
         if match and second:
-            return PrintedNumber(text, math.nan, 0, 0, "text")
+            return no_number(text, "text")
         match = match or second
     if match:
         return _read(text, match)
     if angle := _SEXAGESIMAL.fullmatch(plain):
         return _in_degrees(text, *angle.groups())
     if _ERROR.fullmatch(plain):
-        return PrintedNumber(text, math.nan, 0, 0, "error")
-    return PrintedNumber(text, math.nan, 0, 0, "date" if _DATE.fullmatch(plain) else "text")
+        return no_number(text, "error")
+    return no_number(text, "date" if _DATE.fullmatch(plain) else "text")
 
 
 def _in_degrees(text: str, sign: str, degrees: str, minutes: str, seconds: str | None, part: str | None) -> PrintedNumber:
@@ -185,7 +193,7 @@ def filled_in(text: str, mark: str) -> PrintedNumber:
     (85.0, 'text')
     """
     bare = text.translate(_PLAIN).strip().removeprefix("=").strip('"').removeprefix("'").strip()
-    return printed(text, mark) if plain_text(text) == bare else PrintedNumber(text, math.nan, 0, 0, "text")
+    return printed(text, mark) if plain_text(text) == bare else no_number(text, "text")
 
 
 def _read(text: str, match: re.Match[str]) -> PrintedNumber:
@@ -196,7 +204,7 @@ def _read(text: str, match: re.Match[str]) -> PrintedNumber:
     value = float(f"{sign}{whole}.{part or '0'}e{power}")
     figures = (whole + part).lstrip("0")
     if not math.isfinite(value) or (value == 0 and figures):
-        return PrintedNumber(text, math.nan, 0, 0, "error")
+        return no_number(text, "error")
     return PrintedNumber(text, value, power - len(part), len(figures), "")
 
 
@@ -204,7 +212,7 @@ def stored(text: str) -> PrintedNumber:
     """Return a number that a spreadsheet stored; its place and digits count at most 15 digits, as the rest is noise."""
     match = _NUMBER["."].fullmatch(text.strip().removesuffix(".0"))  # some programs store an integer so
     if not match:
-        return PrintedNumber(text, math.nan, 0, 0, "error")
+        return no_number(text, "error")
     read = _read(text, match)
     if read.flag or read.digits <= _STORED_DIGITS:
         return read

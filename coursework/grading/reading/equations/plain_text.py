@@ -27,13 +27,11 @@ _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔"
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
 _PRIME = r"\s*['′’](?:\s*[\[(]\s*t\s*[\])])?"
 _DERIVATIVES = (
-    re.compile(rf"\(\(\s*d\s*{_NAME}\s*\)\s*/\s*\(\s*d\s*t\s*\)\)"),  # as \frac leaves it
+    re.compile(rf"\(\(\s*[dΔ∆]\s*{_NAME}\s*\)\s*/\s*\(\s*[dΔ∆]\s*t\s*\)\)"),  # as \frac leaves it
     re.compile(rf"\bd\s*\(\s*{_NAME}\s*\)\s*/\s*d\s*t\b"),
     re.compile(rf"(?:\bd\s*/\s*d\s*t\b|\(\(\s*d\s*\)\s*/\s*\(\s*d\s*t\s*\)\))\s*\(\s*{_NAME}\s*\)"),
     re.compile(rf"(?:\bd\s*/\s*d\s*t\b|\(\(\s*d\s*\)\s*/\s*\(\s*d\s*t\s*\)\))\s*{_NAME}"),
-    re.compile(rf"\bd[\s_]*{_NAME}\s*/\s*d\s*t\b"),
-    re.compile(rf"\(\(\s*[Δ∆]\s*{_NAME}\s*\)\s*/\s*\(\s*[Δ∆]\s*t\s*\)\)"),
-    re.compile(rf"[Δ∆]\s*{_NAME}\s*/\s*[Δ∆]\s*t\b"),
+    re.compile(rf"(?:\bd[\s_]*|[Δ∆]\s*){_NAME}\s*/\s*[dΔ∆]\s*t\b"),
     re.compile(rf"{_NAME}{_PRIME}"),
     re.compile(r"([^\W\d]\u0307(?:\w|\{\w{0,9}\}){0,40})"),
     re.compile(r"\b([^\W\d]\w{0,40}?_?dot(?:_?\d{1,3})?)\b"),
@@ -46,8 +44,8 @@ _DERIVATIVES = (
 _GLUED = re.compile(r"(|.*[\w}])((?:[φϕθ]|phi|theta)\u0307?_?\d{1,2}|[^\W\d]\u0307_?\d{0,2})(|sin|cos|tg|tan)")
 # As programs name derivatives, unless it is a name of the variant: dphi3, phi3p, thd3, phi3_t.
 _SHORT_DERIVATIVES = (
-    re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dp]\b"),
-    re.compile(r"\b([^\W\d]{1,9}(?=_?[dp]_?\d{1,3}\b))_?[dp]_?(\d{1,3})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?t\b"),
+    re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dpt]\b"),
+    re.compile(r"\b([^\W\d]{1,9}(?=_?[dp]_?\d{1,3}\b))_?[dp]_?(\d{1,3})\b"),
 )  # fmt: skip
 _AT_TIME = re.compile(r"\b(?:sin|cos|tan|tg)\s*[({]?\s*[^\W\d]\w{0,40}?\d?_t\b")  # sin(phi3_t): all names are those at a time
 _T_BEHIND = re.compile(r"(?<=\w)_t\b")

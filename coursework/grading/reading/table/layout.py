@@ -12,7 +12,7 @@ from itertools import pairwise, takewhile, zip_longest
 from statistics import median
 
 from coursework.grading.reading.files.separators import is_progression
-from coursework.grading.reading.numbers import PrintedNumber
+from coursework.grading.reading.numbers import NOTHING, PrintedNumber
 from coursework.grading.reading.table.headers import INDEX, TIME, Head, read_head
 from coursework.grading.reading.unit_names import unit_of
 from coursework.system.frozen import frozen
@@ -141,7 +141,7 @@ def _with_blank_head(rows: Rows, head: int) -> Rows:
 
 
 def _padded(row: list[PrintedNumber], width: int) -> list[PrintedNumber]:
-    return row + [PrintedNumber("", float("nan"), 0, 0, "missing")] * (width - len(row))
+    return row + [NOTHING] * (width - len(row))
 
 
 def _heads_in(rows: Rows, columns: Columns) -> tuple[int, int]:

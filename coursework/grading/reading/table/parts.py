@@ -14,7 +14,7 @@ from dataclasses import replace
 from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.limits import doubtful
-from coursework.grading.reading.numbers import PrintedNumber, differ, looks_numeric, marks, printed, stored
+from coursework.grading.reading.numbers import NOTHING, PrintedNumber, differ, looks_numeric, marks, no_number, printed, stored
 from coursework.grading.reading.submission import Note
 from coursework.grading.reading.table.headers import INDEX, TIME, Head
 from coursework.grading.reading.table.layout import Layout, goes_on, layouts_of
@@ -25,7 +25,6 @@ _Row = tuple[PrintedNumber, ...]
 _MOST = 200  # most parts that are compared
 _NEGATIVE = re.compile(r"\(\s*(\d[\d.,' ]*)\)")
 _FEWEST = 2  # least number of rows with numbers in parentheses
-NOTHING = PrintedNumber("", float("nan"), 0, 0, "missing")
 
 
 @frozen
@@ -83,7 +82,7 @@ def _printed(cell: Cell, mark: str, mixed: bool) -> PrintedNumber:
         return stored(cell.text)
     if cell.kind == "text":
         return printed(cell.text, mark, mixed)
-    return PrintedNumber(cell.text, float("nan"), 0, 0, cell.kind)
+    return no_number(cell.text, cell.kind)
 
 
 def _decimal_mark(sheet: Sheet, separator: str) -> tuple[str, bool]:

@@ -16,14 +16,14 @@ from typing import Any
 
 from coursework.grading.reading.expected import Grid, GridColumn
 from coursework.grading.reading.limits import Refused, unreadable
-from coursework.grading.reading.numbers import PrintedNumber
+from coursework.grading.reading.numbers import NOTHING, PrintedNumber
 from coursework.grading.reading.student_work import OwnTimes, Reading, Table, TableColumn
 from coursework.grading.reading.submission import Note, note
 from coursework.grading.reading.table.columns import Place, Places, find_columns
 from coursework.grading.reading.table.digits import last_places
 from coursework.grading.reading.table.headers import INDEX, TIME
 from coursework.grading.reading.table.layout import Layout
-from coursework.grading.reading.table.parts import NOTHING, Part, joined
+from coursework.grading.reading.table.parts import Part, joined
 from coursework.grading.reading.table.rows import Rows, in_order, place_rows
 from coursework.grading.reading.table.units import factor_of, stands_beside, turns_of_jumps, units_of_columns, whole_turns
 from coursework.words.sentences import ranges, say
@@ -115,7 +115,7 @@ def _placed(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
         notes,
         own,
         origin.place,
-        strange=sum(_filled(column) for column in read if _is_strange(column, layout)),
+        strange=sum(math.isfinite(value) for column in read if _is_strange(column, layout) for value in column.values),
         asked=places.asked,
     )
 
@@ -125,10 +125,6 @@ def _is_strange(column: TableColumn, layout: Layout) -> bool:
     head = layout.heads[column.at - 1]
     text = head.text if layout.has_heads else layout.above[column.at - 1]
     return column.by == "position" and not head.candidates and any(map(str.isalpha, text))
-
-
-def _filled(column: TableColumn) -> int:
-    return sum(map(math.isfinite, column.values))
 
 
 def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Sequence[TableColumn]) -> OwnTimes:

@@ -75,7 +75,6 @@ _BRACES = str.maketrans("{}", "[]")
 # A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\[e; f]
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*[\w.]{{0,20}}\s*\(?\s*\[)")
 _DIVIDED = re.compile(r"(?m)(?<==)[ \t]*(\[[^=\n]{1,2000}\])[ \t]*\\[ \t]*(\[[^=\n]{1,1000}\])(?=[ \t]*;?[ \t]*(?:[%#/].*)?$)")
-_BRACKETED = re.compile(r"\s*(?:[\w.]{1,20}\s*\()?\s*(\[.*\])\s*\)?\s*", re.DOTALL)
 _SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
 _OF_CALL = ("matrix_of_call", "sides_of_call")
 _DETERMINANT = re.compile(r"(?:(?<![\w.])(?:[A-Za-z]{1,13}(?:\.|:-)){1,2}|(?<![\w.]))(?:[dD]et|[dD]eterminant)\s*(?=[(\[])")
@@ -188,7 +187,7 @@ def _named_apart(text: str) -> str:
     """Return a text in which matrix and right side of a system that is solved in one line have names, defined at the end."""
     for begun in _CALLED.finditer(text):
         end = closing(text, begun.end() - 1, _LONGEST)
-        parts = [_BRACKETED.fullmatch(part) for part in at_commas(text[begun.end() : end])]
+        parts = [_WRAPPED.fullmatch(part) for part in at_commas(text[begun.end() : end])]
         if len(parts) == 2 and parts[0] and parts[1] and re.search(r"[;\[]", parts[0][1][1:]):
             matrix, sides = parts[0][1], parts[1][1]
             lines = "\n" * text.count("\n", begun.end(), end)
