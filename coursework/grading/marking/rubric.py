@@ -7,7 +7,7 @@ Used by the commands, before anything is graded.
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import field, replace
 from datetime import datetime
 from decimal import ROUND_HALF_UP, Decimal
@@ -24,6 +24,7 @@ KEYS = ("points", "missing_part", "parts", "table", "answers", "conventions", "c
 PARTS = ("table", "equations", "answers")
 CONVENTIONS = ("accept", "misconception")
 FLOORS = ("carried", "start_floor", "start_floor_several", "misconception_floor", "own_equations_floor")
+_LATE = {"lost_per_day": 0.1, "at_most": 1.0}
 READING_TOLERANCE = 0.05  # of the largest value of its kind in the row: as well as a drawing can be read
 
 
@@ -103,36 +104,111 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
         raise InputError([Fault(say("fault.G046", error=error), name)]) from error
     except RecursionError:
         raise InputError([Fault(say("fault.G065"), name)]) from None
-    faults: list[Fault] = []
-    _refuse_unknown(found, KEYS, "", name, faults)
-    parts = _section(found, "parts", PARTS, name, faults)
-    table = _section(found, "table", (*FLOORS, "forces"), name, faults)
-    conventions = _section(found, "conventions", ("clockwise",), name, faults)
-    default = Rubric()
-    weights = {part: _number(parts, part, default.weights[part], f"parts.{part}", name, faults, most=1e6) for part in PARTS}
-    points = _number(found, "points", default.points, "points", name, faults, most=1e6)
-    if not sum(weights.values()) or not points:
-        faults.append(Fault(say("fault.G034"), name, place="parts"))
-    missing = found.get("missing_part", default.missing_part)
-    if missing not in ("review", "zero"):
-        faults.append(Fault(say("fault.G035", missing=missing), name, place="missing_part"))
-    clockwise = conventions.get("clockwise", default.clockwise)
-    if clockwise not in CONVENTIONS:
-        faults.append(Fault(say("fault.G089", clockwise=clockwise), name, place="conventions.clockwise"))
-    answers = tuple(_answers(found.get("answers", {}), name, faults))
-    confusions = tuple(_confusions(found.get("confusion", []), name, faults))
-    floors = {key: _number(table, key, getattr(default, key), f"table.{key}", name, faults, most=1.0) for key in FLOORS}
-    forces = table.get("forces", [])
-    asked = tuple(map(str, forces if isinstance(forces, list) else [forces]))
-    late = _late(found["late"], name, faults) if "late" in found else None
-    if weights["answers"] and not found.get("answers"):
-        faults.append(Fault(say("fault.G036"), name, place="parts.answers"))
-    if faults:
-        raise InputError(faults)
-    return Rubric(
-        points, missing, weights, **floors, answers=answers, confusions=confusions, clockwise=clockwise, late=late,
-        forces=asked,
-    )  # fmt: skip
+    return _Reader(name).rubric(found)
+
+
+class _Reader:
+    """Reads the sections of one file and gathers its faults."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.faults: list[Fault] = []
+
+    def rubric(self, found: Mapping[str, Any]) -> Rubric:
+        """Return the rubric.  Raises `InputError` with every fault."""
+        self._refuse_unknown(found, KEYS, "")
+        parts = self._section(found, "parts", PARTS)
+        table = self._section(found, "table", (*FLOORS, "forces"))
+        conventions = self._section(found, "conventions", ("clockwise",))
+        default = Rubric()
+        weights = {part: self._number(parts, part, default.weights[part], "parts.", most=1e6) for part in PARTS}
+        points = self._number(found, "points", default.points, most=1e6)
+        if not sum(weights.values()) or not points:
+            self._fault("parts", "fault.G034")
+        missing = found.get("missing_part", default.missing_part)
+        if missing not in ("review", "zero"):
+            self._fault("missing_part", "fault.G035", missing=missing)
+        clockwise = conventions.get("clockwise", default.clockwise)
+        if clockwise not in CONVENTIONS:
+            self._fault("conventions.clockwise", "fault.G089", clockwise=clockwise)
+        answers = tuple(self._answers(found.get("answers", {})))
+        confusions = tuple(self._confusions(found.get("confusion", [])))
+        floors = {key: self._number(table, key, getattr(default, key), "table.") for key in FLOORS}
+        forces = table.get("forces", [])
+        asked = tuple(map(str, forces if isinstance(forces, list) else [forces]))
+        late = self._late(found) if "late" in found else None
+        if weights["answers"] and not found.get("answers"):
+            self._fault("parts.answers", "fault.G036")
+        if self.faults:
+            raise InputError(self.faults)
+        return Rubric(
+            points, missing, weights, **floors, answers=answers, confusions=confusions, clockwise=clockwise, late=late,
+            forces=asked,
+        )  # fmt: skip
+
+    def _fault(self, place: str, key: str, **values: object) -> None:
+        self.faults.append(Fault(say(key, **values), self.name, place=place))
+
+    def _refuse_unknown(self, section: Mapping[str, Any], known: tuple[str, ...], place: str) -> None:
+        for key in section:
+            if key not in known:
+                self._fault(place, "fault.G042", key_=key, hint=closest(key, known), known=tuple(known))
+
+    def _section(self, found: Mapping[str, Any], key: str, known: tuple[str, ...]) -> Mapping[str, Any]:
+        section = found.get(key, {})
+        if not isinstance(section, dict):
+            self._fault(key, "fault.G037", key_=key, section=section)
+            return {}
+        self._refuse_unknown(section, known, key)
+        return section
+
+    def _number(self, section: Mapping[str, Any], key: str, default: float, within: str = "", most: float = 1.0) -> float:
+        value = section.get(key, default)
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= most:
+            self._fault(f"{within}{key}", "fault.G038", most=most, value=value)
+            return default
+        return float(value)
+
+    def _answers(self, section: Any) -> Iterator[Answer]:
+        if not isinstance(section, dict):
+            self._fault("answers", "fault.G039", section=section)
+            return
+        for key, entry in section.items():
+            place = f"answers.{key}"
+            if not isinstance(entry, dict) or not isinstance(entry.get("of"), str):
+                self._fault(place, "fault.G043", key_=key, entry=entry)
+                continue
+            self._refuse_unknown(entry, ("of", "row", "tolerance"), place)
+            row = entry.get("row")
+            if row is not None and (isinstance(row, bool) or not isinstance(row, int) or row < 1):
+                self._fault(f"{place}.row", "fault.G044", row=row)
+                continue
+            yield Answer(key, entry["of"], row, self._number(entry, "tolerance", READING_TOLERANCE, f"{place}."))
+
+    def _late(self, found: Mapping[str, Any]) -> Late | None:
+        section = self._section(found, "late", ("deadline", "grace", "lost_per_day", "at_most"))
+        deadline, grace = section.get("deadline"), section.get("grace", "0 min")
+        try:
+            deadline = datetime.fromisoformat(deadline) if isinstance(deadline, str) else deadline
+        except ValueError:
+            deadline = None
+        if not isinstance(deadline, datetime) or deadline.tzinfo is None:
+            self._fault("late.deadline", "fault.G081", deadline=section.get("deadline", ""))
+            return None
+        if not isinstance(grace, str) or span(grace) is None:
+            self._fault("late.grace", "fault.G082", grace=grace)
+            return None
+        shares = {key: self._number(section, key, default, "late.") for key, default in _LATE.items()}
+        return Late(deadline, grace, **shares)
+
+    def _confusions(self, entries: Any) -> Iterator[Confusion]:
+        for index, entry in enumerate(entries if isinstance(entries, list) else [entries], start=1):
+            place = f"confusion.{index}"
+            if not isinstance(entry, dict) or not isinstance(entry.get("datum"), str) or not isinstance(entry.get("value"), str):
+                self._fault(place, "fault.G045")
+                continue
+            self._refuse_unknown(entry, ("datum", "value", "because"), place)
+            yield Confusion(entry["datum"], entry["value"], str(entry.get("because", "")))
 
 
 def _forces(variant: Variant) -> tuple[str, ...]:
@@ -167,85 +243,6 @@ def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") ->
             faults.append(Fault(error.message, name, place=f"confusion.{entry.datum}"))
     if faults:
         raise InputError(faults)
-
-
-def _refuse_unknown(section: Mapping[str, Any], known: tuple[str, ...], place: str, name: str, faults: list[Fault]) -> None:
-    for key in section:
-        if key not in known:
-            faults.append(Fault(say("fault.G042", key_=key, hint=closest(key, known), known=tuple(known)), name, place=place))
-
-
-def _section(found: Mapping[str, Any], key: str, known: tuple[str, ...], name: str, faults: list[Fault]) -> Mapping[str, Any]:
-    section = found.get(key, {})
-    if not isinstance(section, dict):
-        faults.append(Fault(say("fault.G037", key_=key, section=section), name, place=key))
-        return {}
-    _refuse_unknown(section, known, key, name, faults)
-    return section
-
-
-def _number(
-    section: Mapping[str, Any], key: str, default: float, place: str, name: str, faults: list[Fault], most: float
-) -> float:
-    value = section.get(key, default)
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= most:
-        faults.append(Fault(say("fault.G038", most=most, value=value), name, place=place))
-        return default
-    return float(value)
-
-
-def _answers(section: Any, name: str, faults: list[Fault]) -> list[Answer]:
-    if not isinstance(section, dict):
-        faults.append(Fault(say("fault.G039", section=section), name, place="answers"))
-        return []
-    found = []
-    for key, entry in section.items():
-        place = f"answers.{key}"
-        if not isinstance(entry, dict) or not isinstance(entry.get("of"), str):
-            message = say("fault.G043", key_=key, entry=entry)
-            faults.append(Fault(message, name, place=place))
-            continue
-        _refuse_unknown(entry, ("of", "row", "tolerance"), place, name, faults)
-        row = entry.get("row")
-        if row is not None and (isinstance(row, bool) or not isinstance(row, int) or row < 1):
-            faults.append(Fault(say("fault.G044", row=row), name, place=f"{place}.row"))
-            continue
-        tolerance = _number(entry, "tolerance", READING_TOLERANCE, f"{place}.tolerance", name, faults, 1.0)
-        found.append(Answer(key, entry["of"], row, tolerance))
-    return found
-
-
-def _late(section: Any, name: str, faults: list[Fault]) -> Late | None:
-    known = ("deadline", "grace", "lost_per_day", "at_most")
-    section = _section({"late": section}, "late", known, name, faults)
-    deadline, grace = section.get("deadline"), section.get("grace", "0 min")
-    try:
-        deadline = datetime.fromisoformat(deadline) if isinstance(deadline, str) else deadline
-    except ValueError:
-        deadline = None
-    if not isinstance(deadline, datetime) or deadline.tzinfo is None:
-        faults.append(Fault(say("fault.G081", deadline=section.get("deadline", "")), name, place="late.deadline"))
-        return None
-    if not isinstance(grace, str) or span(grace) is None:
-        faults.append(Fault(say("fault.G082", grace=grace), name, place="late.grace"))
-        return None
-    shares = {
-        key: _number(section, key, default, f"late.{key}", name, faults, most=1.0)
-        for key, default in (("lost_per_day", 0.1), ("at_most", 1.0))
-    }
-    return Late(deadline, grace, **shares)
-
-
-def _confusions(entries: Any, name: str, faults: list[Fault]) -> list[Confusion]:
-    found = []
-    for index, entry in enumerate(entries if isinstance(entries, list) else [entries], start=1):
-        place = f"confusion.{index}"
-        if not isinstance(entry, dict) or not isinstance(entry.get("datum"), str) or not isinstance(entry.get("value"), str):
-            faults.append(Fault(say("fault.G045"), name, place=place))
-            continue
-        _refuse_unknown(entry, ("datum", "value", "because"), place, name, faults)
-        found.append(Confusion(entry["datum"], entry["value"], str(entry.get("because", ""))))
-    return found
 
 
 def rounded_points(value: float) -> float:
