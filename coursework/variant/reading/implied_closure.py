@@ -12,7 +12,7 @@ from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
-from coursework.variant.record.held import closed_parts, velocities_of_points
+from coursework.variant.record.held import axis_of, closed_parts, velocities_of_points
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
@@ -76,11 +76,8 @@ def _held(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
 
 def across_rail(through: Formula, angle: Formula, variant: Variant) -> Formula:
     """Return the distance of a point from the line through the origin along a rail."""
-    turned = evaluate_any(angle, {"pi": math.pi, **variant.values}).real
-    if abs(math.sin(turned)) < 1e-12:
-        return _part(through, "y")
-    if abs(math.cos(turned)) < 1e-12:
-        return _part(through, "x")
+    if axis := axis_of(angle, variant.values):
+        return _part(through, "y" if axis == "x" else "x")
     along, up = (Formula("call", (angle,), name) for name in ("cos", "sin"))
     return Formula("-", (Formula("*", (_part(through, "y"), along)), Formula("*", (_part(through, "x"), up))))
 

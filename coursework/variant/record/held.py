@@ -7,7 +7,7 @@ Used by `equations.py`, `changes.py`, `gaps.py`, `drift.py`, `structure.py` and 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from itertools import permutations
 
@@ -26,6 +26,7 @@ from coursework.variant.formula.tree import (
 from coursework.variant.record.variant import Variant
 
 MOST_PAIRED = 40  # scalars among which components of one vector are looked for; every pair is tried
+_ALONG = 1e-12  # sine of an angle to an axis: below it a direction lies along the axis
 POWERS = {2: "m²", 3: "m³", 4: "m⁴"}  # units of position equations in products of lengths
 
 
@@ -54,10 +55,15 @@ def driving_laws(variant: Variant) -> tuple[str, ...]:
 
 def _is_across_its_guide(variant: Variant, point: str, axis: str) -> bool:
     """Return whether a guide of the frame through a point leaves it no velocity along an axis, whatever the data."""
-    angles = [angle for through, angle in variant.frame.rails if through == named(point)]
+    return any(through == named(point) and axis_of(angle, {}) in {*"xy"} - {axis} for through, angle in variant.frame.rails)
+
+
+def axis_of(angle: Formula, values: Mapping[str, float]) -> str:
+    """Return the axis, "x" or "y", along which a direction at an angle lies, "" if it lies along none or that is not known."""
     with suppress(FormulaFault, KeyError):
-        return any(abs(math.cos(turn) if axis == "x" else math.sin(turn)) < 1e-12 for turn in (evaluate(a, {}) for a in angles))
-    return False
+        turned = evaluate(angle, values)
+        return next((axis for axis, across in (("x", math.sin), ("y", math.cos)) if abs(across(turned)) < _ALONG), "")
+    return ""
 
 
 def _along_axes(variant: Variant, points: Iterable[str]) -> dict[str, tuple[str, str]]:

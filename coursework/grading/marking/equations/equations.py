@@ -151,7 +151,7 @@ class Judge:
 
     def _marked(self, lines: Sequence[EquationLine], turning: bool) -> EquationMarks:
         alone = tuple(map(self._mark, lines))
-        meant = as_others_of_their_kind(lines, alone, COUNTED)
+        meant = as_others_of_their_kind(lines, [(mark.line, mark.verdict in COUNTED) for mark in alone])
         found = tuple(mark if one is line else self._mark(one) for one, line, mark in zip(meant, lines, alone, strict=True))
         back = self._turned_back(found) if turning else None
         senses = [self._summed(found), *([self._summed(back, turned=True)] if back else [])]

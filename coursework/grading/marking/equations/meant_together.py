@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import Protocol
 
 from coursework.grading.reading.equations.line_kinds import dash_apart
 from coursework.grading.reading.student_work import EquationLine, EquationReading
@@ -78,28 +77,16 @@ def _signs(text: str) -> int:
     return sum(sign in "-–—−" for sign in begun[0]) if begun else 0
 
 
-class Marked(Protocol):
-    """A line with its verdict."""
+def as_others_of_their_kind(lines: Sequence[EquationLine], read: Sequence[tuple[EquationLine, bool]]) -> Iterator[EquationLine]:
+    """Yield each line; one that is not right is read as "… = 0" if lines of its series are right in that reading.
 
-    @property
-    def line(self) -> EquationLine: ...
-
-    @property
-    def verdict(self) -> str: ...
-
-
-def as_others_of_their_kind(
-    lines: Sequence[EquationLine], marks: Sequence[Marked], right: Sequence[str]
-) -> Iterator[EquationLine]:
-    """Yield each line; one that is not right is read as "… = 0" if lines of its series are `right` in that reading."""
-    vanishing = {
-        stem
-        for line, mark in zip(lines, marks, strict=True)
-        if (stem := _stem(line)) and mark.verdict in right and mark.line.guessed and _vanishes(mark.line.repaired)
-    }
-    for line, mark in zip(lines, marks, strict=True):
+    `read` has each line as it was read by itself, and whether it is right so.
+    """
+    pairs = [*zip(lines, read, strict=True)]
+    vanishing = {_stem(line) for line, (one, is_right) in pairs if is_right and one.guessed and _vanishes(one.repaired)} - {""}
+    for line, (_, is_right) in pairs:
         meant = [other for other in line.others if _vanishes(other.text) and _stem(line) in vanishing]
-        yield line.read_as(meant[0], others=(), fault=None, guessed=True) if meant and mark.verdict not in right else line
+        yield line.read_as(meant[0], others=(), fault=None, guessed=True) if meant and not is_right else line
 
 
 def _stem(line: EquationLine) -> str:

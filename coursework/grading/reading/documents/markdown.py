@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.office.builder import add_lines
-from coursework.grading.reading.equations.notation.latex import matrices_in_one_piece, with_formulas_joined
+from coursework.grading.reading.equations.notation.latex import ENVIRONMENT, LINE_END, matrices_in_one_piece, with_formulas_joined
 from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
@@ -105,5 +105,4 @@ def _add_plain(document: Document, text: str, first: int, place: Callable[[int],
 def _rows(formula: str) -> str:
     r"""Return a formula without its environment, with one line per row: only \\ ends a row, a line break does not."""
     formula = matrices_in_one_piece(formula)
-    bare = re.sub(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\{[lcr|]*\})?", " ", formula.replace("\n", " "))
-    return re.sub(r"\\\\(?:\s*\[[^\]]{0,20}\])?", "\n", bare).replace("&", " ")
+    return LINE_END.sub("\n", ENVIRONMENT.sub(" ", formula.replace("\n", " "))).replace("&", " ")

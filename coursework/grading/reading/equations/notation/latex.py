@@ -18,12 +18,12 @@ from coursework.variant.formula.alphabet import greek
 
 _BETWEEN = re.compile(r"(?<!\$)\s*\$\s*(?:-(?=-))?([-+–−])\s*\$\s*(?!\$)")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
-_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\[[tbc]\])?(?:\{[lcrLCR|@\d\s]*(?:\{[^{}]*\}[lcrLCR|@\s]*)*\})?")
+ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\[[tbc]\])?(?:\{[lcrLCR|@\d\s]*(?:\{[^{}]*\}[lcrLCR|@\s]*)*\})?")
 _MATRIX = re.compile(
     r"(\\left\s*\|\s*|\\det\s*)?\\begin\s*\{((?:[pbvBV]|small)?matrix|array)\}(?:\[[tbc]\])?(?:\{[lcr|@\s]*\})?(.{0,4000}?)\\end\s*\{\2\}(?(1)\s*(?:\\right\s*\|)?)",
     re.DOTALL,
 )
-_LINE_END = re.compile(r"\\(?:\\\*?(?:\s*\[[^\]\n]{0,20}\])?|newline|tabularnewline)")
+LINE_END = re.compile(r"\\(?:\\\*?(?:\s*\[[^\]\n]{0,20}\])?|newline|tabularnewline)")
 _PREAMBLE = re.compile(r"\A.*?\\begin\s*\{document\}", re.DOTALL)
 _OPENS, _CLOSES = re.compile(r"\\begin|(?<!\\)\\\["), re.compile(r"\\end|(?<!\\)\\\]")
 _REMARK = re.compile(r"(?<!\\)%.*")
@@ -89,7 +89,7 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
         opens, closes = _OPENS.search(line) is not None, _CLOSES.search(line) is not None
         if line.count("$$") == 1:
             opens, closes = not inside, inside
-        pieces = [_DELIMITERS.sub(" ", piece) for piece in _LINE_END.split(_ENVIRONMENT.sub(" ", line))]
+        pieces = [_DELIMITERS.sub(" ", piece) for piece in LINE_END.split(ENVIRONMENT.sub(" ", line))]
         for place, piece in enumerate(pieces):
             if place or not (inside and kept):
                 if kept.strip():
@@ -117,7 +117,7 @@ def _as_matrix(found: re.Match[str]) -> str:
     r"""Return a matrix in one piece, "[a, b; c, d]" as in MATLAB; leave an array of equations (after a brace) unchanged."""
     if "=" in found[3]:
         return found[0]
-    rows = [row.split("&") for row in _LINE_END.split(found[3].replace("\n", " ")) if row.strip()]
+    rows = [row.split("&") for row in LINE_END.split(found[3].replace("\n", " ")) if row.strip()]
     sum_ = determinant(rows) if found[1] or found[2] == "vmatrix" else ""
     return (sum_ or (found[1] or "") + in_one_piece(rows)) + "\n" * found[0].count("\n")
 
