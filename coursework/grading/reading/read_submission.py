@@ -24,9 +24,9 @@ from coursework.grading.reading.documents.read_document import (
 from coursework.grading.reading.equations.equations import TURNED, most_lines
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.variant_files import is_variant_file, read_variant_file
-from coursework.grading.reading.expected import Expected, Grid
+from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.files.archive import Archive, legible_name
-from coursework.grading.reading.files.encoding import Decoded, decode
+from coursework.grading.reading.files.encoding import decode
 from coursework.grading.reading.files.html_text import text_of
 from coursework.grading.reading.files.kinds import (
     OLD_EXCEL,
@@ -56,6 +56,7 @@ _Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignor
 class _Found:
     """The contents of the submission found so far."""
 
+    expected: Expected
     tables: list[tuple[Part, Table]] = field(default_factory=list)
     refused: list[Trouble] = field(default_factory=list)  # files refused where a table was expected
     attached: list[Trouble] = field(default_factory=list)  # other files that cannot be read
@@ -68,23 +69,146 @@ class _Found:
     unread: int = 0  # number of lines that were not tried
     unopened: Sentence | None = None
 
-    def take(self, lines: Lines, equations: list[EquationLine]) -> None:
-        """Add the answers and equations of a text; `equations` is the list of this object that takes the equations."""
+    def take(self, tables: Sequence[tuple[Part, Table]], lines: Lines, equations: list[EquationLine]) -> tuple[_Kind, ...]:
+        """Add what a file holds and return its kinds; `equations` is the list of this object that takes its equations."""
+        self.tables += tables
         equations += lines.equations
         self.answers += lines.answers
         self.unread += lines.unread
+        held: dict[_Kind, object] = {"table": tables, "equations": lines.equations, "answers": lines.answers}
+        return tuple(kind for kind, what in held.items() if what)
+
+    def read(self, file: SubmittedFile, is_alone: bool) -> tuple[_Kind, ...]:
+        """Read one file and return its kinds."""
+        could_be_table = is_alone or is_named_as_table(file.name)
+        try:
+            if kinds := self._read(file):
+                return kinds
+            if could_be_table:
+                raise unreadable("no_table", name=file.name)
+            self.notes.append(note("ignored_file", name=file.name, why=say("reading.why.nothing")))
+            return ("ignored",)
+        except Refused as refused:
+            is_question = refused.trouble.state == "needs-review"
+            (self.refused if could_be_table or is_question else self.attached).append(refused.trouble)
+            if refused.trouble.code == "no_pdf_reader":
+                self.unopened = refused.trouble.text
+            code = "empty_part" if refused.trouble.code == "empty" else "attachment"
+            self.notes.append(note(code, name=file.name, why=refused.trouble.text))
+            return ("attachment",)
+
+    def _read(self, file: SubmittedFile) -> tuple[_Kind, ...]:
+        """Read one file and return its kinds, () if nothing was found in it.  Raises `Refused`."""
+        if kind := real_kind(file.content):
+            raise _other_kind(kind)
+        if file.trouble:
+            raise Refused(Trouble("unreadable", file.trouble.key.rpartition(".")[2], file.trouble))
+        if document := document_of_bytes(file.content, self.expected.grid):
+            return self._read_document(document, file.name)
+        if file.content.startswith(b"PK"):
+            return self._read_archive(file)
+        if not file.content.strip():
+            raise unreadable("empty")
+        return self._read_text(file)
+
+    def _read_archive(self, file: SubmittedFile) -> tuple[_Kind, ...]:
+        archive, grid = Archive(file.content), self.expected.grid
+        if document := document_of_archive(archive, grid):
+            return self._read_document(document, file.name)
+        if kind := kind_of_parts(list(archive.parts)):
+            raise _other_kind(kind)
+        if not is_spreadsheet(archive):
+            raise unreadable("nested_zip")
+        read, sheets = read_spreadsheet(archive, file.name, grid)
+        lines = lines_of_document(document_of_sheets(sheets), file.name, self.expected)
+        if not (read or lines.equations or lines.answers):
+            raise unreadable("no_sheet_table", name=file.name)
+        return self.take([read] if read else [], lines, self.beside)
+
+    def _read_document(self, document: Document, name: str) -> tuple[_Kind, ...]:
+        """Read a document, which may hold a table, equations and answers, and return its kinds."""
+        tables, refused = tables_of_document(document, name, self.expected.grid)
+        kinds = self.take(tables, lines_of_document(document, name, self.expected), self.equations)
+        if refused and not tables:
+            if not kinds:
+                raise refused
+            if refused.trouble.state == "needs-review":
+                self.refused.append(refused.trouble)
+        if document.kind == "pdf" and kinds:
+            self.notes.append(note("from_pdf", name=name))
+        if not kinds and document.kind in FORMATTED:  # a person has to look at it
+            raise _other_kind(FORMATTED[document.kind], "empty_document")
+        return kinds
+
+    def _read_text(self, file: SubmittedFile) -> tuple[_Kind, ...]:
+        decoded, name, expected = decode(file.content), file.name, self.expected
+        if is_record(decoded.text):
+            return ("ignored",)
+        decoded = replace(decoded, text=with_formulas(decoded.text))
+        if is_variant_file(decoded.text):
+            self._read_variant(file)
+            return ("variant",)
+        document = document_of_text(decoded, expected.grid)
+        if document and (document.tables or document.texts or document.is_whole):
+            return self._read_document(document, name)
+        if is_html(decoded.text):
+            decoded = replace(decoded, text=text_of(decoded.text))
+        refused = None
+        try:
+            if read := table_of_text(decoded, name, expected.grid):
+                return self.take([read], read_lines(decoded.text, name, expected, read[1].reading), self.beside)
+        except Refused as error:
+            refused = error
+        lines = lines_of_document(document, name, expected) if document else read_lines(decoded.text, name, expected)
+        is_work = any(line.tree is not None or TURNED.search(line.text) for line in lines.equations)
+        if refused and not lines.answers and not is_work:
+            raise refused
+        return self.take([], lines, self.equations)
+
+    def _read_variant(self, file: SubmittedFile) -> None:
+        read = read_variant_file(file.content, file.name, self.expected)
+        self.equations += read.lines
+        self.review = self.review or read.review
+        if read.differing:
+            self.notes.append(note("data_differ", name=file.name, data=read.differing))
+        if read.unknown_keys:
+            self.notes.append(note("ignored_file", "keys", name=file.name, keys=read.unknown_keys))
+
+    def one_table(self) -> tuple[Table | None, Trouble | None]:
+        """Return the table with the greatest weight, or the trouble if there is none or if two different ones weigh the same."""
+        if not self.tables:
+            instead = self.refused or ([] if self.equations or self.answers else self.attached)
+            if instead:
+                return None, instead[0]
+            return None, Trouble("missing", "missing", say(f"reading.trouble.{'missing' if self.entries else 'no_files'}"))
+        tables = [table for _, table in self.tables]
+        wholes = joined([part for part, _ in self.tables], self.expected.grid)
+        if len(wholes) < len(tables):  # some files hold parts of one table
+            tables = [table for _, table in read_parts(wholes, self.expected.grid) if isinstance(table, Table)] or tables
+        tables = [table for table in tables if not table.unsure] or tables
+        ranked = sorted(tables, key=lambda table: (table.weight, sum(column.decimals for column in table.columns)), reverse=True)
+        best, *others = ranked
+        equal = [other for other in others if other.weight == best.weight and not alike(other, best)]
+        if equal:
+            names = tuple(_named(table) for table in (best, *equal))
+            return None, Trouble("needs-review", "two_tables", say("reading.trouble.two_tables", names=names))
+        if others:
+            self.notes.append(note("two_tables", name=_named(best), others=tuple(map(_named, others))))
+        self.notes += best.notes
+        self.review = self.review or best.unsure or _unread_cells(best)
+        return best, None
 
 
 def read_submission(submission: Submission, expected: Expected) -> StudentWork:
     """Return the table, equations and answers of a submission."""
-    found = _Found(notes=list(submission.notes), review=submission.review)
+    found = _Found(expected, notes=list(submission.notes), review=submission.review)
     files = [inner for file in submission.files for inner in _opened(file)]
     for file in files[FILES:]:
         found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.too_many", limit=FILES)))
     for file in files[:FILES]:
-        kinds = _read(file, len(files) == 1, expected, found)
+        kinds = found.read(file, len(files) == 1)
         found.entries.append(FileEntry(file.name, kinds[0], kinds, file.size, file.sha256))
-    table, trouble = _one_table(found, expected.grid)
+    table, trouble = found.one_table()
     handed = found.equations or found.beside
     lines = handed[: most_lines(expected)]
     if unread := found.unread + len(handed) - len(lines):
@@ -119,152 +243,11 @@ def _opened(file: SubmittedFile) -> list[SubmittedFile]:
         return [replace(file, trouble=refused.trouble.text)]
 
 
-def _read(file: SubmittedFile, is_alone: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
-    """Read one file into `found` and return its kinds."""
-    could_be_table = is_alone or is_named_as_table(file.name)
-    try:
-        if kind := real_kind(file.content):
-            raise _other_kind(kind)
-        if file.trouble:
-            raise Refused(Trouble("unreadable", file.trouble.key.rpartition(".")[2], file.trouble))
-        if document := document_of_bytes(file.content, expected.grid):
-            return _read_document(document, file, could_be_table, expected, found)
-        if file.content.startswith(b"PK"):
-            return _read_archive(file, could_be_table, expected, found)
-        if not file.content.strip():
-            raise unreadable("empty")
-        return _read_text(file, could_be_table, expected, found)
-    except Refused as refused:
-        is_question = refused.trouble.state == "needs-review"
-        (found.refused if could_be_table or is_question else found.attached).append(refused.trouble)
-        if refused.trouble.code == "no_pdf_reader":
-            found.unopened = refused.trouble.text
-        code = "empty_part" if refused.trouble.code == "empty" else "attachment"
-        found.notes.append(note(code, name=file.name, why=refused.trouble.text))
-        return ("attachment",)
-
-
 def _other_kind(kind: str, key: str = "other_kind") -> Refused:
     """Return the refusal of a file of this kind, which tells the student how to save it instead."""
     if kind in {OLD_EXCEL, OLD_WORD}:
         return unreadable("old_excel" if kind == OLD_EXCEL else "old_word")
     return other_kind("picture" if kind in PICTURES else key, kind=kind)
-
-
-def _read_archive(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
-    archive = Archive(file.content)
-    if document := document_of_archive(archive, expected.grid):
-        return _read_document(document, file, could_be_table, expected, found)
-    if kind := kind_of_parts(list(archive.parts)):
-        raise _other_kind(kind)
-    if not is_spreadsheet(archive):
-        raise unreadable("nested_zip")
-    read, sheets = read_spreadsheet(archive, file.name, expected.grid)
-    lines = lines_of_document(document_of_sheets(sheets), file.name, expected)
-    tables = [read] if read else []
-    kinds = _kinds(tables, lines)
-    if not kinds:
-        raise unreadable("no_sheet_table", name=file.name)
-    found.tables += tables
-    found.take(lines, found.beside)
-    return kinds
-
-
-def _read_document(
-    document: Document, file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found
-) -> tuple[_Kind, ...]:
-    """Read a document, which may hold a table, equations and answers, into `found` and return its kinds."""
-    tables, refused = tables_of_document(document, file.name, expected.grid)
-    lines = lines_of_document(document, file.name, expected)
-    found.tables += tables
-    found.take(lines, found.equations)
-    kinds = _kinds(tables, lines)
-    if refused and not tables:
-        if not kinds:
-            raise refused
-        if refused.trouble.state == "needs-review":
-            found.refused.append(refused.trouble)
-    if document.kind == "pdf" and kinds:
-        found.notes.append(note("from_pdf", name=file.name))
-    if not kinds and document.kind in FORMATTED:  # a person has to look at it
-        raise _other_kind(FORMATTED[document.kind], "empty_document")
-    return kinds or _nothing_in(file, could_be_table, found)
-
-
-def _kinds(tables: Sequence[object], lines: Lines) -> tuple[_Kind, ...]:
-    held: dict[_Kind, object] = {"table": tables, "equations": lines.equations, "answers": lines.answers}
-    return tuple(kind for kind, what in held.items() if what)
-
-
-def _nothing_in(file: SubmittedFile, could_be_table: bool, found: _Found) -> tuple[_Kind, ...]:
-    """Note that nothing was found in a file.  Raises `Refused` if the file could be a table."""
-    if could_be_table:
-        raise unreadable("no_table", name=file.name)
-    found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.nothing")))
-    return ("ignored",)
-
-
-def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
-    decoded = decode(file.content)
-    if is_record(decoded.text):
-        return ("ignored",)
-    decoded = replace(decoded, text=with_formulas(decoded.text))
-    if is_variant_file(decoded.text):
-        _read_variant(file, expected, found)
-        return ("variant",)
-    if (document := document_of_text(decoded, expected.grid)) and (document.tables or document.texts or document.is_whole):
-        return _read_document(document, file, could_be_table, expected, found)
-    if is_html(decoded.text):
-        decoded = Decoded(text_of(decoded.text), decoded.encoding, decoded.had_nuls)
-    refused = None
-    try:
-        if read := table_of_text(decoded, file.name, expected.grid):
-            found.tables.append(read)
-            beside = read_lines(decoded.text, file.name, expected, read[1].reading)
-            found.take(beside, found.beside)
-            return _kinds([read], beside)
-    except Refused as error:
-        refused = error
-    lines = lines_of_document(document, file.name, expected) if document else read_lines(decoded.text, file.name, expected)
-    if refused and not lines.answers and not any(line.tree is not None or TURNED.search(line.text) for line in lines.equations):
-        raise refused
-    found.take(lines, found.equations)
-    return _kinds([], lines) or _nothing_in(file, could_be_table, found)
-
-
-def _read_variant(file: SubmittedFile, expected: Expected, found: _Found) -> None:
-    read = read_variant_file(file.content, file.name, expected)
-    found.equations += read.lines
-    found.review = found.review or read.review
-    if read.differing:
-        found.notes.append(note("data_differ", name=file.name, data=read.differing))
-    if read.unknown_keys:
-        found.notes.append(note("ignored_file", "keys", name=file.name, keys=read.unknown_keys))
-
-
-def _one_table(found: _Found, grid: Grid) -> tuple[Table | None, Trouble | None]:
-    """Return the table with the greatest weight, or the trouble if there is none or if two different ones weigh the same."""
-    if not found.tables:
-        instead = found.refused or ([] if found.equations or found.answers else found.attached)
-        if instead:
-            return None, instead[0]
-        return None, Trouble("missing", "missing", say(f"reading.trouble.{'missing' if found.entries else 'no_files'}"))
-    tables = [table for _, table in found.tables]
-    wholes = joined([part for part, _ in found.tables], grid)
-    if len(wholes) < len(tables):  # some files hold parts of one table
-        tables = [table for _, table in read_parts(wholes, grid) if isinstance(table, Table)] or tables
-    tables = [table for table in tables if not table.unsure] or tables
-    ranked = sorted(tables, key=lambda table: (table.weight, sum(column.decimals for column in table.columns)), reverse=True)
-    best, *others = ranked
-    equal = [other for other in others if other.weight == best.weight and not alike(other, best)]
-    if equal:
-        names = tuple(_named(table) for table in (best, *equal))
-        return None, Trouble("needs-review", "two_tables", say("reading.trouble.two_tables", names=names))
-    if others:
-        found.notes.append(note("two_tables", name=_named(best), others=tuple(map(_named, others))))
-    found.notes += best.notes
-    found.review = found.review or best.unsure or _unread_cells(best)
-    return best, None
 
 
 def _unread_cells(table: Table) -> Sentence | None:
