@@ -53,15 +53,15 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
     names = grid.names
     filled = [at for at in range(len(layout.heads)) if any(row[at].stands_for_number for row in layout.body)]
     places, repeated = _by_head(layout, filled, dict(grid.units))
-    free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
+    free = [at for at in _left(filled, places) if at not in repeated]
     _add_time(layout, places, free, len(names), grid.step)
     # A time column that counts rows (0, 1, 2 …) has no times: a step of 1 s is too long if the task's is below 1/12 s.
     if TIME in places and INDEX not in places and grid.step * _FAR < 1.0 and _counts(numbers_in(layout, places[TIME].at)):
         places[INDEX] = places.pop(TIME)
-    rest = [at for at in free if at not in {place.at for place in places.values()}]
+    rest = _left(free, places)
     places |= _by_words(layout, rest, places)
     known, asked = [name for name in names if name in places], None
-    rest = [at for at in rest if at not in {place.at for place in places.values()}]
+    rest = _left(rest, places)
     if not known and rest:
         lacking = grid.given if len(rest) == len(names) - len(grid.given) else ()
         places |= _in_order(layout, rest, [name for name in names if name not in lacking])
@@ -72,6 +72,17 @@ def find_columns(layout: Layout, grid: Grid) -> Places:
     if not any(name in places for name in names):
         raise unreadable("no_columns", columns=len(rest), names=tuple(names))
     return Places(places, tuple(sorted({layout.heads[at].candidates[0] for at in repeated})), asked)
+
+
+def _left(among: Sequence[int], places: dict[str, Place]) -> list[int]:
+    """Return those of some columns of the file that are not yet in `places`."""
+    taken = {place.at for place in places.values()}
+    return [at for at in among if at not in taken]
+
+
+def _in_turn(columns: Sequence[int], names: Sequence[str]) -> dict[str, Place]:
+    """Return columns of the file by position: each name has the column of its turn."""
+    return {name: Place(at, "position") for at, name in zip(columns, names, strict=True)}
 
 
 def _by_words(layout: Layout, rest: list[int], places: dict[str, Place]) -> dict[str, Place]:
@@ -86,7 +97,7 @@ def _unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int
 
     Raises `Refused` if more columns are unread than missing, or if a column with a head of the task has text instead of numbers.
     """
-    unread = [at for at in rest if at not in {place.at for place in places.values()}]
+    unread = _left(rest, places)
     for at, head in enumerate(layout.heads):
         cells = [row[at].text for row in layout.body if row[at].flag == "text" and any(map(str.isdigit, row[at].text))]
         if head.is_certain and head.candidates[0] in grid.names and head.candidates[0] not in places and cells:
@@ -99,7 +110,7 @@ def _unread(layout: Layout, grid: Grid, places: dict[str, Place], rest: list[int
     question = doubtful("unread_heads", heads=texts, names=tuple(lacking))
     if len(heads) > len(lacking):
         raise question
-    return {name: Place(at, "position") for at, name in zip(unread, lacking, strict=True)}, question.trouble.text
+    return _in_turn(unread, [*lacking]), question.trouble.text
 
 
 def _by_head(layout: Layout, filled: list[int], units: dict[str, str]) -> tuple[dict[str, Place], set[int]]:
@@ -191,7 +202,7 @@ def _in_order(layout: Layout, rest: list[int], names: Sequence[str]) -> dict[str
         raise unreadable("count_columns", found=len(rest), needed=len(names), names=tuple(names))
     if any(head.candidates and name not in head.candidates for head, name in zip(heads, names, strict=True)):
         raise unreadable("heads_disagree", names=tuple(names))
-    return {name: Place(at, "position") for at, name in zip(rest, names, strict=True)}
+    return _in_turn(rest, names)
 
 
 def _lost_letters(layout: Layout, rest: list[int], names: list[str]) -> dict[str, Place]:
@@ -199,11 +210,11 @@ def _lost_letters(layout: Layout, rest: list[int], names: list[str]) -> dict[str
     open_heads: list[tuple[int, Head]] = [(at, layout.heads[at]) for at in rest if layout.heads[at].candidates]
     unnamed = [at for at in rest if not layout.heads[at].text]
     if unnamed and not open_heads and len(unnamed) == len(names):
-        return {name: Place(at, "position") for at, name in zip(unnamed, names, strict=True)}
+        return _in_turn(unnamed, names)
     found: dict[str, Place] = {}
     for group in {head.candidates for _, head in open_heads}:
         members = [at for at, head in open_heads if head.candidates == group]
         left = [name for name in group if name in names]
         if len(members) == len(left):
-            found |= {name: Place(at, "position") for at, name in zip(members, left, strict=True)}
+            found |= _in_turn(members, left)
     return found
