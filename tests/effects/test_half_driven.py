@@ -5,50 +5,12 @@ import pytest
 
 import coursework
 from tests.effects.massed import of_text
+from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, page_of
 from tests.report.reading import html_text
 
 R, L, V, P = 0.1, 0.3, 0.2, 5.0
-CRANK = """
-format = 1
-[given]
-r = "0.1 m"
-l = "0.3 m"
-V = "0.2 m/s"
-p = "5 1/s"
-[drive]
-VMx = "V*cos(p*t)"
-[coordinates]
-phi1 = { start = "1.2 rad", rate = "w1" }
-phi2 = { start = "-0.316 rad", rate = "w2" }
-[time]
-step = "0.01 s"
-end = "1.2 s"
-scheme = "exact"
-[[constraint]]
-equation = "VMx + r*w1*sin(phi1) + l*w2*sin(phi2) = 0"
-[[constraint]]
-equation = "r*w1*cos(phi1) + l*w2*cos(phi2) = 0"
-[points]
-O = "(0, 0)"
-A = "r @ phi1"
-M = "A + l @ phi2"
-[links]
-1 = { points = ["O", "A"], rate = "w1" }
-2 = { points = ["A", "M"], rate = "w2" }
-3 = { points = ["M"] }
-[frame]
-hinges = ["O"]
-rails = [{ through = "M", angle = "0" }]
-[masses]
-1 = { mass = "1 kg", inertia = "0.001 kg*m^2" }
-2 = { mass = "2 kg", inertia = "0.015 kg*m^2" }
-3 = { mass = "3 kg" }
-[forces]
-gravity = "9.81 m/s^2"
-[ask]
-quantities = ["table", "checks", "forces"]
-"""
+CRANK = mechanism("crank-driven-along-one-axis")
 WRONG = CRANK.replace("+ r*w1*sin", "- r*w1*sin")
 
 

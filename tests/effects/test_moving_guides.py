@@ -7,47 +7,9 @@ import pytest
 
 import coursework
 from tests.effects.massed import of_text
+from tests.mechanisms.library import mechanism
 
-BARS = """
-format = 1
-title = "A bar that turns, and a rod on a slider of it"
-[given]
-w0 = "4 rad/s"
-[drive]
-w1 = "w0"
-[coordinates]
-phi = { start = "20 deg", rate = "w1" }
-p2 = { rate = "w2", unit = "rad" }
-s = { rate = "u", unit = "m" }
-[time]
-step = "0.02 s"
-end = "0.2 s"
-[points]
-O = "(0, 0)"
-K = "(0.1, 0)"
-[[group]]
-kind = "crank"
-from = ["O"]
-meets = "A"
-lengths = ["0.05"]
-coordinates = ["phi"]
-[[group]]
-kind = "RRP"
-from = ["K"]
-guide = { through = "O", angle = "phi" }
-meets = "B"
-lengths = ["0.2"]
-coordinates = ["p2", "s"]
-mode = "+1"
-[frame]
-hinges = ["O", "K"]
-[masses]
-2 = { mass = "1 kg", inertia = "rod" }
-[forces]
-F1 = { on = "2", at = "B", force = "(-100, 0)" }
-[ask]
-quantities = ["table", "checks", "forces"]
-"""
+BARS = mechanism("rod-on-a-slider-of-a-bar")
 
 
 @pytest.mark.parametrize(
@@ -71,48 +33,13 @@ def test_a_guide_belongs_to_a_link_only_if_it_moves_with_it(through, angle, link
         assert verdicts["VIRTUAL-POWER"] == "PASS", verdicts
 
 
-FOUR_BAR = """
-format = 1
-title = "Four-bar"
-[drive]
-w1 = "7"
-[coordinates]
-p1 = { start = "-40 deg", rate = "w1" }
-p2 = { start = "START", rate = "w2" }
-p3 = { start = "129 deg", rate = "w3" }
-[time]
-step = "0.025 s"
-end = "0.2 s"
-[[constraint]]
-name = "1"
-because = "x"
-equation = "-0.1*w1*sin(p1) - 0.25*w2*sin(p2) = -0.22*w3*sin(p3)"
-[[constraint]]
-name = "2"
-because = "y"
-equation = "0.1*w1*cos(p1) + 0.25*w2*cos(p2) = 0.22*w3*cos(p3)"
-[points]
-A = "(0, 0)"
-D = "(0.3, 0)"
-B = "A + 0.1 @ p1"
-C = "B + 0.25 @ p2"
-[links]
-1 = { points = ["A", "B"], rate = "w1" }
-2 = { points = ["B", "C"], rate = "w2" }
-3 = { points = ["D", "C"], rate = "w3" }
-[frame]
-hinges = ["A", "D"]
-[masses]
-3 = { mass = "1 kg", inertia = "rod" }
-[ask]
-quantities = ["table", "checks", "forces"]
-"""
+FOUR_BAR = mechanism("four-bar-measured-on-a-drawing")
 
 
 @pytest.mark.parametrize(("start", "is_measured"), [("70.2 deg", True), ("71 deg", True), ("80 deg", False)])
 def test_start_values_measured_on_a_drawing_leave_the_pins_in_their_links(start, is_measured):
     """The loop closes at 70.162 degrees; the checks ask for the forces of the exact motion, too."""
-    run = coursework.solve(coursework.parse_variant(FOUR_BAR.replace("START", start), "own.toml"))
+    run = coursework.solve(coursework.parse_variant(FOUR_BAR.replace("70.2 deg", start), "own.toml"))
     if is_measured:
         assert {"VIRTUAL-POWER", "FORCE-ACCURACY"} <= {one.code for one in run.checks}
     else:
@@ -122,35 +49,7 @@ def test_start_values_measured_on_a_drawing_leave_the_pins_in_their_links(start,
             _ = run.results.forces
 
 
-SLEEVE = """
-format = 1
-title = "A bar that swings through a sleeve on a crank"
-[drive]
-w1 = "5"
-[coordinates]
-phi = { start = "40 deg", rate = "w1" }
-psi = { start = "0.1690507619705257 rad", rate = "wp" }
-[time]
-step = "0.02 s"
-end = "0.2 s"
-[points]
-O = "(0, 0)"
-D = "(-0.3, 0)"
-B = "O + 0.1 @ phi"
-E = "D + 0.6 @ psi"
-[links]
-1 = { points = ["O", "B"], rate = "w1" }
-2 = { points = ["B"], slides = "3" }
-3 = { points = ["D", "E"] }
-[frame]
-hinges = ["O", "D"]
-[[constraint]]
-equation = "0.1*w1*cos(phi - psi) - (0.1*cos(phi - psi) + 0.3*cos(psi))*wp = 0"
-[masses]
-2 = { mass = "0.5 kg", inertia = "0.01 kg*m^2" }
-[ask]
-quantities = ["table", "forces"]
-"""
+SLEEVE = mechanism("bar-through-a-sleeve")
 
 
 @pytest.mark.parametrize("rate", ["", ', rate = "wp"'])
@@ -181,9 +80,8 @@ def test_a_sleeve_turns_with_its_bar_whether_or_not_the_file_names_the_rate(rate
 )
 def test_an_equation_that_no_position_judges_is_told_before_the_links(right, wrong, named):
     """Points of the rocker are those of the frame and of the coupler: only its shape judges the equations."""
-    right_one = FOUR_BAR.replace("START", "70.2 deg")
-    assert of_text(right_one).reactions.names
-    text = right_one.replace(right, wrong)
+    assert of_text(FOUR_BAR).reactions.names
+    text = FOUR_BAR.replace(right, wrong)
     if "rate" in right:
         text = text.replace("= 0.22*w3*cos", "= -0.22*w3*cos")
     with pytest.raises(coursework.InputError, match=rf"V735 .*: {named}.*, point C does not stand still"):
@@ -199,7 +97,7 @@ def test_an_equation_that_no_position_judges_is_told_before_the_links(right, wro
     ],
 )
 def test_without_forces_the_first_line_names_what_does_not_fit_the_links(right, wrong, told):
-    text = re.sub(r"\[masses\]\n.*\n", "", FOUR_BAR.replace("START", "70.2 deg").replace(', "forces"', ""))
+    text = re.sub(r"\[masses\]\n.*\n", "", FOUR_BAR.replace(', "forces"', ""))
     assert coursework.solve(coursework.parse_variant(text.replace(right, wrong))).summary.startswith(told)
 
 

@@ -19,7 +19,7 @@ from coursework.grading.marking.rubric import read_rubric
 from tests.grading.batch.classroom import EQUATIONS, NAMES
 from tests.grading.batch.test_batch import grade
 from tests.grading.marking import students
-from tests.grading.pages.truths import RIGHT, ROWS, VARIANT, Case, cases
+from tests.grading.pages.truths import RIGHT, ROWS, Case, cases, write_variants
 
 PARTS = {"table": 60.0, "equations": 40.0}
 COUNTS = re.compile(
@@ -66,9 +66,7 @@ def handed_in() -> dict[str, Case]:
 @pytest.fixture(scope="module")
 def seen(handed_in, tmp_path_factory) -> dict[str, Seen]:
     root = tmp_path_factory.mktemp("truth")
-    text = VARIANT.read_text(encoding="utf-8")
-    for name, amplitude in (("s01", "4.5"), ("s02", "4.0")):
-        (root / f"{name}.toml").write_text(text.replace('V1    = "4.5 m/s"', f'V1    = "{amplitude} m/s"'), encoding="utf-8")
+    write_variants(root)
     (root / "rubric.toml").write_text('[[confusion]]\ndatum = "r1"\nvalue = "0.8 m"\nbecause = "AB for DA."\n', encoding="utf-8")
     roster = ["id,name,email,variant", "zz-other,Zed Zzyzx,z@x.edu,s02.toml"]
     sheet = [

@@ -15,9 +15,17 @@ from tests.grading.batch.classroom import EQUATIONS, NAMES
 from tests.grading.batch.classroom import csv as table_csv
 from tests.grading.marking import students
 from tests.grading.marking.students import ROWS, H, slopes, velocities
+from tests.mechanisms.library import changed
 
 RIGHT = students.table()
 VARIANT = Path(__file__).parents[3] / "variants" / "31.toml"
+
+
+def write_variants(folder: Path) -> None:
+    """Write the variant of the class, s01, and that of another student, s02, into a folder."""
+    text = VARIANT.read_text(encoding="utf-8")
+    for name, amplitude in (("s01", "4.5 m/s"), ("s02", "4.0 m/s")):
+        (folder / f"{name}.toml").write_text(changed(text, V1=amplitude), encoding="utf-8")
 
 
 @dataclass

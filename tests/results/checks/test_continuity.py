@@ -10,6 +10,7 @@ from coursework.report.pages import build_model
 from coursework.report.pages.html import render_html
 from coursework.results.checks.close_to_motion import continuity
 from tests.hard.scenes import scene
+from tests.mechanisms.library import mechanism
 from tests.results.checks.scenes import V31, evidence_of, found, solve
 
 
@@ -107,36 +108,13 @@ def test_a_position_that_jumps_where_a_formula_does(law, scheme):
     assert (found(before, "DRIFT").verdict, before.status()) == ("PASS", 0)
 
 
-OPENED = """format = 1
-title = "A held height that the velocities do not keep, singular where the motion begins"
-[given]
-r = "0.2 m"
-k = "K m"
-[drive]
-w1 = "1"
-[coordinates]
-p = { start = "0 rad", rate = "w1" }
-q = { start = "90 deg", rate = "w2" }
-z = { start = "0 rad", rate = "w3" }
-[time]
-step = "0.01 s"
-end = "0.5 s"
-[[constraint]]
-equation = "r*w2 = 0.5*r*w1"
-[[constraint]]
-equation = "w3 = 3*w1"
-[closure]
-holds = ["r*sin(q) - k*p", "z - 3*p"]
-"""
-
-
 @pytest.mark.parametrize("size", ["0.4", "0.04", "0.0004"])
 def test_a_position_equation_that_the_velocities_do_not_keep_does_not_jump(size):
     """r sin(q) - k p with q = pi/2 + p/2 is r cos(p/2) - k p: it opens at once at the rate k; its own motion is singular there.
 
     The lengths r and k are not what costs the digits.
     """
-    run = solve(OPENED.replace("K", size), "rk4")
+    run = solve(mechanism("height-that-is-not-kept", k=f"{size} m"), "rk4")
     p = np.linspace(0, 0.5, 51)
     opened = np.abs(0.2 * (np.cos(p / 2) - 1) - float(size) * p) / min(0.2, float(size))  # of the shorter length
     row, judged = int(np.argmax(opened > 0.05)), found(run, "DRIFT")
