@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.grade import Grade
-from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.reasons.equations import why_of_line
 from coursework.grading.marking.reasons.reasons import summary
 from coursework.grading.marking.reasons.table import counts, shut
@@ -83,7 +82,8 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         )
 
     def lettered(text: str) -> str:
-        return _lettered(grade.key, typeset(words.written(text)))
+        """Return a sentence with the names of columns and data printed as in the report."""
+        return spelt(typeset(words.written(text)), (*grade.key.names, *(given.name for given in grade.key.variant.given)))
 
     return _page(
         final,
@@ -165,11 +165,6 @@ def _why(reasons: Iterable[Mapping[str, str]], lettered: Callable[[str], str], w
 def shown_points(value: float | None, words: Phrases) -> str:
     """Return points as a person writes them, "–" for None."""
     return "–" if value is None else words.number(round(value, 2), ".10g")
-
-
-def _lettered(key: Key, text: str) -> str:
-    """Return a sentence with the names of columns and data printed as in the report."""
-    return spelt(text, (*key.names, *(given.name for given in key.variant.given)))
 
 
 def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:

@@ -3,15 +3,14 @@ r"""LaTeX as students type it -> the plain signs in which equations are read.
 Enters: text with commands such as \frac, \dot, \cdot, align and &=.  Leaves: text without them; an unknown command is left as
 its word, for the strict reader to refuse.  Nothing is run; what a text itself calls by a short name is put in its place.
 Used by `text_lines.py` (what is one line), `plain_text.py` (what stands in it) and, for a formula or matrix of others,
-`markdown.py`, `parts.py` and `formula_text.py`.
+`markdown.py`, `parts.py`, `matrices.py` and `formula_text.py`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
-from coursework.grading.reading.equations.notation.determinants import determinant
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.notation.signs import ARROW
 from coursework.variant.formula.alphabet import greek
@@ -67,6 +66,7 @@ _DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
 _MOST = 200  # fractions in one line, environments in a text
 
 _ASCIIDOC = re.compile(r"\b(?:latexmath|asciimath|stem):\[(.*)\]")
+_SIZES = (2, 3)
 
 
 def logical_lines(text: str) -> list[tuple[int, str]]:
@@ -220,3 +220,21 @@ def _argument(text: str, place: int) -> tuple[str, int]:
         if not depth:
             return text[place + 1 : end], end + 1
     return text[place + 1 :], len(text)
+
+
+def determinant(rows: Sequence[Sequence[str]]) -> str:
+    """Return a determinant as a sum, "" if it is not square or has more rows than one writes out.
+
+    >>> determinant([["a", "b"], ["c", "d + e"]]), determinant([["a", "b"]])
+    ('((a)*(d + e) - (b)*(c))', '')
+    """
+    if len(rows) not in _SIZES or any(len(row) != len(rows) for row in rows):
+        return ""
+    if len(rows) == _SIZES[0]:
+        (a, b), (c, d) = rows
+        return f"(({a})*({d}) - ({b})*({c}))"
+    first, *others = rows
+    minors = (determinant([[*row[:column], *row[column + 1 :]] for row in others]) for column in range(3))
+    return (
+        "(" + "".join(f" {'+-'[k % 2]} ({cell})*{minor}" for k, (cell, minor) in enumerate(zip(first, minors, strict=True))) + ")"
+    )

@@ -10,8 +10,7 @@ import re
 from collections.abc import Sequence
 from itertools import islice
 
-from coursework.grading.reading.equations.notation.determinants import determinant
-from coursework.grading.reading.equations.notation.latex import matrices_in_one_piece
+from coursework.grading.reading.equations.notation.latex import determinant, matrices_in_one_piece
 from coursework.grading.reading.equations.notation.signs import closing
 from coursework.grading.reading.equations.systems.of_r import in_brackets
 from coursework.grading.reading.equations.systems.parts import at_commas, product, rows_of, vector
