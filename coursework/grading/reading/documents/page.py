@@ -66,10 +66,14 @@ def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) ->
     document = Document(kind, is_whole=False)
     marked = _DRAWN.sub(lambda found: f"<p>{_MARK}{found[1] or found[2]}</p>", text)
     depth = end = 0
-    for found in islice(_TABLE.finditer(marked), _MOST_ENDS):
-        _add_piece(document, marked[end : found.start()], depth > 0, most_rows, most_columns)
-        depth, end = max(0, depth - 1) if found[1] else depth + 1, found.end()
-    _add_piece(document, marked[end:], False, most_rows, most_columns)
+    for found in (*islice(_TABLE.finditer(marked), _MOST_ENDS), None):
+        piece = marked[end : found.start() if found else len(marked)]
+        if found and depth:
+            _add_table(document, piece, most_rows, most_columns)
+        else:
+            _add_text(document, piece)
+        if found:
+            depth, end = max(0, depth - 1) if found[1] else depth + 1, found.end()
     return document
 
 
@@ -103,17 +107,17 @@ def _span_mark(found: re.Match[str]) -> str:
     return f"{found[0]}{_MARK}{spans.get('colspan', 1)},{spans.get('rowspan', 1)}{_MARK}" if spans else found[0]
 
 
-def _add_piece(document: Document, piece: str, is_table: bool, most_rows: int, most_columns: int) -> None:
-    lines = text_of(_CELL.sub(_span_mark, piece) if is_table else piece).split("\n")
-    if is_table:
-        rows = _spanned([line.split("\t")[:most_columns] for line in lines if line.strip()][:most_rows], most_columns)
-        cells = [[Cell(text.strip()[:CELL_CHARACTERS]) for text in row] for row in rows]
-        place = place_of("table", number=min(len(document.tables) + 1, MOST_TABLES))
-        document.add_table(cells, place)
-        for text in (text for line in lines for text in line.split("\t") if relates_two_sides(text)):
-            document.add_line(text.replace(_MARK, ""), place, _MARK in text)
-        return
-    for line in lines:
+def _add_table(document: Document, piece: str, most_rows: int, most_columns: int) -> None:
+    lines = text_of(_CELL.sub(_span_mark, piece)).split("\n")
+    rows = _spanned([line.split("\t")[:most_columns] for line in lines if line.strip()][:most_rows], most_columns)
+    place = place_of("table", number=min(len(document.tables) + 1, MOST_TABLES))
+    document.add_table([[Cell(text.strip()[:CELL_CHARACTERS]) for text in row] for row in rows], place)
+    for text in (text for line in lines for text in line.split("\t") if relates_two_sides(text)):
+        document.add_line(text.replace(_MARK, ""), place, _MARK in text)
+
+
+def _add_text(document: Document, piece: str) -> None:
+    for line in text_of(piece).split("\n"):
         plain = html.unescape(line).strip()
         document.add_line(plain.replace(_MARK, ""), place_of("line", line=len(document.lines) + 1), plain.startswith(_MARK))
 

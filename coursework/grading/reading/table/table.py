@@ -115,16 +115,17 @@ def _placed(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
         notes,
         own,
         origin.place,
-        strange=sum(math.isfinite(value) for column in read if _is_strange(column, layout) for value in column.values),
+        strange=sum(_strange(column, layout) for column in read),
         asked=places.asked,
     )
 
 
-def _is_strange(column: TableColumn, layout: Layout) -> bool:
-    """Return whether a column is read by position although its head has a word that names something else."""
+def _strange(column: TableColumn, layout: Layout) -> int:
+    """Return how many numbers of a column are read by position although its head has a word that names something else."""
     head = layout.heads[column.at - 1]
     text = head.text if layout.has_heads else layout.above[column.at - 1]
-    return column.by == "position" and not head.candidates and any(map(str.isalpha, text))
+    is_strange = column.by == "position" and not head.candidates and any(map(str.isalpha, text))
+    return sum(map(math.isfinite, column.values)) if is_strange else 0
 
 
 def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Sequence[TableColumn]) -> OwnTimes:
