@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.variant.formula.alphabet import LOOK_ALIKE
+from coursework.variant.formula.reader import FUNCTION_WORDS
 
 _SIGNS = str.maketrans({"[": "(", "]": ")", "{": "(", "}": ")", "`": None, "$": None})
 _INDEX = 2  # letters in a name or index that is set apart
@@ -31,10 +32,6 @@ _TOKEN = re.compile(
     r"(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+(?![\w.]))?)|(?P<name>[^\W\d]\w*)|(?P<sign>\S)"
     r"|(?P<blank>\s+)"
 )
-_FUNCTIONS = (
-    "arcsin", "arccos", "arctan", "arctg", "atan2", "asin", "acos", "atan", "sqrt", "sin", "cos", "tan", "ctg", "cot", "tg",
-    "exp", "log", "ln", "abs",
-)  # fmt: skip
 
 
 class _Token(NamedTuple):
@@ -58,7 +55,7 @@ def sides_of(text: str, spellings: Spellings, *, closely: bool = False) -> Sides
     >>> sides_of("2l1 sin φ3 + 0,5", Spellings(frozenset({"l1", "phi3"}), {}, {}))
     Sides(texts=('2 * l1 * sin(phi3) + 0.5', '0'), is_whole=False)
     """
-    if _CELLS.search(text) or not all(name.lower().endswith(_FUNCTIONS) for name in _SUBSCRIPT.findall(text)):
+    if _CELLS.search(text) or not all(name.lower().endswith(tuple(FUNCTION_WORDS)) for name in _SUBSCRIPT.findall(text)):
         return Sides(tuple(text.split("=")))
     typed = _NAMED.sub(r"\1 = ", text.replace("$", " ").translate(_SIGNS).rstrip(_TAIL))
     typed = typed.replace("\\", " ").strip()
@@ -101,7 +98,7 @@ def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
     if kind != "name":
         return [_Token(kind, text)]
     plain = "".join(_WORDS.get(letter, LOOK_ALIKE.get(letter, letter)) for letter in text)
-    if (function := _ELSEWHERE.get(text.lower(), plain.lower())) in _FUNCTIONS:
+    if (function := _ELSEWHERE.get(text.lower(), plain.lower())) in FUNCTION_WORDS:
         return [_Token("function", function)]
     if known := spellings.canonical(plain) or spellings.canonical(text):
         return [_Token("name", known)]
@@ -122,7 +119,7 @@ def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
             # A digit belongs to the name before it.
             if end < len(text) and text[end].isdigit():
                 continue
-            token = _Token("function", piece.lower()) if piece.lower() in _FUNCTIONS else None
+            token = _Token("function", piece.lower()) if piece.lower() in FUNCTION_WORDS else None
             if token is None and (known := spellings.canonical(piece)):
                 token = _Token("name", known)
             if token:
