@@ -1,7 +1,7 @@
 """Whether written equations contradict the geometry only because the start leaves open what [closure] holds.
 
 Enters: velocity equations that disagree with the geometry, and their closure.  Leaves: nothing.  Raises `InputError` naming the
-start.  Used by `unseen_signs.py`, `rigid.py`.  A held quantity keeps its start value: a slot whose pin starts beside it becomes a
+start.  Used by `unseen_signs.py`, `rigid.py`, `turning.py`.  A held quantity keeps its start value: a slot whose pin starts beside it becomes a
 slot with an offset, and equations written for no offset contradict it.
 """
 
