@@ -6,6 +6,7 @@ Used by `cli.py`.
 from __future__ import annotations
 
 from coursework.api import make_run, variant_of
+from coursework.commands.contradictions import terms_named
 from coursework.commands.line.screen import tell, tell_own_file, title_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.equations.reduction.textbook.cramer import cramer
@@ -18,7 +19,6 @@ from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
 from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
-from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
@@ -27,13 +27,8 @@ def check_variant(variant: str) -> int:
     """Print the results; return 0 if the whole motion is possible, 1 if it stops or its start is not a closed position."""
     tell_own_file(variant)
     run = make_run(variant_of(variant))
-    try:
+    with terms_named(run.variant):
         return _tell(run)
-    except InputError as error:
-        from coursework.desk.answering.contradicted import with_terms
-
-        text = run.variant.path.read_text(encoding="utf-8-sig") if run.variant.path is not None else ""
-        raise with_terms(error, run.variant, text) from error
 
 
 def _tell(run: Run) -> int:

@@ -18,12 +18,11 @@ import numpy as np
 from coursework.equations.reduction.bound import Speed, Turn, rate_of, speed_of
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_system
-from coursework.motion.geometry.closed_start import OPEN
 from coursework.motion.geometry.closure import Closure, largest_length
 from coursework.motion.geometry.judging.agreement import given_by_geometry, gives
 from coursework.motion.geometry.judging.compared import looked_at
 from coursework.motion.geometry.judging.misfits import row_of
-from coursework.motion.geometry.judging.open_loops import with_closed_loops
+from coursework.motion.geometry.judging.open_loops import where_judged
 from coursework.system.arrays import Array
 from coursework.variant.record.held import velocities_of_points
 from coursework.words.errors import Fault, InputError
@@ -42,7 +41,7 @@ def require_turning(equations: VelocityEquations, closure: Closure, rigid: bool)
     """
     if faults := _faults(equations, closure, rigid):
         # An open start changes how links turn: a fault counts only if it remains once the start closes.
-        near = with_closed_loops(closure)[0] or with_closed_loops(closure, OPEN * closure.scale)[0]
+        near = where_judged(closure)
         if near is not None and _faults(equations, near, rigid):
             raise InputError(faults)
 

@@ -74,7 +74,7 @@ def drift(evidence: Evidence) -> Finding:
 
 
 def _leaves(evidence: Evidence, equation: int) -> tuple[str, str]:
-    """Return with which sentence an open position equation is told, and the point that leaves its path, its guide or its pivot."""
+    """Return with which sentence an open position equation is told, and the point that leaves its path, guide or pivot."""
     variant, positions = evidence.variant, evidence.equations.positions
     driven = followed(variant).get(positions[equation].target)
     if driven:

@@ -110,8 +110,8 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     assert row is not None
     first, last = (0.0 if abs(end) < NO_ERROR else end for end in (worst.first, worst.last))
     found = {
-        "which": evidence.say(f"check.{code}.which", name=worst.name), "share": percent(value, LIMIT), "row": row + 1, "first": first,
-        "last": last, "gap": abs(worst.total), "unit": worst.unit, "scale": scale[worst.name],
+        "which": evidence.say(f"check.{code}.which", name=worst.name), "share": percent(value, LIMIT), "row": row + 1,
+        "first": first, "last": last, "gap": abs(worst.total), "unit": worst.unit, "scale": scale[worst.name],
     }  # fmt: skip
     if value == 0:
         told = [evidence.say("check.PERIOD.same", row=row + 1)]

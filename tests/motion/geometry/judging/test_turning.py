@@ -85,5 +85,5 @@ def test_a_start_that_does_not_close_changes_no_rate(off):
     """An open start is told by its own check; a link that is named wrong is told beside it, whatever the start."""
     start = "74.0438 deg", f"{74.0438 + off} deg"
     assert closure(mechanism("windshield-wiper"), start) is not None
-    with pytest.raises(coursework.InputError, match="V309 .*link 5 turns at"):
+    with pytest.raises(coursework.InputError, match=r"V309 .*link 5 turns at"):
         closure(mechanism("windshield-wiper"), start, ('"Q"], rate = "w5"', '"Q"], rate = "w4"'))
