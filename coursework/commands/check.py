@@ -6,19 +6,19 @@ Used by `cli.py`.
 from __future__ import annotations
 
 from coursework.api import make_run, variant_of
+from coursework.commands.contradictions import terms_named
 from coursework.commands.line.screen import tell, tell_own_file, title_of
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.equations.reduction.textbook.cramer import cramer
 from coursework.mechanism.structure import driven_freedoms
 from coursework.motion.geometry.judging.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
-from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_joints
+from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_ties
 from coursework.run import Run
 from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
 from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
-from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
@@ -27,13 +27,8 @@ def check_variant(variant: str) -> int:
     """Print the results; return 0 if the whole motion is possible, 1 if it stops or its start is not a closed position."""
     tell_own_file(variant)
     run = make_run(variant_of(variant))
-    try:
+    with terms_named(run.variant):
         return _tell(run)
-    except InputError as error:
-        from coursework.desk.answering.contradicted import with_terms
-
-        text = run.variant.path.read_text(encoding="utf-8-sig") if run.variant.path is not None else ""
-        raise with_terms(error, run.variant, text) from error
 
 
 def _tell(run: Run) -> int:
@@ -68,6 +63,8 @@ def _tell(run: Run) -> int:
             tell(say("screen.never_zero", determinant=determinant))
     if closure is None:
         tell(say("screen.all_free" if free else "screen.no_positions"))
+        for tie in () if free else proposed_ties(equations, scene.start):
+            tell(tie)
     elif not closure.names:
         tell(say("screen.all_driven"))
     else:
@@ -100,7 +97,7 @@ def _tell_mobility(run: Run) -> None:
     verdict = say("screen.driven", number=drives)
     joints: list[Sentence] = []
     if drives and mobility.degrees != drives:
-        joints = _uncounted_joints(run)
+        joints = _joints_of_two_names(run)
         way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
         verdict = way or say("screen.driven_otherwise", drives=drives)
     if not drives or run.variant.motor is not None:
@@ -110,12 +107,11 @@ def _tell_mobility(run: Run) -> None:
         tell(joint)
 
 
-def _uncounted_joints(run: Run) -> list[Sentence]:
+def _joints_of_two_names(run: Run) -> list[Sentence]:
     """Return a sentence for each pair of points that may be one hinge, although they share no name."""
-    equations, closure = run.scene.equations, run.scene.closure
-    if closure is None:
-        return proposed_joints(equations, run.scene.start)
-    return [say("screen.two_names", one=one, other=other) for one, other in hinges_with_two_names(equations, closure)]
+    closure = run.scene.closure
+    pairs = hinges_with_two_names(run.scene.equations, closure) if closure is not None else ()
+    return [say("screen.two_names", one=one, other=other) for one, other in pairs]
 
 
 def _along_its_guide(variant: Variant) -> Sentence | None:

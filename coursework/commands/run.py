@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import make_run, step_choice, variant_of
+from coursework.commands.contradictions import terms_named
 from coursework.commands.line.screen import is_terminal, refuse_motor, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.commands.run_on_screen import by_folder, tell_run, tell_run_briefly
 from coursework.motion.settings import stepping
@@ -129,7 +130,8 @@ def write_all(results: Results, folder: Path, formats: Sequence[Format]) -> list
     If the budget ends before that, write the tables with the quantities known so far and raise `Ended` again.
     """
     try:
-        return _write(results, folder, formats)
+        with terms_named(results.run.variant):
+            return _write(results, folder, formats)
     except Ended:
         run = results.run
         computed = {TABLE.name, *vars(run.results)}

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from coursework.commands.line.screen import in_language, speaks_english, tell, tell_wrapped, title_of
-from coursework.results.checks.result import GROUPS, OF_THE_SCALE, Finding, beside, never_more
+from coursework.results.checks.result import GROUPS, OF_THE_SCALE, Finding, beside, digits_apart, never_more
 from coursework.run import Run
 from coursework.scene.quantities import CHECKS
 from coursework.variant.record.entries import guide_number
@@ -153,7 +153,8 @@ def tell_checks(run: Run) -> None:
         for check in found_of:
             parts: list[str] = []
             if check.value is not None:
-                value = float(f"{never_more(check.value, check.unit, 3):.3g}")  # three digits are printed
+                value = never_more(check.value, check.unit, 3)
+                value = float(f"{value:.{digits_apart(value, check.limit, 3, 'g')}g}")  # three digits are enough
                 unit = beside(check.unit, value)
                 has_unit = bool(unit and in_language(unit))  # a language may have no word for a bare number
                 parts.append(say("screen.value_unit", value=value, unit=unit) if has_unit else say("screen.value", value=value))

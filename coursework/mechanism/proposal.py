@@ -6,18 +6,22 @@ Used by `results/checks/computed_right/equations.py` and `report/sections/deriva
 
 from __future__ import annotations
 
+import cmath
 import math
 import re
-from collections.abc import Iterable, Iterator
-from itertools import chain, count
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from itertools import chain, count, permutations
 
-from coursework.variant.formula.tree import Formula, evaluate, named, spelled
+from coursework.system.frozen import frozen
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, spelled
 from coursework.variant.reading.implied_closure import across_rail, stays
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Link, Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
+_NEAR, _SHIFT = 0.01, 0.1  # share of a distance within which a start gives it; rad or m by which coordinates are moved
 _ALONG = {"y": "0 deg", "x": "90 deg"}  # a point that keeps its height moves along x
 
 
@@ -63,6 +67,46 @@ def _of_coordinate(variant: Variant, name: str, coordinate: str) -> Sentence:
             holds = ", ".join(f'"{spelled(hold)}"' for hold in (*variant.holds, held))
             return say("proposal.rail", name=name, point=through.name, holds=holds)
     return say("proposal.coordinate", name=name, coordinate=coordinate)
+
+
+@frozen
+class Arm:
+    """A `length` of the data from one point of a `link` to another, at the angle that is the coordinate `angle`."""
+
+    link: str
+    begin: str
+    end: str
+    length: str
+    angle: str
+
+
+def loose_arms(variant: Variant, start: Sequence[float]) -> list[Arm]:
+    """Return two points of each link that nothing ties, and the datum and the coordinate by which the start (m,) does so."""
+    poses = [_points(variant, [value + shift for value in start]) for shift in (0.0, _SHIFT)]
+    values = dict(zip((one.name for one in variant.coordinates), start, strict=True))
+    turning = {one.rate: one.name for one in variant.coordinates if one.unit == "rad"}
+    found: dict[str, Arm] = {}
+    for link in variant.links:
+        ends = [point for point in link.points if all(point in pose for pose in poses)]
+        for begin, end in permutations(ends, 2) if link.rate in turning else ():
+            now, then = (pose[end] - pose[begin] for pose in poses)
+            angle = turning[link.rate or ""]
+            beside = abs(now) * cmath.exp(1j * values[angle])
+            lengths = [one.name for one in variant.given if one.si == "m" and abs(abs(one.value) - abs(now)) <= _NEAR * abs(now)]
+            if abs(now - beside) <= _NEAR * abs(now) and abs(abs(then) - abs(now)) > _NEAR * abs(now) and len(lengths) == 1:
+                found.setdefault(link.name, Arm(link.name, begin, end, lengths[0], angle))
+    return [*found.values()]
+
+
+def _points(variant: Variant, coordinates: Sequence[float]) -> dict[str, complex]:
+    """Return the points (x + iy, m) that follow from data and coordinates (m,)."""
+    place: dict[str, complex] = {**variant.values, "pi": math.pi}
+    place |= zip((one.name for one in variant.coordinates), coordinates, strict=True)
+    points: dict[str, complex] = {}
+    for name, formula in variant.points:
+        with suppress(FormulaFault, KeyError):  # a law of time has no value here
+            points[name] = place[name] = evaluate_any(formula, place)
+    return points
 
 
 def _of_link(variant: Variant, name: str) -> Sentence:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from types import SimpleNamespace
@@ -14,13 +15,16 @@ from coursework.drawing.figures import draw_start
 from coursework.drawing.lettering.dimensions import HEAD, TIGHT
 from coursework.drawing.lettering.naming import _unsaid
 from coursework.drawing.outline.ground import rail_side
+from coursework.drawing.outline.lengths import lengths
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.sheet import Sheet
+from coursework.mechanism.mechanism import build
 from coursework.report.text.symbols import symbol
 from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse
+from coursework.variant.formula.tree import evaluate_any, spelled
 from coursework.words.data_folders import folder
 from tests.drawing import measured
 from tests.mechanisms.library import mechanism
@@ -186,3 +190,19 @@ def test_a_length_that_a_closure_a_point_or_a_law_uses_helps_to_place_and_one_of
     points = {name: parse(text, vectors=True) for name, text in (("A", "b @ phi"), ("B", "(h, 0)"), ("C", "A + e @ psi"))}
     mechanism = SimpleNamespace(points=tuple(points.items()), variant=variant, constraints=(*closure, *rates))
     assert _unsaid(mechanism, {frozenset("AC"): parse("e")}) == dict.fromkeys("abcd", 1.0)  # h and e are said already
+
+
+@pytest.mark.parametrize("name", [*names(), "four-bar-along-its-chain"])
+def test_a_length_is_that_between_its_points_where_the_motion_starts(name: str) -> None:
+    """A sum that only keeps its value, as that which leads to a pivot along the chain, gives no length across it."""
+    run = solved(name, quantities=["table"]) if name in names() else solve(parse_variant(mechanism(name)), quantities=["table"])
+    variant, found = run.variant, build(run.variant)
+    place: dict[str, complex] = {**variant.values, "pi": math.pi, "t": 0.0}
+    place |= {one.name: run.motion.column(one.name)[0] for one in variant.coordinates}
+    outline = read_outline(found)
+    assert outline is not None
+    poses = read_poses(outline, run.scene.equations)(run.motion.t[:1], run.motion.coordinates[:1])
+    for ends, length in lengths(found).items():
+        if place.keys() >= {*length.names()} and poses.at.keys() >= ends:
+            first, last = (poses.at[end][0] for end in ends)
+            assert abs(last - first) == pytest.approx(abs(evaluate_any(length, place)), rel=0.02), (ends, spelled(length))

@@ -266,3 +266,15 @@ def test_a_block_that_is_pinned_to_its_guide_cannot_slide(points):
     variant = parse_variant(mechanism("shaper-equations", ('3 = { points = ["D", "B"]', f"3 = {{ points = {points}")))
     told = [str(remark.sentence) for remark in variant.plausibility]
     assert any(one.startswith("link 2 slides along link 3, but both hold A: pinned there,") for one in told) is ("A" in points)
+
+
+def test_data_of_a_place_are_told_with_the_point_that_they_place() -> None:
+    """As where the second pivot is written along the chain, and its coordinates stand beside it."""
+    along = ('D = "(xD, yD)"', 'D = "B - r3 @ phi3"'), ('G = "(xG, yG)"', 'G = "E - r5 @ phi5"')
+    wiper = mechanism("windshield-wiper", *along, holds=None)
+    found = [str(remark.sentence) for remark in parse_variant(wiper).plausibility]
+    assert found == [
+        f"x{one} and y{one} appear in no formula of the file. If they say where {one} is, "
+        f'write {one} = "(x{one}, y{one})" in [points].'
+        for one in "DG"
+    ]

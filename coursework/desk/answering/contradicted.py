@@ -1,7 +1,7 @@
 """Written equations that the geometry contradicts: which term differs and how; other equations keep their verdicts.
 
 Enters: a `Desk` and its faults.  Leaves: those faults, each at its term, and a verdict per equation.  Used by `bench.py` and, for
-a file, by `commands/check.py`.
+a file, by `commands/contradictions.py`.
 The search is that of the grading, with the velocities that the geometry gives.  The right term is not revealed.
 """
 
@@ -67,10 +67,10 @@ def with_terms(error: InputError, variant: Variant, text: str) -> InputError:
     wrong = {str(fault.message.values["name"]): fault for fault in error.faults if fault.code == CONTRADICTS}
     if not wrong:
         return error
-    for name, (how, _) in _slips(wrong, variant, text)[1].items():
-        message = wrong[name].message
-        advice = say("fault.contradicts.slip", how=how)
-        wrong[name] = replace(wrong[name], message=say(message.key, **{**message.values, "advice": advice}))
+    slips = _slips(wrong, variant, text)[1]
+    for name, fault in wrong.items():
+        advice = say("fault.contradicts.slip", how=slips[name][0]) if name in slips else say("fault.contradicts.many")
+        wrong[name] = replace(fault, message=say(fault.message.key, **{**fault.message.values, "advice": advice}))
     return InputError([wrong.get(str(fault.message.values.get("name")), fault) for fault in error.faults])
 
 

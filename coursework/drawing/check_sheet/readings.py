@@ -1,7 +1,6 @@
 """What a student reads off the drawing: lengths to half a millimetre, and the value that follows from each by one relation.
 
-Enters: a `Sketch`, the `Findings`, the layout of the sheet, the plan of velocities, the values of the table.
-Leaves: `Reading`s, in order of working.
+Enters: a `Sketch`, the `Findings`, the sheet's layout, the plan of velocities, the table.  Leaves: `Reading`s in order.
 Used by `graph_check.py` and `construction.py`.  Source: Ponomarev, coursework guide, graph-analytical check.
 """
 
@@ -291,6 +290,7 @@ class _Ruler:
         self, name: str, length: _Length, relation: Sentence, found: float, unit: str, part: float, known: str, *,
         shown: bool = True,
     ) -> None:  # fmt: skip
+        """Write down what was `found` (in `unit`) from a length, and how far off it may be by the reading; a line if `shown`."""
         self.parts[name] = part
         if length.read is not None or known in self.resting:
             self.resting.add(name)

@@ -145,8 +145,10 @@ def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool, str]]:
         if one.is_closure and not any(map(is_origin, one.sides)):  # a sum that is zero is a gap
             pair = one.sides, one.sides[::-1]
             sides += [(side, other.name if other.op == "name" else met.get(other, "")) for side, other in pair]
+    gaps = gaps_of(mechanism.variant)
+    sides += [(hold.args[0], "") for hold in mechanism.variant.holds if hold.op == "part" and hold.args[0] not in gaps]
     yield from (([*signed(side)], False, name) for side, name in sides)
-    yield from ((list(signed(gap)), True, "") for gap in gaps_of(mechanism.variant))
+    yield from (([*signed(gap)], True, "") for gap in gaps)
 
 
 def _centre(mechanism: Mechanism, rate: str, values: Values, way: complex) -> complex | None:

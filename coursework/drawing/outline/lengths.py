@@ -16,7 +16,7 @@ from string import ascii_uppercase
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, signed, terms
-from coursework.variant.record.held import held_vectors, is_origin
+from coursework.variant.record.held import held_vectors, is_gap, is_origin
 from coursework.variant.record.variant import Variant
 
 # The terms of an angle that move, with their signs.
@@ -49,8 +49,10 @@ def rigid_arm(formula: Formula, moving: Container[str]) -> tuple[str, Turning] |
 
 
 def gaps_of(variant: Variant) -> list[Formula]:
-    """Return the sums of vectors that a file holds along one axis or both, such as C - B - r @ phi."""
-    return [*dict.fromkeys((*(hold.args[0] for hold in variant.holds if hold.op == "part"), *held_vectors(variant)))]
+    """Return the sums of vectors that a file holds at zero along one axis or both, such as C - B - r @ phi."""
+    points = {name for name, _ in variant.points}
+    along_one = (hold.args[0] for hold in variant.holds if hold.op == "part" and is_gap(hold.args[0], points))
+    return [*dict.fromkeys((*along_one, *held_vectors(variant)))]
 
 
 def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:

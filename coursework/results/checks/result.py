@@ -24,6 +24,7 @@ OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
 _DECIMALS = {OF_POWER: 3, DIGITS_LEFT: 1}
 # From `_MANY` percent on a share is shown without decimals, from `_MOST` on as "more than": nobody compares such numbers.
 _MANY, _MOST = 1000.0, 1e4
+_FINEST = 6  # most digits that tell an amount from its limit
 # The order in which verdicts are counted and shown.
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
@@ -141,9 +142,25 @@ def beside(unit: str, value: float) -> str:
     return unit
 
 
-def percent(share: float) -> Sentence:
-    """Return a share in percent: with one decimal, small ones with two digits, large ones with no decimals."""
+def digits_apart(value: float, limit: float | None, digits: int, form: str = "f") -> int:
+    """Return with how many digits a value is printed: more where it would read like a limit that it is not.
+
+    >>> digits_apart(5.004, 5.0, 1), digits_apart(5.06, 5.0, 1), digits_apart(5.0, 5.0, 1)
+    (3, 1, 1)
+    """
+    while limit not in (None, value) and digits < _FINEST and f"{value:.{digits}{form}}" == f"{limit:.{digits}{form}}":
+        digits += 1
+    return digits
+
+
+def percent(share: float, limit: float | None = None) -> Sentence:
+    """Return a share in percent: with one decimal, small ones with two digits, large ones with no decimals.
+
+    One that is judged by a `limit` never reads like it on its other side.
+    """
     value = 100 * share
+    if limit is not None and (decimals := digits_apart(value, 100 * limit, 1)) > 1:
+        return say("amount.share_near", value=round(value, decimals))
     if value >= _MOST:
         return say("amount.share_beyond", value=_MOST)
     if value >= _MANY:

@@ -95,7 +95,7 @@ def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[F
     elif accuracy.value is not None:
         known = _scale(accuracy.sentence)
         scale = say("summary.scale", **known) if known else ""
-        found = {"share": percent(accuracy.value), "name": accuracy.column, "row": accuracy.row, "scale": scale}
+        found = {"share": percent(accuracy.value, accuracy.limit), "name": accuracy.column, "row": accuracy.row, "scale": scale}
         is_far = accuracy.verdict == "COARSE"
         told.append(say("summary.far", take=take, **found) if is_far else say("summary.close", **found))
     if failed := tuple(named(finding) for finding in findings if finding.verdict == "FAIL" and finding is not accuracy):

@@ -212,9 +212,24 @@ def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
     for law in variant.drive:
         if law.name not in read and not (law.formula and known_value(law.formula, variant.values) == 0):
             yield "IDLE", ("drive", law.name), say("remark.idle", name=law.name)
-    for given in variant.given:
-        if given.value and given.name not in read and (variant.points or variant.groups):
-            yield "UNUSED", ("given", given.name), say("remark.unused", name=given.name)
+    shown = variant.points or variant.groups
+    unused = [given.name for given in variant.given if shown and given.value and given.name not in read]
+    placed = {x: (x, y, point) for x, y, point in _places(variant) if {x, y} <= {*unused}}
+    beside = {y for _, y, _ in placed.values()}
+    for name in unused:
+        if name in placed:
+            x, y, point = placed[name]
+            yield "UNUSED", ("given", name), say("remark.unused_place", x=x, y=y, point=point)
+        elif name not in beside:
+            yield "UNUSED", ("given", name), say("remark.unused", name=name)
+
+
+def _places(variant: Variant) -> Iterator[tuple[str, str, str]]:
+    """Yield the names that data of a place have, such as xD and yD, with the point."""
+    for point, _ in variant.points:
+        yield from (
+            (form.format("x", point), form.format("y", point), point) for form in ("{0}{1}", "{1}{0}", "{0}_{1}", "{1}_{0}")
+        )
 
 
 def _written_lengths(variant: Variant) -> set[str]:

@@ -7,7 +7,7 @@ Used by `equations.py`, `changes.py`, `gaps.py`, `drift.py`, `structure.py` and 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from contextlib import suppress
 from itertools import permutations
 
@@ -91,9 +91,9 @@ def closed_loops(variant: Variant) -> tuple[bool, ...]:
 
 
 def held_vectors(variant: Variant) -> tuple[Formula, ...]:
-    """Return the sums of vectors that are held, or closed, along both axes, in whichever way a file writes the two.
+    """Return the sums of vectors that stay zero along both axes, in whichever way a file writes the two.
 
-    C.x - B.x - r*cos(phi) and C.y - B.y - r*sin(phi) say that C - B - r @ phi stays, and so does C - B - r @ phi = (0, 0).
+    C.x - B.x - r*cos(phi) and C.y - B.y - r*sin(phi) say that C - B - r @ phi is zero, and so does C - B - r @ phi = (0, 0).
     """
     closures = [one.sides for one in variant.constraints if one.is_closure]
     loops = [side for sides in closures for side, other in (sides, sides[::-1]) if is_origin(other)]
@@ -110,7 +110,16 @@ def held_vectors(variant: Variant) -> tuple[Formula, ...]:
     )
     vectors = (with_arms(pair) for pair in both)
     paired = [vector for vector in vectors if all(moving.isdisjoint(part.names()) for part in vector.walk() if part.op == "pair")]
-    return tuple(dict.fromkeys([*loops, *paired]))
+    return tuple(dict.fromkeys([*loops, *(vector for vector in paired if is_gap(vector, points))]))
+
+
+def is_gap(vector: Formula, points: Collection[str]) -> bool:
+    """Return whether a held sum of vectors leads round, so that it is zero: between points, or to a place that data give.
+
+    C - r @ phi alone stays as well, but where the start puts it: at a pivot that is not in the sum.
+    """
+    parts = [*signed(vector)]
+    return not sum(sign for part, sign in parts if part.name in points) or any(part.op == "pair" for part, _ in parts)
 
 
 def closed_parts(variant: Variant) -> list[Formula]:

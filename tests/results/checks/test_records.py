@@ -105,7 +105,7 @@ SUMMARIES = {
          judged("STEP", "COARSE", option="--step h/2"), judged("PEAK", "COARSE", option="--step h/2")],
         "The table is computed right: 1 of 1 checks of the computation. "
         "It is close to the motion: no entry is off by more than round-off. "
-        "The step is too coarse for STEP and PEAK; take --step h/2.",
+        "The step is too coarse (see STEP and PEAK); take --step h/2.",
     ),
     "no step helps": (
         [judged("STOP", "PASS"), judged("ACCURACY", "COARSE", value=1.36, column="w7", row=21)],

@@ -1,8 +1,9 @@
 """Whether written equations contradict the geometry only because the start leaves open what [closure] holds.
 
-Enters: velocity equations that disagree with the geometry, and their closure.  Leaves: nothing.  Raises `InputError` naming the
-start.  Used by `unseen_signs.py`, `rigid.py`.  A held quantity keeps its start value: a slot whose pin starts beside it becomes a
-slot with an offset, and equations written for no offset contradict it.
+Enters: velocity equations that disagree with the geometry, and their closure.  Leaves: the closure where it closes.
+Raises `InputError` naming the start.  Used by `unseen_signs.py`, `rigid.py`, `turning.py`.
+A held quantity keeps its start value: a slot whose pin starts beside it becomes a slot with an offset, and equations written for
+no offset contradict it.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.motion.geometry.closed_start import closed_start, typed_start
+from coursework.motion.geometry.closed_start import OPEN, closed_start, typed_start
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.judging.agreement import agrees
 from coursework.motion.geometry.start import START_TOLERANCE
@@ -42,6 +43,19 @@ def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None
     known = {"value": float(residual[worst]), "unit": held.unit, "nearest": typed_start(variant, near.start)}
     told = say("fault.V310", held=held.written or held.name, **known)
     raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
+
+
+def where_judged(closure: Closure) -> Closure | None:
+    """Return the closure moved to where it closes, what is far from zero kept as intended; None if a loop cannot be closed.
+
+    Whatever the points do there comes from a start, or from lengths, of which START tells.
+    """
+    near = with_closed_loops(closure)[0]
+    far = OPEN * closure.scale
+    values = zip(closure.equations.positions, closure.origin.tolist(), strict=True)
+    if near is not None or any(one.closes and one.unit == "m" and abs(value) > far for one, value in values):
+        return near
+    return with_closed_loops(closure, far)[0]
 
 
 def with_closed_loops(closure: Closure, most: float = math.inf) -> tuple[Closure | None, Array]:

@@ -21,7 +21,7 @@ from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.closed_start import OPEN, closed_start
 from coursework.motion.geometry.closure import Closure, compile_closure, largest_length
 from coursework.motion.geometry.judging.agreement import agrees
-from coursework.motion.geometry.judging.open_loops import with_closed_loops
+from coursework.motion.geometry.judging.open_loops import where_judged
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, evaluate, named, signed
@@ -51,7 +51,7 @@ def require_rigid(equations: VelocityEquations, closure: Closure) -> bool:
     faults = _faults(equations, closure)
     if faults:
         # Residuals of the start are kept and may change distances: a fault counts only if it remains once the start closes.
-        near = with_closed_loops(closure)[0] or with_closed_loops(closure, OPEN * closure.scale)[0]
+        near = where_judged(closure)
         if near is not None and _faults(equations, near):
             raise InputError(faults)
     return not faults

@@ -22,6 +22,7 @@ from coursework.motion.geometry.closure import Closure, largest_length
 from coursework.motion.geometry.judging.agreement import given_by_geometry, gives
 from coursework.motion.geometry.judging.compared import looked_at
 from coursework.motion.geometry.judging.misfits import row_of
+from coursework.motion.geometry.judging.open_loops import where_judged
 from coursework.system.arrays import Array
 from coursework.variant.record.held import velocities_of_points
 from coursework.words.errors import Fault, InputError
@@ -38,9 +39,17 @@ def require_turning(equations: VelocityEquations, closure: Closure, rigid: bool)
 
     Where links are `rigid`, an arm that grows does so lengthwise, and turns at the rate of its link.
     """
+    if faults := _faults(equations, closure, rigid):
+        # An open start changes how links turn: a fault counts only if it remains once the start closes.
+        near = where_judged(closure)
+        if near is not None and _faults(equations, near, rigid):
+            raise InputError(faults)
+
+
+def _faults(equations: VelocityEquations, closure: Closure, rigid: bool) -> list[Fault]:
     turns = equations.geometry.turns()
     if not turns:
-        return
+        return []
     times, positions = looked_at(equations, closure)
     derived = given_by_geometry(equations)
     rows = [row_of(speed) for turn in turns for speed in (turn.found, turn.named, turn.grows)]
@@ -61,8 +70,7 @@ def require_turning(equations: VelocityEquations, closure: Closure, rigid: bool)
         others = [(turn.rate, named[:, place]) for place, turn in enumerate(turns) if turn.link != link and told[place].all()]
         if mine and (fault := _of_link(turns[mine[0]], closure, times, found[:, mine], named[:, mine], largest, others)):
             faults.append(fault)
-    if faults:
-        raise InputError(faults)
+    return faults
 
 
 def said_otherwise(equations: VelocityEquations, times: Array, positions: Array) -> list[Sentence]:

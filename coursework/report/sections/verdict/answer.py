@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from coursework.report.sections.verdict.checks import parted
+from coursework.report.sections.verdict.checks import amount, parted
 from coursework.report.text.numbers import TIGHT
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Result, Runs
@@ -73,7 +73,7 @@ def _verdict(context: PageContext) -> Runs:
     if accuracy is not None and accuracy.verdict == "PASS":
         told.append(say("result.close"))
     elif accuracy is not None and accuracy.verdict in {"COARSE", "FAIL"} and accuracy.value is not None and accuracy.column:
-        share = context.with_unit(context.numbers.fixed(100 * accuracy.value, 1), "%")
+        share = amount(context, accuracy.value, accuracy.unit, limit=accuracy.limit)
         size, unit = context.run.results.evidence.scale[accuracy.column], context.run.variant.unit_of(accuracy.column)
         off, scale = (context.with_unit(context.numbers.scalar(one, 2), unit) for one in (accuracy.value * size, size))
         symbol = context.lettering(accuracy.column)

@@ -13,7 +13,16 @@ from coursework.report.text.parts import Cell, Checks, Judged, Paragraph, Part, 
 from coursework.report.text.tables import thinned
 from coursework.report.text.text_runs import begun, numeral
 from coursework.results.checks.evidence import NO_ERROR
-from coursework.results.checks.result import DIGITS_LEFT, GROUPS, OF_POWER, OF_THE_SCALE, VERDICTS, Finding, never_more
+from coursework.results.checks.result import (
+    DIGITS_LEFT,
+    GROUPS,
+    OF_POWER,
+    OF_THE_SCALE,
+    VERDICTS,
+    Finding,
+    digits_apart,
+    never_more,
+)
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, joined
 from coursework.words.templates import clean
@@ -107,7 +116,8 @@ def amount(context: PageContext, value: float | None, unit: str, *, whole: bool 
     """
     if value is not None and isinstance(unit, Sentence) and unit.key in SHARES:
         is_told = abs(value) >= LEAST_SHARE or (value == 0 and (limit is None or limit >= LEAST_SHARE))
-        return context.with_unit(context.numbers.fixed(100 * value, 1), "%") if is_told else context.numbers.scalar(value)
+        decimals = digits_apart(100 * value, None if limit is None else 100 * limit, 1)
+        return context.with_unit(context.numbers.fixed(100 * value, decimals), "%") if is_told else context.numbers.scalar(value)
     if value is None:
         return NOTHING
     shown = context.numbers.limit(value) if whole else context.numbers.scalar(value)

@@ -34,7 +34,12 @@ def accuracy(evidence: Evidence) -> Finding:
     row, place = worst(shares)
     name, value = names[place], float(shares[row, place])
     found = evidence.say(
-        "check.ACCURACY.found", share=percent(value), name=name, row=row + 1, scale=evidence.scale[name], unit=evidence.unit(name)
+        "check.ACCURACY.found",
+        share=percent(value, LIMIT),
+        name=name,
+        row=row + 1,
+        scale=evidence.scale[name],
+        unit=evidence.unit(name),
     )
     lines = tuple(
         (evidence.say("check.largest", name=name), float(size), unit)

@@ -59,18 +59,32 @@ def drift(evidence: Evidence) -> Finding:
         return Finding(
             "FAIL", sentence, value, LIMIT, evidence.say("unit.of_the_shortest"), closure.names[which], at + 1, rows=lines
         )
-    found = {"name": called[equation], "row": row + 1, "size": size, "unit": unit, "share": percent(value), "shortest": shortest}
+    share = percent(value, LIMIT)
+    found = {"name": called[equation], "row": row + 1, "size": size, "unit": unit, "share": share, "shortest": shortest}
     verdict: Verdict = "PASS" if value <= LIMIT else "COARSE" if float(np.max(shares[0])) <= LIMIT else "FAIL"
     if value < ROUND_OFF:
         sentence = evidence.say("check.DRIFT.same")
     else:
-        law, kind = evidence.equations.positions[equation].target, verdict.lower()
-        point = followed(evidence.variant).get(law, ("",))[0]
+        kind, point = verdict.lower(), ""
         if verdict == "COARSE":
-            kind = "angle" if angles[equation] else "coarse_driven" if point else kind
+            kind, point = ("angle", "") if angles[equation] else _leaves(evidence, equation)
         sentence = evidence.say(f"check.DRIFT.{kind}", **found, point=point)
     shown = evidence.say("unit.relative" if angles[equation] else "unit.of_the_shortest")
     return Finding(verdict, sentence, value, LIMIT, shown, name, row + 1, rows=lines)
+
+
+def _leaves(evidence: Evidence, equation: int) -> tuple[str, str]:
+    """Return with which sentence an open position equation is told, and the point that leaves its path, guide or pivot."""
+    variant, positions = evidence.variant, evidence.equations.positions
+    driven = followed(variant).get(positions[equation].target)
+    if driven:
+        return "coarse_driven", driven[0]
+    held = variant.holds[place] if (place := equation - len(positions) + len(variant.holds)) >= 0 else None
+    points = {name for name, _ in variant.points}.intersection(held.names() if held else ())
+    if len(points) != 1:
+        return "coarse", ""
+    (point,) = points
+    return "coarse_pivot" if point in variant.frame.hinges else "coarse_guided", point
 
 
 def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int, str] | None:

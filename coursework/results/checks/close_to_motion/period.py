@@ -110,8 +110,8 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     assert row is not None
     first, last = (0.0 if abs(end) < NO_ERROR else end for end in (worst.first, worst.last))
     found = {
-        "which": evidence.say(f"check.{code}.which", name=worst.name), "share": percent(value), "row": row + 1, "first": first,
-        "last": last, "gap": abs(worst.total), "unit": worst.unit, "scale": scale[worst.name],
+        "which": evidence.say(f"check.{code}.which", name=worst.name), "share": percent(value, LIMIT), "row": row + 1,
+        "first": first, "last": last, "gap": abs(worst.total), "unit": worst.unit, "scale": scale[worst.name],
     }  # fmt: skip
     if value == 0:
         told = [evidence.say("check.PERIOD.same", row=row + 1)]
@@ -192,11 +192,11 @@ def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
 
 
 def _multiple(evidence: Evidence) -> int:
-    """Return the number of stated periods after which, inside the run, the exact motion is back; 0 if there is none.
+    """Return the number of stated periods after which, in the run or as long after it, the exact motion is back; 0 if none.
 
     This happens if two cranks turn at 3 : 5 and the period of one is stated.
     """
-    most = min(MOST, int(float(evidence.motion.t[-1]) / evidence.period * (1 + NEAR_PERIOD)))
+    most = min(MOST, int(FURTHEST * float(evidence.motion.t[-1]) / evidence.period * (1 + NEAR_PERIOD)))
     rows = ((number, after(evidence, number * evidence.period)) for number in range(2, most + 1))
     back = (k for k, row in rows if row is not None and all(missed(evidence, row, name) <= AGAIN for name in evidence.names))
     return next(back, 0)

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.mechanism.proposal import proposals
+from coursework.mechanism.proposal import loose_arms, proposals
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.judging.misfits import misfits
 from coursework.motion.geometry.judging.rigid import may_be_hinges
@@ -81,9 +81,11 @@ def agreement(evidence: Evidence) -> Finding:
     if evidence.closure is not None and (doubt := open_to_doubt(evidence.closure)):
         return _doubted(evidence, Finding("SKIP", doubt[0], unjudged=doubt[1]))
     if not _confirmed(evidence):
-        joints = proposed_joints(evidence.equations, evidence.motion.coordinates[0].tolist())
-        told = joined([say("check.AGREEMENT.no_geometry"), *joints])
-        return _doubted(evidence, Finding("SKIP", told, headline=say("summary.no_geometry")))
+        start = evidence.motion.coordinates[0].tolist()
+        lacks = "no_closure" if evidence.variant.points else "no_geometry"
+        ties = proposed_ties(evidence.equations, start)
+        told = joined([say(f"check.AGREEMENT.{lacks}"), *ties])
+        return _doubted(evidence, Finding("SKIP", told, headline=say("summary.no_geometry"), is_news=bool(ties)))
     whole = float(len(written))
     return Finding("PASS", say("check.AGREEMENT.pass", all=len(written)), whole, whole, say_count("unit.equations", len(written)))
 
@@ -102,9 +104,19 @@ def _doubted(evidence: Evidence, found: Finding) -> Finding:
     return replace(found, sentence=joined([told, found.sentence]), headline=told)
 
 
-def proposed_joints(equations: VelocityEquations, start: Sequence[float]) -> list[Sentence]:
-    """Return what to write if points of two links that lie in one place at the start (m,) are joined there."""
-    return [say("check.AGREEMENT.meet", one=one, other=other) for one, other in may_be_hinges(equations, start)]
+def proposed_ties(equations: VelocityEquations, start: Sequence[float]) -> list[Sentence]:
+    """Return what to write if points of two links are joined where they lie in one place at the start (m,).
+
+    Also where points of one link keep the distance that they have there.
+    """
+    joints = [say("check.AGREEMENT.meet", one=one, other=other) for one, other in may_be_hinges(equations, start)]
+    arms = loose_arms(equations.variant, start)
+    if not arms:
+        return joints
+    pairs = joined([say("check.AGREEMENT.pair", one=arm.begin, other=arm.end, link=arm.link) for arm in arms], "join.comma")
+    holds = ", ".join(f'"({arm.end} - {arm.begin} - {arm.length} @ {arm.angle}).{axis}"' for arm in arms for axis in "xy")
+    lengths = tuple(dict.fromkeys(arm.length for arm in arms))
+    return [*joints, say("check.AGREEMENT.apart", pairs=pairs, lengths=lengths, holds=holds)]
 
 
 def open_to_doubt(closure: Closure) -> tuple[Sentence, Sentence] | None:

@@ -35,3 +35,10 @@ def test_a_loop_that_is_open_by_no_more_than_is_allowed_is_closed(most, start):
     assert near.start[1] == pytest.approx(math.radians(start), abs=1e-9)
     beside = math.hypot(0.1, 0.25) * math.sin(math.radians(0.19859051))
     assert abs(left[0]) == (pytest.approx(beside, rel=1e-6) if start > 68 else 0.0)  # what is kept is not open
+
+
+def test_where_the_lengths_do_not_meet_the_start_is_told_and_no_link_is_called_bent():
+    """A crank of 120 mm does not reach: the loop stays open by some centimetres, which is no fault of the links."""
+    run = coursework.solve(coursework.parse_variant(mechanism("windshield-wiper", r1="120 mm")), quantities=["table", "checks"])
+    start = next(finding for finding in run.checks if finding.code == "START")
+    assert start.verdict == "FAIL" and "there is no closed position near it" in start.sentence

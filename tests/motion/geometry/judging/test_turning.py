@@ -78,3 +78,12 @@ def test_points_that_move_otherwise_than_the_file_says_are_told_where_no_positio
     """The hand stands still at the start.  As no point depends on phi2, the drive cannot hold the hand."""
     text = mechanism("robot-arm", ('[closure]\ndriven = "M"\n', ""), ('M = "A + r2 @ phi2"', 'M = "A + r2 @ phi1"'), *slips)
     assert re.match(told, str(coursework.solve(parse_variant(text, "mine")).summary))
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-4, 0.056, 3.7])
+def test_a_start_that_does_not_close_changes_no_rate(off):
+    """An open start is told by its own check; a link that is named wrong is told beside it, whatever the start."""
+    start = "74.0438 deg", f"{74.0438 + off} deg"
+    assert closure(mechanism("windshield-wiper"), start) is not None
+    with pytest.raises(coursework.InputError, match=r"V309 .*link 5 turns at"):
+        closure(mechanism("windshield-wiper"), start, ('"Q"], rate = "w5"', '"Q"], rate = "w4"'))
