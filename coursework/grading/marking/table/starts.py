@@ -67,7 +67,7 @@ def _starts(key: Key, cells: Cells) -> list[Array]:
     """Return the starts (m,), other than the task's, from which a table may have been made."""
     m, values, task = len(key.coordinates), cells.student.values[0], key.table[0, : len(key.coordinates)]
     found = []
-    for table in (cells.before, cells.student, _stepped_back(cells, key.stride, m)):
+    for table in (cells.before, cells.student, _stepped_back(key, cells)):
         if table is not None:
             start, units = table.values[0, :m], table.units[0, :m]
             is_printed = start == values[:m]
@@ -78,15 +78,17 @@ def _starts(key: Key, cells: Cells) -> list[Array]:
     return [start for start in np.unique(found, axis=0) if (start != task).any()]
 
 
-def _stepped_back(cells: Cells, step: float, m: int) -> StudentTable | None:
+def _stepped_back(key: Key, cells: Cells) -> StudentTable | None:
     """Return the table with starts from which row 2 was made, where only its step from row 1 is broken; None if none is."""
-    student, followed = cells.student, np.isin(cells.marks[2:3, :m], (KEY, STEP, STEP_TRUE)).all(axis=0)
+    m = len(key.coordinates)
+    student, followed = cells.student, np.isin(cells.marks[2:3, :m], (KEY, STEP, STEP_TRUE)).any(axis=0)
     broken = cells.wrong[1:2, :m].any(axis=0) & followed
-    if not broken.any() or not len(cells.marks[2:]):
+    if not broken.any():
         return None
     values, units = student.values.copy(), student.units.copy()
-    values[0, :m] = np.where(broken, values[1, :m] - step * values[0, m : 2 * m], values[0, :m])
-    units[0, :m] = np.where(broken, units[1, :m] + step * units[0, m : 2 * m], units[0, :m])
+    for _ in range(8):  # until it begins with its own velocities: the printed ones may have been put right
+        values[0, :m][broken] = (values[1, :m] - key.stride * key.velocities_at(key.t[:1], values[:1, :m])[0, :m])[broken]
+    units[0, :m] = np.where(broken, units[1, :m] + key.stride * units[0, m : 2 * m], units[0, :m])
     return replace(student, values=values, units=units)
 
 

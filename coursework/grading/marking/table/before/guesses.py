@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows, with_later
+from coursework.grading.marking.table.before.made import as_it_was, beside_makers, made_from_rows
 from coursework.grading.marking.table.ways import (
     HALF,
     LEAST,
@@ -23,6 +24,7 @@ from coursework.grading.marking.table.ways import (
     Way,
     as_printed,
     near,
+    own_ways,
     put_right,
 )
 from coursework.system.angles import whole_turns
@@ -41,30 +43,42 @@ _AROUND, _TRIED = 8, 3
 def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, untold: Flags) -> Iterator[StudentTable]:
     """Yield tables of what rows may have been, given the `wrong` cells that are made from them.
 
-    `other` marks cells that may have had another value, `untold` those of them that are not explained yet. For rows from which
-    several wrong cells are made: all `other` coordinates as the next row has them; then one `other` cell with the value on
-    which most cells agree, without and with the velocities that follow from it. Last, `untold` cells as the rows above make
-    them, in all columns or in one coordinate.
+    `other` marks cells that may have had another value, `untold` those of them that are not explained yet: the former as those
+    say that were made from them, then the latter as the rows above make them.
     """
     m = len(key.coordinates)
-    places = np.arange(untold.shape[1])
-    rows, columns = makers_of_several(wrong, m), [places >= 0, *(places == place for place in range(m))]
-    if rows.mean() > FEW:
+    makes, rows = np.asarray(beside_makers(wrong, m).any(axis=1)), makers_of_several(wrong, m)
+    is_method = bool(rows.mean() > FEW)  # so many wrong cells come from another method, not from slips
+    if is_method:
         of_task = near(was.values, key.table, as_printed(key, was.units))
         other = other & put_right(of_task) & (np.arange(len(rows)) > 0)[:, None]  # row 1 is not put right
         rows &= other.any(axis=1)
-        columns = columns[:1]  # so many wrong cells come from another method, not from one coordinate
-    if rows.any():
-        yield _by_next_row(key, was, other)
-        for values in agreed(key, was, own, wrong, other & rows[:, None]):
+    # Rows in which one cell may tell what another was, as what follows from there makes cells of the next row right.
+    alone = makes & np.append(makes[1:] & ~wrong[1:, m:].any(axis=1), False) & (makes.mean() <= FEW)
+    if rows.any():  # several coordinates of a row may be misprints: as the next row has them
+        values, back = was.values.copy(), was.values[1:, :m] - key.stride * was.values[:-1, m : 2 * m]
+        broken = (other & rows[:, None])[:-1, :m] & np.isfinite(back) & ~own.step.holds(was.values)[1:, :m]
+        values[:-1, :m][broken] = back[broken]
+        yield replace(was, values=values)
+    for some, least in ((rows, _AGREE), (alone, 1)):
+        for values in agreed(key, was, own, wrong, other & some[:, None], least) if some.any() else ():
             told = np.isfinite(values)
-            alone = replace(was, values=np.where(told, values, was.values))
-            yield alone
-            if (guess := with_later(key, alone, other, told)) is not None:
-                yield guess
-    for some in columns:
-        if (guess := as_it_was(key, was, untold & some, own)) is not None:
-            yield guess
+            yield (guess := replace(was, values=np.where(told, values, was.values)))
+            if least == 1 or told[:, m:].any():
+                yield as_it_was(key, guess, other & ~wrong & ~told, own_ways(key, guess, own.coarse)) or guess
+    if above := as_it_was(key, was, untold, own):
+        yield above
+        for part in () if is_method else _parts(np.asarray(np.abs(above.values - was.values) > was.units), makes, m):
+            yield as_it_was(key, was, untold & part, own) or was
+
+
+def _parts(moved: Flags, makes: Flags, m: int) -> Iterator[Flags]:
+    """Yield coordinates, then rows, of which `moved` cells (n, m + r) are other alone, where a row `makes` wrong cells (n,)."""
+    columns, rows = np.flatnonzero(moved[makes, :m].any(axis=0)), np.asarray(moved.any(axis=1))
+    for count in range(1, len(columns) + 1):
+        yield from (np.isin(np.arange(moved.shape[1]), some) for some in combinations(columns.tolist(), count))
+    if (rows[:-1] & (rows & makes)[1:]).any():  # the lower one of two was made beside the upper one as it is printed
+        yield from (np.arange(len(rows))[:, None] % 2 == odd for odd in range(2))
 
 
 def makers_of_several(wrong: Flags, m: int) -> Flags:
@@ -72,18 +86,7 @@ def makers_of_several(wrong: Flags, m: int) -> Flags:
     return np.asarray(beside_makers(wrong, m).sum(axis=1) >= _AGREE)
 
 
-def _by_next_row(key: Key, was: StudentTable, other: Flags) -> StudentTable:
-    """Return the table with coordinates recomputed from broken steps to the next row: several in a row may be misprints."""
-    m, h, guess = len(key.coordinates), key.stride, replace(was, values=was.values.copy(), units=was.units.copy())
-    q, digits = guess.values[:-1, :m], guess.units[:-1, :m]
-    made, doubt = was.values[1:, :m] - h * was.values[:-1, m : 2 * m], was.units[1:, :m] + h * was.units[:-1, m : 2 * m]
-    with np.errstate(invalid="ignore"):
-        broken = (np.abs(q - made) > HALF * (digits + doubt)) & other[:-1, :m]
-    q[broken], digits[broken] = made[broken], doubt[broken]
-    return guess
-
-
-def agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags) -> list[Array]:
+def agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, least: int = _AGREE) -> list[Array]:
     """Return tables (n, m + r) of what one cell in each row was, NaN elsewhere; the one on which most cells agree comes first.
 
     Each `wrong` cell gives a value for a cell that may have been `other`. That wrong cell, all others made from the same cell,
@@ -126,12 +129,13 @@ def agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags
         low, high = (np.max(np.where(meet, side * root - half, -np.inf), axis=1) * side for side in (1, -1))
         one = low <= high  # all of them meet in one place
         meet = np.where(one[:, None], meet, off <= half)
-        x = np.where(one, np.clip(x, low, high), x)
+        # Well within that place, as the spans are estimates.
+        x = np.where(one, np.clip(x, (2 * low + high) / 3, (low + 2 * high) / 3), x)
         other_than = np.abs(x - printed[row, place]) > HALF * was.units[row, place]
         counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
         counts *= (off[at, by] <= own_half) & other_than
     far = np.where(turning, np.rint(np.abs(x - printed[row, place])), 0.0)
-    return _ranked(printed.shape, (row, place, by >= 2 * r), x, counts, far, own_half)
+    return _ranked(printed.shape, (row, place, by >= 2 * r), x, np.where(counts < least, 0, counts), far, own_half)
 
 
 def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> tuple[Array, Places]:
@@ -175,7 +179,7 @@ def _ranked(
     """
     row, place, by_step = at
     best = np.lexsort((half, far, -counts))
-    best = best[counts[best] >= _AGREE]
+    best = best[counts[best] > 0]
     _, first = np.unique((row[best] * shape[1] + place[best]) * 2 + by_step[best], return_index=True)
     best = best[first]
     tables = [np.full(shape, np.nan) for _ in range(_TRIED)]

@@ -33,23 +33,6 @@ def made_from_rows(key: Key, t: Array, rows: Array) -> Array:
     return np.hstack([velocities, later, *steps])
 
 
-def with_later(key: Key, table: StudentTable, other: Flags, told: Flags) -> StudentTable | None:
-    """Return the table with the later velocities that follow from `told` earlier ones, None if no velocity is told."""
-    m = len(key.coordinates)
-    w, at = table.values.copy(), told[:, m:].any(axis=1)
-    if not at.any():
-        return None
-    seen = told[:, m:].copy()
-    for index, block in enumerate(key.blocks):
-        places = [key.velocities.index(name) for name in block]
-        if index:
-            found = key.block_at(index, key.t[at], w[at, :m], w[at, m:])
-            for column, place in enumerate(places):
-                free = other[at, m + place] & ~told[at, m + place] & seen[at].any(axis=1)
-                w[np.flatnonzero(at)[free], m + place] = found[free, column]
-    return replace(table, values=w)
-
-
 def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> StudentTable | None:
     """Return the table with `right` cells that do not follow from the rows before replaced by what does; None if unchanged."""
     m = len(key.coordinates)

@@ -23,7 +23,7 @@ from coursework.system.arrays import Flags
 from coursework.system.frozen import frozen
 
 # How often the values found are put in and the rows beside them searched again.
-_PASSES = 2
+_PASSES = 3
 # How often the beginning of a restored part is moved down because no cell speaks for its first rows.
 _BEGINNINGS = 4
 
@@ -134,21 +134,28 @@ class _Looked:
         """Return the table with all guesses that explain more cells, and the cells told now; `told` itself if no guess does."""
         m, speaking, was, now = len(self.key.coordinates), self.speaking, last, told
         best = np.maximum(self.worth(last, own), 0)
-        for base in self.bases(last, own, now):
+        tried: list[tuple[StudentTable, StudentTable, Counts]] = []
+        for base in self.bases(last, own, told):
             ways = own if base is last else self.made_by(base)
             left = speaking & ~ways.holds(self.printed.values)
-            for guess in guesses(self.key, base, ways, left, self.other, self.other & ~now):
-                if not _touched(beside_makers(left, m), guess, base):
-                    continue
-                found = self.worth(guess, self.made_by(guess))
-                rows = found > best
-                if rows.any():  # a gain beside rows as the guess has them may vanish beside the rows that stay
+            for guess in guesses(self.key, base, ways, left, self.other, self.other & ~told):
+                if _touched(beside_makers(left, m), guess, base):
+                    tried.append((base, guess, self.worth(guess, self.made_by(guess))))
+        # A slip that explains one velocity gains nothing but the gates of the points: it is taken if nothing gains more, as it
+        # may stand in the way. Two rows are taken together if they gain only so.
+        for least in (len(self.key.velocities), 0):
+            for base, guess, found in tried if now is told else ():
+                changed = np.asarray(_other(guess, was).any(axis=1))
+                gain = np.where(changed, found - best, 0)
+                both = changed[:-1] & changed[1:] & (gain[:-1] + gain[1:] > least)
+                for rows in (gain > least, np.append(both, False) | np.append(False, both)):
+                    # A gain beside rows as the guess has them may vanish beside the rows that stay.
                     joined = _joined(rows, guess, was)
-                    rows &= self.worth(joined, self.made_by(joined)) >= found
-                if rows.any():
-                    best = np.where(rows, found, best)
-                    now = now | (rows[:, None] & _other(guess, base))
-                    was = _joined(rows, guess, was)
+                    if rows.any() and (gains := rows & (self.worth(joined, self.made_by(joined)) >= found)).any():
+                        best = np.where(gains, np.maximum(found, best), best)
+                        now = now | (gains[:, None] & _other(guess, base))
+                        was = _joined(gains, guess, was)
+                        break
         return was, now
 
 

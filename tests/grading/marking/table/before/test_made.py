@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.grading.marking.table.before.guesses import _by_next_row, _is_open, _ranked
-from coursework.grading.marking.table.before.made import _marched, as_it_was, beside_makers, made_from_rows, with_later
+from coursework.grading.marking.table.before.guesses import _is_open, _parts, _ranked
+from coursework.grading.marking.table.before.made import _marched, as_it_was, beside_makers, made_from_rows
 from coursework.grading.marking.table.before.restored import _joined, _made_into, _other, _silent, _slips, _touched
 from coursework.grading.marking.table.ways import StudentTable
 
@@ -36,25 +36,6 @@ def test_a_row_makes_its_velocities_in_two_ways_and_the_next_coordinate_in_three
     """By p = 3: w = 6, u = 12; u from the printed w = 5: 10; steps with 5, with 6, and with the first of the later ones: none."""
     found = made_from_rows(KEY, KEY.t[:1], np.array([[3.0, 5.0, 7.0]]))
     assert found[0] == pytest.approx([6, 12, NAN, 10, 3.5, 3.6, 3.5], nan_ok=True)
-
-
-@pytest.mark.parametrize(("told", "other", "found"), [
-    ([[0, 1, 0]], [[0, 1, 1]], [[3, 5, 10]]), ([[0, 1, 0]], [[0, 1, 0]], [[3, 5, 7]]), ([[0, 1, 1]], [[0, 1, 1]], [[3, 5, 7]]),
-    ([[1, 0, 0]], [[1, 1, 1]], None), ([[0, 0, 0]], [[1, 1, 1]], None),
-])  # fmt: skip
-def test_what_follows_from_a_velocity_that_was_told_is_set_in_where_it_may_be_other(told, other, found):
-    given = table([3, 5, 7])
-    got = with_later(
-        SimpleNamespace(**{**vars(KEY), "t": KEY.t[:1]}), given, np.array(other, dtype=bool), np.array(told, dtype=bool)
-    )
-    assert found == (None if got is None else got.values.tolist())
-    assert given.values.tolist() == [[3, 5, 7]]
-
-
-def test_rows_of_which_nothing_was_told_stay_as_they_are():
-    told = np.array([[False, False, False], [False, True, False]])
-    key = SimpleNamespace(**{**vars(KEY), "t": KEY.t[:2]})
-    assert with_later(key, table([3, 5, 7], [4, 6, 7]), ~told, told).values.tolist() == [[3, 5, 7], [4, 6, 12]]
 
 
 def ways(student, step=(), true=()):
@@ -121,16 +102,18 @@ def test_what_is_no_step_from_above_becomes_that_step_with_the_digits_of_what_it
     assert student.values[3, 0] == 1.9 and student.units[1, 0] == 2e-3
 
 
-def test_a_broken_step_tells_what_its_coordinate_was():
-    """From 1.5 with 5 rad/s back: 1.0; its digits are those of the next row and of the velocity."""
-    was = table([1.1, 5, 0], [1.5, 3, 0], [1.8, 1, 0])
-    other = np.array([[True, True, True]] * 3)
-    found = _by_next_row(KEY, was, other)
-    assert found.values[:, 0] == pytest.approx([1.0, 1.5, 1.8]) and found.values[:, 1:].tolist() == was.values[:, 1:].tolist()
-    assert found.units[:, 0] == pytest.approx([1.1e-3, 1e-3, 1e-3]) and was.values[0, 0] == 1.1
-    assert _by_next_row(KEY, was, ~other).values.tolist() == was.values.tolist()
-    just = replace(was, values=was.values + np.array([[-0.1 + 0.99 * 0.505 * 2.1e-3, 0, 0], [0, 0, 0], [0, 0, 0]]))
-    assert _by_next_row(KEY, just, other).values.tolist() == just.values.tolist()
+@pytest.mark.parametrize(("moved", "makes", "columns", "odd"), [
+    ("010 100 000 000", "1100", [[1], [0], [0, 1]], True), ("010 100 000 000", "1000", [[1]], False),
+    ("010 000 100 000", "1010", [[0], [1], [0, 1]], False), ("001 001 000 000", "0100", [], True),
+    ("000 000 000 000", "1111", [], False),
+])  # fmt: skip
+def test_parts_are_the_coordinates_that_move_where_wrong_cells_are_made_and_every_second_row_of_two(moved, makes, columns, odd):
+    """Of two coordinates and a velocity, which never makes a part of its own."""
+    flags = np.array([[sign == "1" for sign in row] for row in moved.split()])
+    found = list(_parts(flags, np.array([sign == "1" for sign in makes]), 2))
+    rows = [[[False], [True]] * 2, [[True], [False]] * 2]
+    assert sorted(np.flatnonzero(one).tolist() for one in found if one.ndim == 1) == sorted(columns)
+    assert sorted(one.tolist() for one in found if one.ndim == 2) == (rows if odd else [])
 
 
 def test_an_angle_is_open_by_whole_turns_where_a_velocity_tells_it():
@@ -139,13 +122,13 @@ def test_an_angle_is_open_by_whole_turns_where_a_velocity_tells_it():
 
 def test_of_each_row_the_cell_of_which_most_speaks_comes_first_and_of_equal_ones_the_most_exact():
     row, place = np.array([0, 0, 0, 1, 1, 1, 0, 0]), np.array([0, 1, 0, 2, 1, 0, 2, 1])
-    x, counts = np.array([10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0]), np.array([2, 3, 4, 2, 2, 1, 2, 3])
+    x, counts = np.array([10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0]), np.array([2, 3, 4, 2, 2, 0, 2, 3])
     far, half = np.array([0, 0, 3, 0, 0, 0, 0, 1]), np.array([0.1, 0.2, 0.1, 0.1, 0.1, 0.1, 0.3, 0.1])
     by_step = np.zeros(8, dtype=bool)
     first, second, third = _ranked((2, 3), (row, place, by_step), x, counts, far, half)
     assert np.nan_to_num(first).tolist() == [[12, 0, 0], [0, 14, 0]]
     assert second[0, 1] == 11.0 and second[1, 2] == 13.0 and third[0, 2] == 16.0 and np.isnan(third[1]).all()
-    assert _ranked((2, 3), (row, place, by_step), x, np.full(8, 1), far, half) == []
+    assert _ranked((2, 3), (row, place, by_step), x, np.zeros(8, dtype=int), far, half) == []
 
 
 @pytest.mark.parametrize(("other", "values"), [(10.3, (10.0, 10.3)), (10.19, (10.0,)), (9.81, (10.0,)), (9.79, (10.0, 9.79))])

@@ -143,17 +143,32 @@ def own(monkeypatch):
 
 
 def test_a_guess_is_taken_in_the_rows_where_more_is_right_and_each_row_takes_its_best(monkeypatch, own):
+    """One more for each of the two velocities is no cell more: a gain of 3 is the least that comes first."""
     one, two, joined = moved(c10=7, c20=8), moved(c10=5, c20=9), moved(c10=7, c20=9)
-    worths = [(one, [0, 2, 1, 0]), (two, [0, 2, 3, 0]), (joined, [0, 2, 3, 0])]
+    worths = [(one, [0, 6, 3, 0]), (two, [0, 6, 9, 0]), (joined, [0, 6, 9, 0])]
     found = guessed(monkeypatch, [one, two], worths)
     assert found[:2] == ([1, 7, 9, 4], {(1, 0), (2, 0)})
     assert found[2] == [(flags((1, 1), (1, 2), (2, 1)).tolist(), flags((1, 0), (2, 0), (3, 0)).tolist())]
     assert guessed(monkeypatch, [one], [(one, [0, 0, 0, 0])])[:2] == ([1, 2, 3, 4], set())
     far = moved(c30=7)  # nothing wrong is made from row 4
-    assert guessed(monkeypatch, [far, one], [(far, [0, 0, 0, 9]), (one, [0, 2, 0, 0]), (moved(c10=7), [0, 2, 0, 0])])[:2] == (
+    assert guessed(monkeypatch, [far, one], [(far, [0, 0, 0, 9]), (one, [0, 6, 0, 0]), (moved(c10=7), [0, 6, 0, 0])])[:2] == (
         [1, 7, 3, 4], {(1, 0)},
     )  # fmt: skip
-    assert guessed(monkeypatch, [one], [(one, [0, 2, 0, 0])])[0] == [1, 2, 3, 4]  # alone the row is worth nothing
     worse = [(PRINTED, [0, -3, 0, 0]), (one, [0, -1, 0, 0])]
     assert guessed(monkeypatch, [one], worse)[0] == [1, 2, 3, 4]  # what is worth less than nothing is no reason
-    assert guessed(monkeypatch, [one], [(one, [0, 2, 1, 0])], told=[(1, 0)])[2][0][1] == flags((2, 0), (3, 0)).tolist()
+    assert guessed(monkeypatch, [one], [(one, [0, 6, 3, 0])], told=[(1, 0)])[2][0][1] == flags((2, 0), (3, 0)).tolist()
+
+
+@pytest.mark.parametrize(
+    ("worth", "taken"), [([0, 6, 0, 0], [1, 7, 8, 4]), ([0, 6, -3, 0], [1, 7, 8, 4]), ([0, 6, -6, 0], [1, 2, 3, 4])]
+)
+def test_a_row_that_gains_only_beside_the_other_is_taken_with_it_if_both_gain_together(monkeypatch, own, worth, taken):
+    both = moved(c10=7, c20=8)
+    assert guessed(monkeypatch, [both], [(both, worth)])[0] == taken
+
+
+@pytest.mark.parametrize(("first", "then", "taken"), [(2, 0, 7), (2, 2, 7), (2, 3, 5), (3, 4, 7), (0, 0, 2)])
+def test_a_velocity_explained_by_a_slip_is_taken_only_where_nothing_explains_a_cell_more(monkeypatch, own, first, then, taken):
+    one, other = moved(c10=7), moved(c10=5)
+    worths = [(one, [0, first, 0, 0]), (other, [0, then, 0, 0])]
+    assert guessed(monkeypatch, [one, other], worths)[0] == [1, taken, 3, 4]
