@@ -20,7 +20,6 @@ from coursework.variant.formula.reader import MAX_NODES
 from coursework.variant.formula.tree import Formula, constant, evaluate_any, mapped, named, number, terms, with_names
 from coursework.variant.record.places import measures
 from coursework.variant.record.variant import Variant
-from coursework.words.errors import CourseworkError
 
 Meanings = Mapping[str, Formula]
 _SAME = 1e-9
@@ -75,10 +74,7 @@ def _lengths(variant: Variant, starts: tuple[tuple[str, float], ...]) -> Meaning
     for given in variant.given:
         if given.si == "m" and (ends := _END_POINTS.fullmatch(given.means)):
             offer(ends[1], ends[2], named(given.name))
-    try:
-        points = dict(build(variant).points)
-    except CourseworkError:
-        return found
+    points = dict(build(variant).points)
     for name, formula in points.items():
         parts = list(terms(formula))
         other = [part.name for part in parts if part.op == "name" and part.name in points]

@@ -29,12 +29,10 @@ def rows_of_typst(text: str, most_rows: int) -> _Rows:
     found = []
     for begun in islice(_TABLE.finditer(text), _MOST_COLUMNS):
         end = next((one.start() for one in islice(_TABLE.finditer(text, begun.end()), 1)), len(text))
-        columns = _COLUMNS.search(text, begun.end(), end)
-        if columns is None:
-            continue
-        width = int(columns[1] or 0) or len([one for one in columns[2].split(",") if one.strip()]) * int(columns[3] or 1)
-        cells = [_MARKUP.sub("", one[1] or one[2] or one[3] or "") for one in _CELL.finditer(text, columns.end(), end)]
-        found.append(_in_rows(cells[: most_rows * _MOST_COLUMNS], width))
+        if columns := _COLUMNS.search(text, begun.end(), end):
+            width = int(columns[1] or 0) or len([one for one in columns[2].split(",") if one.strip()]) * int(columns[3] or 1)
+            cells = [_MARKUP.sub("", one[1] or one[2] or one[3] or "") for one in _CELL.finditer(text, columns.end(), end)]
+            found.append(_in_rows(cells[: most_rows * _MOST_COLUMNS], width))
     rows = max(found, key=len, default=())
     return rows[:most_rows] if sum(map(looks_numeric, sum(rows[1:2], ()))) else ()
 

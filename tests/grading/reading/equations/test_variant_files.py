@@ -65,3 +65,12 @@ def test_an_equation_of_a_variant_file_that_cannot_be_read_is_a_question_to_the_
     assert unread.relates
     assert unread.fault is not None
     assert told in str(unread.fault.message)
+
+
+@pytest.mark.parametrize("junk", ['constraint = [1, "a", {equation = 5}, {equation = "w3 = 0"}]', "constraint = {equation = 1}"])
+@pytest.mark.parametrize("value", ["true", '"0.9 foo"', '"1e999 m"', "[0.953]", "{value = 0.953}"])
+def test_keys_of_another_kind_are_no_equations_and_data_of_another_kind_differ(junk: str, value: str) -> None:
+    contents = read(("mine.toml", f"format = 1\n{junk}\n[given]\nr1 = {value}\nr2 = 0.847\n[coordinates]\nphi1 = 3\n".encode()))
+    assert [line.text for line in contents.equations or ()] == ["w3 = 0"] * ("w3" in junk)
+    (differ,) = (note.text for note in contents.notes if note.code == "data_differ")
+    assert "r1" in str(differ) and "r2" not in str(differ) and "phi1" not in str(differ)

@@ -31,9 +31,7 @@ def with_formulas(page: str) -> str:
     """
     pieces: list[str] = []
     end = 0
-    for number, found in enumerate(_FORMULA.finditer(page)):
-        if number >= _MOST:
-            break
+    for found in islice(_FORMULA.finditer(page), _MOST):
         if found.start() >= end:
             pieces += [page[end : found.start()], _said(found[0])]
             end = _behind_drawing(page, found.end())

@@ -194,7 +194,7 @@ def _fractions(text: str, command: str) -> str:
     for _ in range(_MOST):
         start = text.find(command)
         if start < 0:
-            return text
+            break
         above, place = _argument(text, start + len(command))
         below, end = _argument(text, place)
         text = f"{text[:start]}(({above})/({below})){text[end:]}"
