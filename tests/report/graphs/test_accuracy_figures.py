@@ -80,8 +80,11 @@ def test_numbers_stand_at_the_lines_of_the_grid_that_they_name_and_a_label_in_th
     x, y = Scale(20.0, 120.0, 0.0, 4.0), Scale(60.0, 10.0, -3.0, 1.0)
     svg = picture(170, 80, across(x, 60.0, 10.0, "below") + upward(y, 20.0, 120.0, "above"))
     said = {word.text: word.box for word in measured.words(svg)}
-    grids = [measured.points(re.sub(r"V([\d.]+)", r"L0 \1", re.sub(r"H([\d.]+)", r"L\1 0", node.get("d"))))
-             for node in ElementTree.fromstring(svg).iter(f"{measured.SVG}path") if node.get("stroke-width") == "0.1"]  # fmt: skip
+    grids = [
+        measured.points(re.sub(r"V([\d.]+)", r"L0 \1", re.sub(r"H([\d.]+)", r"L\1 0", node.get("d"))))
+        for node in ElementTree.fromstring(svg).iter(f"{measured.SVG}path")
+        if node.get("stroke-width") == "0.1"
+    ]
     upright, level = ({round(begin.real if k == 0 else begin.imag, 2) for begin in way[::2]} for k, way in enumerate(grids))
     assert (upright, level) == ({20.0, 45.0, 70.0, 95.0, 120.0}, {60.0, 47.5, 35.0, 22.5, 10.0})
     for power, sign in enumerate("⁰¹²³⁴"):

@@ -1,7 +1,8 @@
-"""Every line of the moving picture lies where the pose of its frame says: links, slides, blocks, wheels, and what stands still."""
+"""Every line of the moving picture lies where the pose of its frame says: links, slides, blocks, wheels, the ground."""
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -51,7 +52,7 @@ def test_what_moves_is_drawn_where_it_is(name: str) -> None:
         assert sorted({(round(at.real, 9), round(at.imag, 9)) for at in corners.tolist()}) == [
             (along, across) for along in (-BLOCK, BLOCK) for across in (-BESIDE, BESIDE)
         ]
-        sides = [abs(b - a) for a, b in zip(line, line[1:], strict=False) if not np.isnan(b - a)]
+        sides = [abs(b - a) for a, b in pairwise(line) if not np.isnan(b - a)]
         assert sides.count(pytest.approx(2 * BLOCK)) == 2 and len(sides) == (
             2 if block.open else 4
         )  # a sleeve is open at its ends
