@@ -94,3 +94,33 @@ def test_a_rail_is_as_long_as_its_slider_goes_and_hatched_on_one_side(name: str)
         assert len(strokes) == pytest.approx((end.real - begin.real) / (0.022 * SIZE), abs=1.0)
         assert all(abs(line[1].imag) > abs(begin.imag) for line in strokes)  # away from the slider
         assert all(begin.real < line[0].real < end.real for line in strokes)
+        assert [abs(b - a) for a, b in strokes] == pytest.approx([STROKE * abs(1 + 0.7j)] * len(strokes))
+
+
+@pytest.mark.parametrize("name", ["example-1", "v112", "whitworth"])
+def test_a_pivot_is_a_triangle_on_a_longer_line_that_is_hatched_beyond(name: str) -> None:
+    outline, poses, still, _ = drawn(name)
+    for hinge in outline.hinges:
+        at = poses.pose(0)[hinge]
+        (triangle,) = (line for line in still if len(line) == 4 and np.allclose(line[[0, -1]], at))
+        down = (triangle[1] + triangle[2]) / 2 - at
+        assert abs(down) == pytest.approx(0.035 * SIZE)
+        assert (triangle[1] - triangle[2]) / down == pytest.approx(1.2j)
+        base = [(line - at) / down for line in still if len(line) == 2 and abs((line[0] - at) / down - (1 + 0.9j)) < 1e-9]
+        assert [line[1] for line in base if abs(line[1].imag + 0.9) < 1e-9] == [pytest.approx(1 - 0.9j)]
+        feet = [(line - at) / down for line in still if len(line) == 2 and abs(((line[0] - at) / down).real - 1) < 1e-9]
+        strokes = [line for line in feet if line[1].real > 1 + 1e-9 and abs(line[0]) < 3]
+        assert len(strokes) == 4 and all(-0.9 < line[0].imag <= 0.9 + 1e-9 for line in strokes)
+        assert [abs(b - a) * abs(down) for a, b in strokes] == pytest.approx([STROKE * abs(1 - 0.7j)] * 4)
+
+
+def test_a_rack_reaches_over_all_its_gear_touches() -> None:
+    outline, poses, _, moving = drawn("v112")
+    pose, rack = poses.pose(FRAME), max((line for line in moving if len(line) == 5), key=lambda line: abs(line[1] - line[0]))
+    along = (rack[1] - rack[0]) / abs(rack[1] - rack[0])
+    (gear,) = outline.wheels
+    seen = [(at - rack[0]) / along for at in (pose[gear.contact], pose[gear.centre])]
+    assert abs(seen[0].imag) < 1e-9 and BLOCK - 1e-9 < seen[0].real < abs(rack[1] - rack[0]) - BLOCK + 1e-9
+    deep = [(at - rack[0]) / along for at in rack[2:4]]
+    assert [at.real for at in deep] == pytest.approx([abs(rack[1] - rack[0]), 0.0], abs=1e-9)
+    assert {round(abs(at.imag), 9) for at in deep} == {round(BESIDE, 9)} and deep[0].imag * seen[1].imag < 0  # away from the gear
