@@ -3,12 +3,14 @@
 import json
 import re
 import struct
+from types import SimpleNamespace
 
 import pymupdf
 import pytest
 
 from coursework.drawing.paper.sheet import HALO
 from coursework.report.text.parts import Figure, Panels
+from coursework.takeaway.figures.drawings import pictures_of
 from coursework.variant.catalogue import names
 from tests.command import call
 from tests.sample import sampled_pairs
@@ -81,3 +83,10 @@ def test_they_are_written_on_request_only_and_listed(folder):
     assert {*record["files"]} == {"table.csv", *(f"figures/mechanism.{ending}" for ending in ("svg", "pdf", "png"))}
     there = {path.relative_to(folder / "taken").as_posix() for path in (folder / "taken").rglob("*") if path.is_file()}
     assert there == {*record["files"], "run.json"}
+
+
+def test_drawings_of_one_name_are_numbered_and_a_name_is_one_of_a_file():
+    """A folder of another system takes report and Report for one file, and no sign that means something there."""
+    figures = [Figure("<svg/>", 1.0, 1.0, "", [], id=name) for name in ("a", "A", "a", "b/c:d", "..", "a-2")]
+    model = SimpleNamespace(sections=[SimpleNamespace(name="laws", parts=[*figures, Figure("<svg/>", 1.0, 1.0, "", [])])])
+    assert [*pictures_of(model)] == ["a", "A-2", "a-3", "b-c-d", "drawing", "a-2-2", "laws"]

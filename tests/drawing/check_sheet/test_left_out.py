@@ -1,0 +1,39 @@
+"""A file that lists not all links: what the others determine is drawn and read, and of the rest it is said that it is open."""
+
+from __future__ import annotations
+
+import re
+import warnings
+
+import pytest
+
+from coursework import CourseworkWarning, parse_variant, solve
+from coursework.words.sentences import load_phrases
+from tests.mechanisms.library import mechanism
+
+
+@pytest.mark.parametrize(
+    ("name", "link", "open_links", "is_drawn"),
+    [
+        ("v110", "2", ("2",), True), ("v112", "4", ("1", "2", "4"), True), ("v112", "3", (), True), ("v105", "1", (), True),
+        ("v107", "1", ("2",), True), ("v102", "3", ("1", "2", "3"), False), ("v107", "4", ("1", "2", "3"), False),
+    ],
+)  # fmt: skip
+def test_links_that_the_others_do_not_determine_are_named(
+    name: str, link: str, open_links: tuple[str, ...], is_drawn: bool
+) -> None:
+    text = mechanism(name)
+    line = next(line for line in text.partition("[links]")[2].split("\n") if re.match(rf"{link}\s*=", line))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", CourseworkWarning)  # that nothing slides in a guide
+        check = solve(parse_variant(text.replace(line, "")), quantities=["graph_check"]).graph_check
+    assert check is not None
+    assert check.findings.missing == open_links
+    assert (not check.unread) == is_drawn == bool(check.sheets())
+    said = load_phrases("en")
+    notes = [said.written(note) for note in check.notes]
+    assert {one for one in open_links if f"Link {one} is not determined by the drawing." in notes} == {*open_links}
+    if not is_drawn:
+        assert "the drawing does not determine every link" in said.written(check.unread)
+    else:
+        assert not {f"ω{one}" for one in open_links} & {reading.name for reading in check.readings}
