@@ -67,6 +67,14 @@ def test_an_equation_of_a_variant_file_that_cannot_be_read_is_a_question_to_the_
     assert told in str(unread.fault.message)
 
 
+@pytest.mark.parametrize(
+    ("equation", "relates"), [("w3 = (2", False), ("w3 = (r1", True), ("w3 = 2 +* w1", True), ("2 = (", False)]
+)
+def test_an_unread_equation_asks_the_teacher_if_it_relates_two_names(equation: str, relates: bool) -> None:
+    contents = read(("mine.toml", f'format = 1\nconstraint = [{{equation = "{equation}"}}]\n[given]\nr1 = 0.953\n'.encode()))
+    assert [(line.tree, line.relates) for line in contents.equations or ()] == [(None, relates)]
+
+
 @pytest.mark.parametrize("junk", ['constraint = [1, "a", {equation = 5}, {equation = "w3 = 0"}]', "constraint = {equation = 1}"])
 @pytest.mark.parametrize("value", ["true", '"0.9 foo"', '"1e999 m"', "[0.953]", "{value = 0.953}"])
 def test_keys_of_another_kind_are_no_equations_and_data_of_another_kind_differ(junk: str, value: str) -> None:
