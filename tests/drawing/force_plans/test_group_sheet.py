@@ -50,6 +50,7 @@ def test_forces_are_true_to_scale_one_behind_the_other_in_the_order_of_the_plan(
     assert list(polygon) == list(FORCES)
     for name, (force, _, _) in FORCES.items():
         assert way(polygon[name]) == pytest.approx(force, abs=0.03)
+        assert polygon[name].head == pytest.approx(min(2.6, 0.6 * abs(force)), abs=0.02)
     tips = [one.points[0] for one in polygon.values()]
     tails = [one.points[-1] for one in polygon.values()]
     assert tails == pytest.approx([tips[-1], *tips[:-1]], abs=0.03)  # the last tip is the first tail: the sum is zero

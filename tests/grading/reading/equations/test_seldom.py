@@ -8,6 +8,7 @@ import pytest
 
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.equations import names_for, read_line
+from coursework.grading.reading.equations.line_kinds import own_name
 from coursework.grading.reading.equations.systems.determinants import with_determinants
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
@@ -87,6 +88,17 @@ def test_an_answer_is_a_number_in_a_known_unit(text: str, value: float | None) -
 def test_rates_put_into_a_vector_name_the_entries_of_the_state(rates: str) -> None:
     text = FIRST.replace("phi3", "y[2]")
     assert marked(f"def f(t, y):\n    {text}\n{rates}").independent == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("r3w3sinphi3 = r2", ""), ("r3w3 = 5*r2", ""), ("r2sinphi2 = r3", ""), ("r2r3 = 0.4", "r2r3"), ("k = 2*r3", "k"),
+        ("w3 = 2", ""), ("K3 := r3*w3", "K3"),
+    ],
+)  # fmt: skip
+def test_a_product_without_signs_is_no_name_of_a_student(text: str, name: str) -> None:
+    assert own_name(text, names_for(expected()).spellings)[0] == name
 
 
 def test_a_list_without_end_that_is_returned_takes_nothing_away() -> None:
