@@ -65,6 +65,22 @@ def test_a_matrix_is_read_if_its_rows_are_of_one_length(way: Callable[[str], str
     assert way(text) == (text if read is None else read)
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A = {{a, b}, {c, d}}; k = {e, f};\n{w1, w2} = LinearSolve[A, k]",
+        "A: matrix([a, b], [c, d])$\nk: matrix([e], [f])$\nx: invert(A) . k;\nw1: x[1,1];\nw2: x[2,1];",
+        "double A[2][2] = {{a, b}, {c, d}};\ndouble k[2] = {e, f};\nsolve(A, k, x);\nw1 = x[0]; w2 = x[1];",
+        "A = [a, b; c, d]; k = [e; f];\nx = A\\k;\nw1 = x(1); w2 = x(2);",
+        "A = np.array([[a, b], [c, d]])\nk = np.array([e, f])\nw1, w2 = np.linalg.solve(A, k)",
+    ],
+    ids=["Mathematica", "Maxima", "C", "Matlab", "numpy"],
+)
+def test_a_system_in_matrices_is_its_rows(text: str) -> None:
+    said = [one.strip(" ;$\n") for one in in_rows(text).split(";")]
+    assert [one for one in said if one] == ["(a)*(w1) + (b)*(w2) = e", "(c)*(w1) + (d)*(w2) = f"]
+
+
 @pytest.mark.parametrize("text", ["w3 = frac(VMy + 2", "w3 = frac(VMy) + 2", "w3 = [VMy, sin(1/phi3", "w3 = 2*sin(1/0)^"])
 def test_half_a_form_is_not_read(text: str) -> None:
     assert read_line(text, "", 1, names_for(expected())).tree is None
