@@ -117,5 +117,11 @@ def test_a_product_without_signs_is_no_name_of_a_student(text: str, name: str) -
     assert own_name(text, names_for(expected()).spellings)[0] == name
 
 
+def test_entries_of_a_vector_that_nothing_names_are_no_velocities() -> None:
+    """Two of four may be any two of them: a person is asked."""
+    found = marked(PLAIN.replace("w2", "x[0]").replace("w1", "x[1]"))
+    assert (found.independent, len(found.wrong), found.unread is not None) == (2, 0, True)
+
+
 def test_a_list_without_end_that_is_returned_takes_nothing_away() -> None:
     assert marked(f"{FIRST}\n{SECOND}\nreturn [w1, w2, w3").independent == 2
