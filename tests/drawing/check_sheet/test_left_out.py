@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import re
 import warnings
+from dataclasses import replace
 
 import pytest
 
-from coursework import CourseworkWarning, parse_variant, solve
+from coursework import CourseworkWarning, load, parse_variant, solve
+from coursework.drawing.check_sheet.graph_check import check_graph
+from coursework.drawing.check_sheet.graph_words import drift
 from coursework.words.sentences import load_phrases
+from tests.drawing.check_sheet.checked import at_row
 from tests.mechanisms.library import mechanism
 
 
@@ -37,3 +41,14 @@ def test_links_that_the_others_do_not_determine_are_named(
         assert "the drawing does not determine every link" in said.written(check.unread)
     else:
         assert not {f"ω{one}" for one in open_links} & {reading.name for reading in check.readings}
+
+
+@pytest.mark.parametrize("name", ["31", "v107", "v108", "v112"])
+@pytest.mark.parametrize("row", [2, 12])
+def test_a_motion_that_keeps_its_lengths_is_said_to_drift_nowhere(name: str, row: int) -> None:
+    """Where a wheel touches is another place of it in each row: only its centre keeps its distance."""
+    run = solve(load(name), "exact", quantities=["table"])
+    equations = replace(run.scene.equations, variant=at_row(run.variant, row))
+    check = check_graph(run.scene.mechanism, equations, run.motion, run.motion)
+    assert check is not None
+    assert drift(check.sketch) == []
