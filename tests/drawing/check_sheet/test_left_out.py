@@ -12,7 +12,7 @@ from coursework import CourseworkWarning, load, parse_variant, solve
 from coursework.drawing.check_sheet.graph_check import check_graph
 from coursework.drawing.check_sheet.graph_words import drift
 from coursework.words.sentences import load_phrases
-from tests.drawing.check_sheet.checked import at_row
+from tests.drawing.check_sheet.checked import at_row, check_of, run_of
 from tests.mechanisms.library import mechanism
 
 
@@ -52,3 +52,14 @@ def test_a_motion_that_keeps_its_lengths_is_said_to_drift_nowhere(name: str, row
     check = check_graph(run.scene.mechanism, equations, run.motion, run.motion)
     assert check is not None
     assert drift(check.sketch) == []
+
+
+@pytest.mark.parametrize(("name", "side", "link"), [("v104", "OC", "4"), ("v105", "EM", "3"), ("v112", "AE", "2")])
+def test_a_link_that_the_scheme_stretches_is_named_with_its_amount(name: str, side: str, link: str) -> None:
+    points = run_of(name).points
+    first, second = (points[end].position.to_numpy() @ (1, 1j) for end in side)
+    lengths = abs(first - second)
+    for row in (12, 20):
+        off = lengths[row - 1] - lengths[0]
+        (told,) = drift(check_of(name, row).sketch)
+        assert f"{side} of link {link} is {abs(off) * 1e3:.3g} mm too {'long' if off > 0 else 'short'}" in told

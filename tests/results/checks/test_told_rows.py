@@ -28,6 +28,8 @@ def test_rows_times_and_numbers_of_sentences_are_those_of_the_table(name: str) -
     for check in run.checks:
         for told in sentences(check.sentence):
             row, time, first, last = (told.values.get(key) for key in ("row", "time", "first", "last"))
+            if told.key.startswith("check.") and (end := told.key.rpartition(".")[2].upper()) in {"PASS", "COARSE", "FAIL"}:
+                assert check.verdict == end, told.key
             if isinstance(row, int) and check.row is not None:
                 found += 1
                 assert row == check.row, told.key

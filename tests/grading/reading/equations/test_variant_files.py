@@ -82,3 +82,15 @@ def test_keys_of_another_kind_are_no_equations_and_data_of_another_kind_differ(j
     assert [line.text for line in contents.equations or ()] == ["w3 = 0"] * ("w3" in junk)
     (differ,) = (note.text for note in contents.notes if note.code == "data_differ")
     assert "r1" in str(differ) and "r2" not in str(differ) and "phi1" not in str(differ)
+
+
+@pytest.mark.parametrize("off", [0.0, 0.01])
+def test_a_start_that_is_another_differs(off: float) -> None:
+    """Of three: the first as it is or not, the second the task's, the third left out."""
+    first, second, _ = (one.start for one in expected().variant.coordinates)
+    assert first is not None
+    starts = f'phi1 = {{start = "{first + off!r} rad"}}\nphi2 = {{start = {second!r}}}\nphi3 = {{rate = "w3"}}\n'
+    contents = read(("mine.toml", f"format = 1\n[given]\nr2 = 0.847\n[coordinates]\n{starts}".encode()))
+    told = [str(note.text) for note in contents.notes if note.code == "data_differ"]
+    assert len(told) == (1 if off else 0)
+    assert not off or ("phi1" in told[0] and "phi2" not in told[0] and "phi3" not in told[0])
