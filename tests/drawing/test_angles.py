@@ -12,9 +12,12 @@ import pytest
 
 from coursework import parse_variant, solve
 from coursework.drawing.lettering.angles import _angle
+from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse
 from tests.drawing import measured
+from tests.drawing.test_mechanism import drawing_of
 from tests.mechanisms.library import mechanism
+from tests.sample import sampled
 
 
 def svg_of(name: str, **changes: str) -> str:
@@ -70,6 +73,21 @@ def test_a_bend_begins_at_the_part_that_the_coordinate_turns() -> None:
 def test_a_bend_may_be_written_with_any_signs(written: str) -> None:
     svg = svg_of("watt", **{"D + r5 @ (phi3 + gamma)": written})
     assert math.degrees(turned(arc_of(svg, "γ"))) == pytest.approx(-90.0, abs=1.0)
+
+
+@pytest.mark.parametrize("name", sampled(names()))
+def test_the_head_of_an_arc_lies_on_its_end(name: str) -> None:
+    """It is 1.7 mm long, on a short arc six tenths of it, and leans as the arc does there."""
+    paths = [*ElementTree.fromstring(drawing_of(name).svg).iter(f"{measured.SVG}path")]
+    for path, head in itertools.pairwise(paths):
+        if path.get("data-angle", "").startswith(("phi", "th")) and head.get("fill") == "black":
+            arc, (tip, *neck) = measured.points(path.get("d", "")), measured.points(head.get("d", ""))[:3]
+            long = sum(abs(b - a) for a, b in itertools.pairwise(arc))
+            middle = sum(neck) / 2
+            assert abs(tip - arc[-1]) < 0.01
+            assert abs(middle - tip) == pytest.approx(min(1.7, 0.6 * long), abs=0.02)
+            assert abs(neck[1] - neck[0]) == pytest.approx(0.6 * abs(middle - tip), abs=0.02)
+            assert min(abs(middle - place) for place in arc) < 0.7  # they are at most 1.3 mm apart
 
 
 @pytest.mark.parametrize(("value", "is_drawn"), [("1.8 deg", True), ("1.6 deg", False)])

@@ -49,6 +49,12 @@ def test_the_start_is_shown_where_its_links_are_seen_apart(degrees: str, starts:
     assert ("in row 1 links lie almost on one line" in caption) != starts
 
 
+def test_a_rod_on_its_guide_is_seen_where_the_crank_stands_across_it() -> None:
+    """Only links hide one another: the rod is drawn over the guide, as wide as the slide."""
+    changes = (('A = "(0, 0)"', 'A = "(0, 0)"\nD = "(0, r1)"'), ('through = "A"', 'through = "D"'), ('"0 deg"', '"90 deg"'))
+    assert "in row 1, t = 0," in caption_of(mechanism("example-2", *changes))
+
+
 def test_a_shaper_is_shown_where_crank_and_lever_are_apart() -> None:
     run = solved(SHAPER)
     drawing = run.mechanism()

@@ -37,6 +37,7 @@ def test_digits_lost_to_lengths_far_apart_are_known(base, verdict):
     assert found.verdict == verdict
     assert found.value - 1.5 < -math.log10(apart)  # it never says many more digits than there are
     assert ("differ so much in size" in found.sentence) == (found.value < 13)
+    assert found.value >= 13 or f"row {found.row} (" in found.sentence
 
 
 def test_lengths_of_one_size_are_told_as_before():

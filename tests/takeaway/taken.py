@@ -8,14 +8,15 @@ from tests.solved import solved
 
 
 @cache
-def results_of(name: str, language: str = "en") -> Results:
-    """Return a run ready to be written, its page made."""
+def results_of(name: str, language: str = "en", pages: bool = True) -> Results:
+    """Return a run ready to be written, with all that its page needs if there are `pages`."""
     results = Results(solved(name), language, live=False)
-    results.compute(pages=True)
+    results.compute(pages)
     return results
 
 
 @cache
 def taken(name: str, suffix: str, language: str = "en") -> dict[str, bytes]:
     """Return the files of a format."""
-    return dict(formats_for("run")[suffix].write(results_of(name, language)))
+    wanted = formats_for("run")[suffix]
+    return dict(wanted.write(results_of(name, language, wanted.paged)))

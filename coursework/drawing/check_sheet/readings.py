@@ -268,7 +268,7 @@ class _Ruler:
         if self.asked(body) and body.name not in self.omegas:
             self.omega(body, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.omegas[body.name]), 0.0)
         for name in body.points:
-            if name in self.findings.velocities and name not in self.speeds and name in self.sketch.moving:
+            if name in self.findings.velocities and name not in self.speeds:
                 self.speed(name, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.velocities[name]), 0.0)
 
     # what is written down

@@ -15,7 +15,7 @@ from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import ITALIC, Sheet
 from coursework.drawing.paper.symbols import decimal, name_word, ratio
-from coursework.drawing.plans.foot import FOOT, draw_foot
+from coursework.drawing.plans.foot import draw_foot, sheet_over_foot
 from coursework.drawing.plans.plan_scale import LONGEST
 from coursework.system.frozen import frozen
 from coursework.words.sentences import say
@@ -66,7 +66,7 @@ def draw_group(plan: GroupPlan, figure: Figure, number: int, written: Callable[[
     begin, under, end, over = around((tip, 8.0) for tip in tips)
     width = max(COLUMN, right - left + end - begin + 3 * EDGE)
     top = max(high - low, over - under)
-    sheet = Sheet(width, top + 2 * EDGE + FOOT, (EDGE, EDGE, width - EDGE, top + 2 * EDGE))
+    sheet = sheet_over_foot(width, top + 2 * EDGE)
     corner = complex(EDGE - left, EDGE + (top + high + low) / 2)
     _draw_links(sheet, figure, shown, lambda z: corner + ((z - middle) * (1000 / scale)).conjugate())
     pole = complex(width - EDGE - end, EDGE + (top + over + under) / 2)

@@ -17,9 +17,9 @@ from coursework.drawing.force_plans.vectors import word_of
 from coursework.drawing.paper.board import COLUMN, EDGE, around, vector_scale
 from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.paper.sheet import AXIS, ITALIC, Sheet
+from coursework.drawing.paper.sheet import AXIS, ITALIC
 from coursework.drawing.paper.symbols import decimal
-from coursework.drawing.plans.foot import FOOT, draw_foot
+from coursework.drawing.plans.foot import draw_foot, sheet_over_foot
 from coursework.drawing.plans.plan_scale import LONGEST, read_length
 from coursework.effects.force_scheme import drives_of
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
@@ -101,9 +101,9 @@ def draw_lever(lever: Lever, row: int, time: float, written: Callable[[str], str
     circles = [(0j, 6.0), *((at, 5.0) for at, _ in places), *((at + way, 6.0) for at, way in places)]
     feet = [_foot(at, way) for at, way in places]
     left, top, right, bottom = around([*circles, *((foot, 3.0) for foot in feet)])
-    width, height = max(COLUMN, right - left + 2 * EDGE), bottom - top + 2 * EDGE
+    width = max(COLUMN, right - left + 2 * EDGE)
     pole = complex((width - right - left) / 2, EDGE - top)
-    sheet = Sheet(width, height + FOOT, (EDGE, EDGE, width - EDGE, height))
+    sheet = sheet_over_foot(width, bottom - top + 2 * EDGE)
     for at, foot in zip((at for at, _ in places), feet, strict=True):
         if abs(at) > 0.3:
             sheet.line(pole, pole + at, 'stroke="black" stroke-width="0.3"')

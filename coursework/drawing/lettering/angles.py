@@ -199,7 +199,7 @@ def _place(painter: Painter, angle: Angle, radii: Sequence[float]) -> Arc | None
     word = angle_word(angle.name)
     sheet.path(list(points), f'{PEN} data-angle="{plain(angle.name) if angle.counted else "".join(word)}"', blocks=False)
     if angle.counted:
-        _head(painter, at, points)
+        _head(painter, points)
     few = points[:: max(1, len(points) // max(CHORDS, math.ceil(abs(angle.turn) / CHORD)))]
     sheet.segments += itertools.pairwise(few)
     return Arc((word[0], word[1], word[2] + angle.tail), few, at, tuple(lines))
@@ -212,12 +212,12 @@ def _sides(angle: Angle) -> Iterator[complex]:
         yield angle.begin * cmath.exp(1j * angle.turn)
 
 
-def _head(painter: Painter, at: complex, points: Sequence[complex]) -> None:
+def _head(painter: Painter, points: Sequence[complex]) -> None:
     """Draw the arrow at the end of an arc."""
     tip = points[-1]
-    size = min(HEAD, 0.6 * abs(tip - at) * abs(cmath.phase((tip - at) / (points[0] - at)) or math.pi))
-    behind = min(points, key=lambda point: (round(abs(abs(point - tip) - size), 9), -points.index(point)))
-    along = (tip - behind) / abs(tip - behind) if tip != behind else 1j
+    size = min(HEAD, 0.6 * sum(abs(b - a) for a, b in itertools.pairwise(points)))
+    behind = min(points[:-1], key=lambda point: (round(abs(abs(point - tip) - size), 9), -points.index(point)))
+    along = (tip - behind) / abs(tip - behind)
     neck, side = tip - size * along, 0.3 * size * 1j * along
     painter.sheet.path([tip, neck + side, neck - side], 'fill="black"', closed=True, blocks=False)
 

@@ -156,8 +156,8 @@ def _centre(mechanism: Mechanism, rate: str, values: Values, way: complex) -> co
     for link in mechanism.variant.links:
         if link.rate != rate:
             continue
-        if link.wheel and link.wheel in values:
-            return complex(values[link.wheel])
+        if (wheel := link.wheel or "") in values:
+            return complex(values[wheel])
         places = [complex(values[name]) for name in link.points if name in values]
         if len(places) == 1:
             return places[0]

@@ -120,7 +120,7 @@ def _steps(formula: Formula, ways: Mapping[str, Counter[Formula]]) -> Counter[Fo
     """Return the vectors that lead to a point, each with how often it is added; a point stands for those that lead to it."""
     steps: Counter[Formula] = Counter()
     for term, sign in signed(formula):
-        own = ways[term.name] if term.op == "name" and term.name in ways else {term: int(not is_origin(term))}
+        own = ways.get(term.name, {term: int(not is_origin(term))})
         for step, times in own.items():
             steps[step] += sign * times
     return steps

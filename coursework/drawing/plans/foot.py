@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from coursework.drawing.paper.board import EDGE
 from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet
 from coursework.drawing.paper.symbols import decimal
 from coursework.words.sentences import say
@@ -18,6 +19,11 @@ BAR_PEN = 'stroke="#010101" stroke-width="0.5" stroke-linecap="butt"'  # a colou
 ROUND_LENGTHS = tuple(m * 10.0**k for k in range(-6, 7) for m in (1, 2, 5))
 LEAST_BAR = 20.0  # mm: least length of the bar on a screen
 THIN = 'stroke="black" stroke-width="0.35"'
+
+
+def sheet_over_foot(width: float, height: float) -> Sheet:
+    """Return a sheet with a field as high, its edges included, and the foot below it."""
+    return Sheet(width, height + FOOT, (EDGE, EDGE, width - EDGE, height))
 
 
 def draw_foot(sheet: Sheet, scales: Sequence[str], title: str, of_mm: tuple[float, str], written: Callable[[str], str]) -> None:

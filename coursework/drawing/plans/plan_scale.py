@@ -50,7 +50,7 @@ def scale_of(found: Polygons, plan: str, index: int) -> PlanScale:
     longest = max((abs(vector) for *_, vector in arrows), default=0.0)
     unit = vector_scale(longest, LONGEST)
     small = short_ones([(kind, start, end, at / unit, vector / unit) for kind, start, end, at, vector in arrows])
-    return PlanScale(unit, enlarged(small) if small else 1, longest)
+    return PlanScale(unit, enlarged(small), longest)
 
 
 def arrows_of(found: Polygons, plan: str, row: int) -> list[Arrow]:
@@ -82,7 +82,7 @@ def short_ones(mm: list[Arrow]) -> list[tuple[str, str, str, complex]]:
 
 def enlarged(small: list[tuple[str, str, str, complex]]) -> int:
     """Return how many times short vectors are enlarged: the least power of ten that makes the longest of them visible."""
-    times = 10
-    while max(abs(vector) for *_, vector in small) * times < SMALL:
+    times, longest = 1, max((abs(vector) for *_, vector in small), default=SMALL)
+    while longest * times < SMALL:
         times *= 10
     return times

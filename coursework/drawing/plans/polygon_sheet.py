@@ -15,7 +15,7 @@ from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet
 from coursework.drawing.paper.sheet import width as width_of
 from coursework.drawing.paper.symbols import decimal, image, name_word, short
-from coursework.drawing.plans.foot import FOOT, draw_foot
+from coursework.drawing.plans.foot import draw_foot, sheet_over_foot
 from coursework.drawing.plans.plan_scale import LONGEST, SEEN, SMALL, arrows_of, scale_of, short_ones
 from coursework.drawing.plans.steps import steps
 from coursework.drawing.plans.vectors import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
@@ -48,14 +48,13 @@ def draw_plan(
     if small and not blank:
         enlarged = say("plans.inset", times=scale.times, scale=decimal(unit / scale.times), unit=UNITS[plan])
         inset = _Inset.of(small, scale.times, written(enlarged))
-    corner = complex(right + 3, top)
     if inset is not None:
-        if right + 3 + inset.width - left > COLUMN - 2 * EDGE:
-            corner = complex(left, bottom + 3)
+        is_beside = right + 3 + inset.width - left <= COLUMN - 2 * EDGE
+        corner = complex(right + 3, top) if is_beside else complex(left, bottom + 3)
         right, bottom = max(right, corner.real + inset.width), max(bottom, corner.imag + inset.height)
     width = max(COLUMN, right - left + 2 * EDGE)
     pole = complex((width - right - left) / 2, EDGE - top)
-    sheet = Sheet(width, bottom - top + 2 * EDGE + FOOT, (EDGE, EDGE, width - EDGE, bottom - top + 2 * EDGE))
+    sheet = sheet_over_foot(width, bottom - top + 2 * EDGE)
     images: dict[str, complex] = {}
     if blank:
         given = {one.point for one in found.found if one.rule in {"given", "turned"}}

@@ -47,9 +47,8 @@ def write_first_row(book: Book, sheet: Any, table: StepTable, help_level: int) -
     shown = len(table.columns) if help_level else 1 + len(table.motion.names)
     for place, column in enumerate(table.columns[:shown]):
         sheet.write_string(0, place, plain(column.head), book.right)
-        if help_level and column.formula and table.rows:
-            text = column.first or _at(column.formula, 0)
-            sheet.write_formula(FIRST - 1, place, f"={text}", None, number(float(column.values[0])))
+        if help_level and column.formula:
+            _formulas(sheet, place, column, 1 + column.until)
     sheet.set_column(0, shown - 1, WIDTH)
     sheet.freeze_panes(1, 1)
 

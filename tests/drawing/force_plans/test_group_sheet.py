@@ -50,6 +50,7 @@ def test_forces_are_true_to_scale_one_behind_the_other_in_the_order_of_the_plan(
     assert list(polygon) == list(FORCES)
     for name, (force, _, _) in FORCES.items():
         assert way(polygon[name]) == pytest.approx(force, abs=0.03)
+        assert polygon[name].head == pytest.approx(min(2.6, 0.6 * abs(force)), abs=0.02)
     tips = [one.points[0] for one in polygon.values()]
     tails = [one.points[-1] for one in polygon.values()]
     assert tails == pytest.approx([tips[-1], *tips[:-1]], abs=0.03)  # the last tip is the first tail: the sum is zero
@@ -84,7 +85,7 @@ def test_arrows_that_would_end_in_one_place_are_of_two_lengths_and_what_is_too_s
 
 @pytest.mark.parametrize(("order", "chord"), [
     (("R12t", "F2", "F3", "R03"), ("R12t", "F2")), (("F2", "F3", "R03", "R12t"), ("R12t", "F2")),
-    (("F3", "R03", "R12t", "F2"), None),
+    (("F3", "R03", "R12t", "F2"), None), (("F3", "R03"), None),
 ])  # fmt: skip
 def test_the_inner_reaction_lies_across_what_acts_on_the_first_link(order, chord):
     """From where the forces on link 2 begin to where they end."""
@@ -102,3 +103,23 @@ def test_a_link_of_three_points_is_a_triangle():
     _, _, _, others = read(plan({"F2": FORCES["F2"]}, None), triangle)
     lines = [one for one in others if isinstance(one, Chain) and one.pen.width == pytest.approx(0.7)]
     assert len(lines) == 3
+
+
+@pytest.mark.parametrize("factor", [1.0, 0.2])
+def test_group_and_polygon_stand_in_the_middle_of_a_sheet_with_room_for_words(factor):
+    """8 mm around the polygon, 6 mm around the joints of the group, 5 mm around the tips of forces; edges: 2, foot: 17."""
+    drawing, beside, polygon, others = read(plan(FORCES | {"R12t": (factor * (-30 + 40j), "2", 0j)}))
+    ends = [end for one in polygon.values() for end in one.points]
+    sheet = drawing.height - 17.0
+    spans = []
+    for circles in (
+        [(end, 8.0) for end in ends],
+        [(one.middle, 6.0) for one in others if isinstance(one, Circle) and one.radius == pytest.approx(0.9)]
+        + [(one.points[0], 5.0) for one in beside.values()],
+    ):
+        low, high = (min(at.imag - room for at, room in circles), max(at.imag + room for at, room in circles))
+        assert low + high == pytest.approx(2 * 17.0 + sheet, abs=0.05)
+        spans.append(high - low)
+    assert max(spans) == pytest.approx(sheet - 4.0, abs=0.05)
+    assert max(end.real for end in ends) + 8.0 == pytest.approx(drawing.width - 2.0, abs=0.03)
+    assert min(one.middle.real for one in others if isinstance(one, Circle)) > 2.0 + 6.0 - 0.03

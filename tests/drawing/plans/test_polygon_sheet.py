@@ -94,3 +94,20 @@ def test_a_blank_plan_has_what_is_given_alone() -> None:
     poles = [[text for text, _ in said(one) if text.startswith("pv")] for one in (plan, whole)]
     assert poles == [["pv, o"], ["pv, o, p"]]  # that P rests too is found by the construction
     assert plan.exact and whole.exact
+
+
+@pytest.mark.parametrize("plan", ["velocity", "acceleration"])
+@pytest.mark.parametrize("name", NAMES)
+def test_a_plan_has_its_margins_and_stands_over_its_foot(name: str, plan: str) -> None:
+    """9 mm beside the tips of arrows, 11 mm beside the pole, 2 mm beside the inset; the foot is 17 mm high."""
+    drawing = drawings_of(name)[f"{plan}-plan"]
+    drawn = shafts(drawing)
+    (pole,) = {tail.conjugate() for (kind, *_), (tail, _) in drawn.items() if kind == "absolute"}
+    tips = [end.conjugate() for ends in drawn.values() for end in ends]
+    inset = boxes(drawing)
+    tops = [pole.imag - 11, *(tip.imag - 9 for tip in tips), *(top - 2 for _, top, _, _ in inset)]
+    lows = [pole.imag + 11, *(tip.imag + 9 for tip in tips), *(low + 2 for *_, low in inset)]
+    lefts = [pole.real - 11, *(tip.real - 9 for tip in tips), *(left - 2 for left, *_ in inset)]
+    rights = [pole.real + 11, *(tip.real + 9 for tip in tips), *(right + 2 for *_, right, _ in inset)]
+    assert (min(tops), max(lows)) == pytest.approx((0.0, drawing.height - 17.0), abs=0.02)
+    assert (min(lefts) + max(rights)) / 2 == pytest.approx(drawing.width / 2, abs=0.02) and min(lefts) > -0.02

@@ -179,11 +179,17 @@ def places(name: str, t: Any) -> dict[str, Any]:
 
 @cache
 def _places(name: str, t: Any, _precision: int) -> dict[str, Any]:
-    """Return places and angles at a time (s), followed from the start in small steps."""
+    """Return places and angles at a time (s)."""
+    return TRIADS[name].points(solution(name, t, _followed(name, round(float(t), 6))), t)
+
+
+@cache
+def _followed(name: str, t: float) -> Numbers:
+    """Return the coordinates at about a time (s), followed from the start in small steps; times beside it begin from them."""
     q: Numbers = [*TRIADS[name].guess]
     for k in range(5):
-        q = solution(name, t * k / 4, q)
-    return TRIADS[name].points(q, t)
+        q = solution(name, mp.mpf(t) * k / 4, q)
+    return q
 
 
 @cache

@@ -75,6 +75,14 @@ def test_entities_and_damage() -> None:
     assert refused(archive(parts | {"xl/worksheets/sheet1.xml": "<a>" * 5000}), "t.xlsx").code == "damaged"
     assert refused(workbook({"1": [["n:1"]]})[:-30], "t.xlsx").code == "damaged"
     assert refused(b"PK\x03\x04" + bytes(100), "t.xlsx").code == "damaged"
+    nowhere = '<?xml version="1.0" encoding="x-nowhere"?><worksheet/>'
+    assert refused(archive(parts | {"xl/worksheets/sheet1.xml": nowhere}), "t.xlsx").code == "damaged"
+    no_sheet = {name: content for name, content in parts.items() if "sheet1" not in name}
+    assert refused(archive(no_sheet), "t.xlsx").code == "no_sheet_table"
+    with zipfile.ZipFile(slow := io.BytesIO(), "w", zipfile.ZIP_BZIP2) as file:  # some hundred bytes may hold gigabytes
+        for name, content in parts.items():
+            file.writestr(name, content)
+    assert refused(slow.getvalue(), "t.xlsx").code == "damaged"
     locked = bytearray(workbook({"1": [["n:1"]]}))
     for start in (b"PK\x03\x04", b"PK\x01\x02"):
         place = locked.find(start)

@@ -1,12 +1,15 @@
 """The figures of accuracy: places of values on their logarithmic axes, words that leave each other alone."""
 
+import re
+from xml.etree import ElementTree
+
 import numpy as np
 import pytest
 
 import coursework
 from coursework.report.graphs.accuracy_figures import STYLES, Chart, Method, _names, chart
 from coursework.report.graphs.graph_paper import picture
-from coursework.report.graphs.log_paper import MARKS, Scale, scale_for
+from coursework.report.graphs.log_paper import MARKS, Scale, across, scale_for, upward
 from coursework.report.pages import build_model
 from coursework.report.text.parts import Figure
 from tests.drawing import measured
@@ -71,6 +74,28 @@ def test_a_value_lies_where_its_logarithm_says():
     assert len(Scale(0, 1, -17, 3).ticks()) <= 8
     fitted = scale_for([1.0, 1000.0], 0, 100, (0.1, 0.2))
     assert (fitted.low, fitted.high) == pytest.approx((-0.3, 3.6))
+
+
+def test_numbers_stand_at_the_lines_of_the_grid_that_they_name_and_a_label_in_the_middle_of_its_axis():
+    x, y = Scale(20.0, 120.0, 0.0, 4.0), Scale(60.0, 10.0, -3.0, 1.0)
+    svg = picture(170, 80, across(x, 60.0, 10.0, "below") + upward(y, 20.0, 120.0, "above"))
+    said = {word.text: word.box for word in measured.words(svg)}
+    grids = [
+        measured.points(re.sub(r"V([\d.]+)", r"L0 \1", re.sub(r"H([\d.]+)", r"L\1 0", node.get("d"))))
+        for node in ElementTree.fromstring(svg).iter(f"{measured.SVG}path")
+        if node.get("stroke-width") == "0.1"
+    ]
+    upright, level = ({round(begin.real if k == 0 else begin.imag, 2) for begin in way[::2]} for k, way in enumerate(grids))
+    assert (upright, level) == ({20.0, 45.0, 70.0, 95.0, 120.0}, {60.0, 47.5, 35.0, 22.5, 10.0})
+    for power, sign in enumerate("⁰¹²³⁴"):
+        left, top, right, _ = measured.words(svg)[power].box
+        assert measured.words(svg)[power].text == f"10{sign}"
+        assert (left + right) / 2 == pytest.approx(20.0 + 25.0 * power, abs=0.2) and 60.5 < top < 64.0
+    for text, at in (("10⁻³", 60.0), ("10⁻²", 47.5), ("10⁻¹", 35.0)):
+        _, top, right, bottom = said[text]
+        assert abs((top + bottom) / 2 - at) < 0.5 and 16.0 < right < 19.5
+    assert (said["below"][0] + said["below"][2]) / 2 == pytest.approx(70.0, abs=0.2) and 64.0 < said["below"][1] < 68.0
+    assert said["above"][0] == pytest.approx(21.2, abs=0.2) and 7.0 < said["above"][3] < 10.0
 
 
 def test_a_name_stands_at_the_end_of_its_line_or_behind_a_piece_of_it():

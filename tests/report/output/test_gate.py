@@ -222,7 +222,7 @@ def test_a_check_that_breaks_is_our_fault_and_the_others_still_judge(strict, fol
     usual = {one.code: one.verdict for one in coursework.solve("31").checks}
     ill = tuple(replace(one, judge=broken) if one.code == "DRIFT" else one for one in check.CHECKS)
     monkeypatch.setattr(check, "CHECKS", ill)
-    result = call("run", "31", "--out", "o", *strict)
+    result = call("run", "31", "--out", "o", "--format", "html", *strict)
     assert result.exit_code == 3
     assert result.stdout.splitlines()[0].endswith("The tool could not judge DRIFT.")
     written = json.loads(Path("o/run.json").read_text(encoding="utf-8"))

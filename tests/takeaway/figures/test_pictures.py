@@ -1,14 +1,18 @@
 """`--format figures`: every drawing of the page three times, of the size that the page gives it."""
 
+import io
 import json
 import re
 import struct
+from types import SimpleNamespace
 
 import pymupdf
 import pytest
+from PIL import Image
 
 from coursework.drawing.paper.sheet import HALO
 from coursework.report.text.parts import Figure, Panels
+from coursework.takeaway.figures.drawings import _with_density, pictures_of
 from coursework.variant.catalogue import names
 from tests.command import call
 from tests.sample import sampled_pairs
@@ -81,3 +85,17 @@ def test_they_are_written_on_request_only_and_listed(folder):
     assert {*record["files"]} == {"table.csv", *(f"figures/mechanism.{ending}" for ending in ("svg", "pdf", "png"))}
     there = {path.relative_to(folder / "taken").as_posix() for path in (folder / "taken").rglob("*") if path.is_file()}
     assert there == {*record["files"], "run.json"}
+
+
+def test_drawings_of_one_name_are_numbered_and_a_name_is_one_of_a_file():
+    """A folder of another system takes report and Report for one file, and no sign that means something there."""
+    figures = [Figure("<svg/>", 1.0, 1.0, "", [], id=name) for name in ("a", "A", "a", "b/c:d", "..", "a-2")]
+    model = SimpleNamespace(sections=[SimpleNamespace(name="laws", parts=[*figures, Figure("<svg/>", 1.0, 1.0, "", [])])])
+    assert [*pictures_of(model)] == ["a", "A-2", "a-3", "b-c-d", "drawing", "a-2-2", "laws"]
+
+
+def test_a_png_says_its_dots_where_a_program_looks_for_them():
+    Image.new("RGB", (3, 2), "red").save(content := io.BytesIO(), "PNG")
+    with Image.open(io.BytesIO(_with_density(content.getvalue()))) as found:
+        found.load()
+        assert found.info["dpi"] == pytest.approx((300, 300), abs=0.01) and found.getpixel((2, 1)) == (255, 0, 0)

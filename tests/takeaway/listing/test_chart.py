@@ -75,3 +75,13 @@ def test_every_corner_of_a_box_is_beside_the_others():
             a, b, c = places[k - 2], places[k - 1], places[k]
             turns.append(((c - b) * (b - a).conjugate()).imag)
         assert all(turn > 0 for turn in turns) or all(turn < 0 for turn in turns)  # convex
+
+
+@pytest.mark.parametrize("name", ["31", "falling-arm"])
+def test_the_lines_of_a_subroutine_stand_within_its_box(name):
+    root = drawn(name)
+    boxes = [tuple(float(one.get(key)) for key in ("x", "y", "width", "height")) for one in root.iter(f"{SPACE}rect")]
+    sides = [re.findall(r"M([\d.]+) ([\d.]+)V([\d.]+)", one.get("d")) for one in root.iter(f"{SPACE}path")]
+    for two in (two for two in sides if len(two) == 2 and two[0][1:] == two[1][1:]):
+        (left, top, low), (right, *_) = (map(float, one) for one in two)
+        assert any((top, low) == (y, y + high) and left - x == pytest.approx(8) == x + wide - right for x, y, wide, high in boxes)

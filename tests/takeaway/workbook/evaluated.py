@@ -8,6 +8,7 @@ import bisect
 import io
 import math
 import re
+from functools import cache
 
 import numpy as np
 import openpyxl
@@ -102,8 +103,20 @@ def _lazy(text: str) -> str:
 CALLS["_IF"] = CALLS.pop("IF")
 
 
+@cache
+def opened(content: bytes) -> Evaluated:
+    """Return the cells of a workbook, computed once for all who ask; nobody sets one."""
+    return Evaluated(content)
+
+
+@cache
+def shown(content: bytes) -> openpyxl.Workbook:
+    """Return a workbook as a viewer shows it which does not calculate."""
+    return openpyxl.load_workbook(io.BytesIO(content), data_only=True)
+
+
 def cached(content: bytes, sheet: str, count: int, columns: int) -> np.ndarray:
     """Return the numbers that a viewer shows which does not calculate."""
-    found = openpyxl.load_workbook(io.BytesIO(content), data_only=True)[sheet]
+    found = shown(content)[sheet]
     rows = [[found.cell(2 + row, 1 + column).value for column in range(columns)] for row in range(count)]
     return np.array(rows, dtype=float).reshape(count, columns)

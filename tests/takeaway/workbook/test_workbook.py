@@ -19,7 +19,7 @@ from tests.hard.scenes import scene, solve
 from tests.sample import sampled
 from tests.solved import solved
 from tests.takeaway.taken import taken
-from tests.takeaway.workbook.evaluated import Evaluated, cached
+from tests.takeaway.workbook.evaluated import Evaluated, cached, opened, shown
 
 SHEETS = ["Data", "Euler", "Exact", "Checks", "Graphs", "Read me"]
 FILES = names()
@@ -43,7 +43,7 @@ def off(found, rows):
 def test_cached_cells_and_formulas_are_eulers_table(name):
     heads, rows = table(solved(name))
     content = book(name)
-    computed = Evaluated(content)
+    computed = opened(content)
     assert [computed.book["Euler"].cell(1, 1 + place).value for place in range(len(heads))] == heads
     assert computed.book.sheetnames == SHEETS
     assert off(cached(content, "Euler", *rows.shape), rows) < 1e-12
@@ -57,7 +57,7 @@ def test_handed_in_it_is_the_table_of_the_task():
 
 
 def test_cells_show_seven_digits_and_hold_all():
-    sheets = openpyxl.load_workbook(io.BytesIO(book("31")), data_only=True)
+    sheets = shown(book("31"))
     euler, checks = sheets["Euler"], sheets["Checks"]
     assert (euler["B3"].number_format, euler["H3"].number_format, euler["A3"].number_format) == (
         "0.000000",
@@ -73,7 +73,7 @@ def test_cells_show_seven_digits_and_hold_all():
 @pytest.mark.parametrize("name", ["31", "jansen"])
 def test_every_formula_of_every_sheet_gives_its_cached_number(name):
     content = book(name)
-    computed, shown = Evaluated(content), openpyxl.load_workbook(io.BytesIO(content), data_only=True)
+    computed, seen = opened(content), shown(content)
     count = 0
     for sheet in SHEETS[:4]:
         for row in computed.book[sheet].iter_rows():
@@ -81,7 +81,7 @@ def test_every_formula_of_every_sheet_gives_its_cached_number(name):
                 if cell.data_type == "f":
                     count += 1
                     found = computed.value(sheet, cell.row, cell.column)
-                    assert found == pytest.approx(shown[sheet][cell.coordinate].value, rel=1e-9, abs=1e-9), (
+                    assert found == pytest.approx(seen[sheet][cell.coordinate].value, rel=1e-9, abs=1e-9), (
                         sheet,
                         cell.coordinate,
                     )
@@ -90,7 +90,7 @@ def test_every_formula_of_every_sheet_gives_its_cached_number(name):
 
 def test_what_must_be_zero_stands_below_its_heads():
     """The head in the first column, times below it, as many as the table has rows; beside them the closure and the equations."""
-    sheet = openpyxl.load_workbook(io.BytesIO(book("31")), data_only=True)["Checks"]
+    sheet = shown(book("31"))["Checks"]
     columns = [[cell.value for cell in column] for column in sheet.iter_cols()]
     (top,) = (place for place, text in enumerate(columns[0]) if str(text).startswith("What must be zero"))
     assert columns[0][top + 1 : top + 3] == ["t", "largest"] and columns[1][top] is None
@@ -226,7 +226,7 @@ def test_names_differ_by_more_than_case_and_text_is_no_formula():
 
 def test_exact_has_the_true_motion_and_its_difference():
     content, run = book("jansen"), solved("jansen")
-    exact = openpyxl.load_workbook(io.BytesIO(content), data_only=True)["Exact"]
+    exact = shown(content)["Exact"]
     assert [exact.cell(2, 1 + place).value for place in range(1, 4)] == pytest.approx(run.motion.rows[0, :3], rel=1e-15)
     names = run.motion.names
     first = 3 + len(run.columns()[0])

@@ -39,9 +39,6 @@ class _Reader:
 
     def read(self, value: Any, path: str) -> None:
         """Add the tables and lines of a value; `path` has the names that lead to it."""
-        self.visited += 1
-        if self.visited > _MOST_VALUES:
-            return
         rows = self._rows(value)
         if rows:
             self.document.add_table(
@@ -61,10 +58,11 @@ class _Reader:
     def _named(self, name: str, value: Any, path: str) -> None:
         """Add a text (perhaps an equation), a named number (perhaps an answer), or the contents of a list or object."""
         self.visited += 1
+        if self.visited > _MOST_VALUES:
+            return
         if isinstance(value, (JsonObject, list)):
             self.read(value, path)
-            return
-        if not isinstance(value, str) or self.visited > _MOST_VALUES:
+        if not isinstance(value, str):
             return
         place = place_of("entry", name=path[:80])
         if isinstance(value, JsonNumber):
@@ -77,8 +75,6 @@ class _Reader:
         """Return a value as rows of cells, with a row of heads first if it has names; [] if it is no table."""
         if isinstance(value, list):
             return _records(value) if all(isinstance(row, JsonObject) for row in value) else _lists(value)
-        if not isinstance(value, JsonObject):
-            return []
         data = value.value("data")
         heads = value.value("columns")
         if isinstance(data, list) and isinstance(heads, list):  # pandas, orient="split"

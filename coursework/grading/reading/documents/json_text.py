@@ -54,14 +54,12 @@ def read_json(text: str, levels: int) -> Any:
     bare = text.lstrip("\ufeff")
     try:
         return _loaded(bare)
+    except (ValueError, RecursionError):
+        lines = [line.rstrip(", \t") for line in bare.split("\n") if line.strip()]
+    try:  # one record per line
+        return _loaded(f"[{','.join(lines)}]" if all(line.endswith(("}", "]")) for line in lines) else "")
     except (ValueError, RecursionError) as error:
-        lines = [line for line in bare.split("\n") if line.strip()]
-        if len(lines) < 2 or not all(line.rstrip(", \t")[-1:] in ("}", "]") for line in lines):
-            raise unreadable("json_damaged") from error
-        try:  # one record per line
-            return _loaded("[" + ",".join(line.rstrip(", \t") for line in lines) + "]")
-        except (ValueError, RecursionError):
-            raise unreadable("json_damaged") from error
+        raise unreadable("json_damaged") from error
 
 
 def _loaded(text: str) -> Any:

@@ -40,7 +40,7 @@ def with_sums_derived(text: str, spellings: Spellings) -> str:
 
 def with_the_rest_unread(text: str) -> str:
     """Return a line in which a derivative that is left, of a product without brackets, is no quotient d/d*t."""
-    return _LEFT.sub(_UNKNOWN, text) if "t" in text else text
+    return _LEFT.sub(_UNKNOWN, text)
 
 
 def _one_derived(text: str, spellings: Spellings) -> str:
@@ -70,7 +70,7 @@ def _one_derived(text: str, spellings: Spellings) -> str:
 
 def _ends(pattern: re.Pattern[str], text: str, place: int) -> re.Match[str] | None:
     """Return the match of a pattern that ends at a place."""
-    return next((found for found in pattern.finditer(text, max(place - 40, 0), place + 1) if found.end() == place), None)
+    return next((found for found in pattern.finditer(text, place - 40, place + 1) if found.end() == place), None)
 
 
 def _read(text: str, spellings: Spellings) -> Formula | None:

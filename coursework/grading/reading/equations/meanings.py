@@ -20,7 +20,6 @@ from coursework.variant.formula.reader import MAX_NODES
 from coursework.variant.formula.tree import Formula, constant, evaluate_any, mapped, named, number, terms, with_names
 from coursework.variant.record.places import measures
 from coursework.variant.record.variant import Variant
-from coursework.words.errors import CourseworkError
 
 Meanings = Mapping[str, Formula]
 _SAME = 1e-9
@@ -75,20 +74,14 @@ def _lengths(variant: Variant, starts: tuple[tuple[str, float], ...]) -> Meaning
     for given in variant.given:
         if given.si == "m" and (ends := _END_POINTS.fullmatch(given.means)):
             offer(ends[1], ends[2], named(given.name))
-    try:
-        points = dict(build(variant).points)
-    except CourseworkError:
-        return found
+    points = dict(build(variant).points)
     for name, formula in points.items():
         parts = list(terms(formula))
-        other = [part.name for part in parts if part.op == "name" and part.name in points]
-        bars = [part for part in parts if part.op == "@"]
-        if len(parts) == 2 and len(other) == len(bars) == 1:
-            offer(other[0], name, bars[0].args[0])
-        for upright in (part for part in parts if part.op == "pair" and len(parts) == 2 and other):
-            sides = [side for side in upright.args if constant(side) != 0]
+        base = next((part.name for part in parts if part.op == "name" and part.name in points), "")
+        for part in (part for part in parts if base and len(parts) == 2 and part.op in {"@", "pair"}):
+            sides = part.args[:1] if part.op == "@" else [side for side in part.args if constant(side) != 0]
             if len(sides) == 1 and sides[0].op != "neg":
-                offer(other[0], name, sides[0])
+                offer(base, name, sides[0])
     for first, second, distance in _distances(variant, points, starts):
         alike = [given.name for given in variant.given if given.si == "m" and abs(given.value - distance) <= _SAME * distance]
         if len(alike) == 1:

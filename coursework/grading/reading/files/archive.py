@@ -71,14 +71,10 @@ def legible_name(part: zipfile.ZipInfo) -> str:
     name = part.filename
     if part.flag_bits & 0x800 or name.isascii():
         return name
-    try:
-        raw = name.encode("cp437")
-    except UnicodeEncodeError:
-        return name
     for encoding in ("utf-8", "cp866"):
         try:
-            guess = raw.decode(encoding)
-        except UnicodeDecodeError:
+            guess = name.encode("cp437").decode(encoding)
+        except UnicodeError:
             continue
         # cp866 has the same box-drawing signs as cp437, so a name is taken as cp866 only if it has Cyrillic letters.
         if any("Ѐ" <= letter <= "ӿ" for letter in guess) or encoding == "utf-8":

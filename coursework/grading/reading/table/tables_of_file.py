@@ -38,10 +38,8 @@ def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[tuple[Par
     given: Iterable[Sheet]
     if xlsx.WORKBOOK in archive.parts:
         given, kind = xlsx.sheets_of(archive, *bounds(grid.rows)), "xlsx"
-    elif ods.CONTENT in archive.parts:
-        given, kind = ods.sheets_of(archive, *bounds(grid.rows)), "ods"
     else:
-        raise unreadable("damaged")
+        given, kind = ods.sheets_of(archive, *bounds(grid.rows)), "ods"
     parts: list[Part] = []
     refused: list[Refused] = []
     sheets: list[Sheet] = []

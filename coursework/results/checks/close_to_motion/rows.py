@@ -6,6 +6,7 @@ Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`, `advice.py`, `stu
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
@@ -103,7 +104,7 @@ def off_row(variant: Variant, step: float) -> list[float]:
 
 def between(times: Iterable[float], step: float, end: float) -> list[float]:
     """Return the times (s) before the end that fall on no row of a run with this step (s)."""
-    return [time for time in times if time < end and abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
+    return [time for time in times if time < end and not math.isclose(time / step, round(time / step), rel_tol=AT_ROW)]
 
 
 def parts_at_breaks(evidence: Evidence, least: int = 1) -> int:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
 from coursework.grading.reading.documents.json_data import document_of_json
+from coursework.grading.reading.limits import Refused
 
 COLUMNS = [["t", "w"], ["0", "5"], ["0.1", "7"]]
 
@@ -35,3 +38,17 @@ def test_numbers_and_texts_beside_a_name_are_lines() -> None:
 
 def test_numbers_in_a_list_have_no_name_and_are_no_lines() -> None:
     assert [line.text for line in document_of_json('[0.35, "w1 = 2"]', "json", 600, 40).lines] == ["w1 = 2"]
+
+
+def test_a_record_in_each_line_is_a_table_if_every_line_is_whole() -> None:
+    assert tables('{"t": 0, "w": 5},\n{"t": 0.1, "w": 7}\n') == [COLUMNS]
+    for damaged in ('{"t": 0, "w": 5}\n{"t": 0.1, "w": ]}', '{"t": 0, "w": 5}\n{"t": 0.1,', '{"t": }'):
+        with pytest.raises(Refused) as refused:
+            tables(damaged)
+        assert refused.value.trouble.code == "json_damaged"
+
+
+@pytest.mark.parametrize(("count", "lines"), [(6_660, ["w1 = 2"]), (6_670, [])])
+def test_behind_twenty_thousand_values_nothing_is_read(count: int, lines: list[str]) -> None:
+    text = json.dumps({name: {"x": [*range(count)]} for name in "abc"} | {"d": "w1 = 2"})
+    assert [line.text for line in document_of_json(text, "json", 600, 40).lines] == lines

@@ -65,3 +65,32 @@ def test_an_equation_of_a_variant_file_that_cannot_be_read_is_a_question_to_the_
     assert unread.relates
     assert unread.fault is not None
     assert told in str(unread.fault.message)
+
+
+@pytest.mark.parametrize(
+    ("equation", "relates"), [("w3 = (2", False), ("w3 = (r1", True), ("w3 = 2 +* w1", True), ("2 = (", False)]
+)
+def test_an_unread_equation_asks_the_teacher_if_it_relates_two_names(equation: str, relates: bool) -> None:
+    contents = read(("mine.toml", f'format = 1\nconstraint = [{{equation = "{equation}"}}]\n[given]\nr1 = 0.953\n'.encode()))
+    assert [(line.tree, line.relates) for line in contents.equations or ()] == [(None, relates)]
+
+
+@pytest.mark.parametrize("junk", ['constraint = [1, "a", {equation = 5}, {equation = "w3 = 0"}]', "constraint = {equation = 1}"])
+@pytest.mark.parametrize("value", ["true", '"0.9 foo"', '"1e999 m"', "[0.953]", "{value = 0.953}"])
+def test_keys_of_another_kind_are_no_equations_and_data_of_another_kind_differ(junk: str, value: str) -> None:
+    contents = read(("mine.toml", f"format = 1\n{junk}\n[given]\nr1 = {value}\nr2 = 0.847\n[coordinates]\nphi1 = 3\n".encode()))
+    assert [line.text for line in contents.equations or ()] == ["w3 = 0"] * ("w3" in junk)
+    (differ,) = (note.text for note in contents.notes if note.code == "data_differ")
+    assert "r1" in str(differ) and "r2" not in str(differ) and "phi1" not in str(differ)
+
+
+@pytest.mark.parametrize("off", [0.0, 0.01])
+def test_a_start_that_is_another_differs(off: float) -> None:
+    """Of three: the first as it is or not, the second the task's, the third left out."""
+    first, second, _ = (one.start for one in expected().variant.coordinates)
+    assert first is not None
+    starts = f'phi1 = {{start = "{first + off!r} rad"}}\nphi2 = {{start = {second!r}}}\nphi3 = {{rate = "w3"}}\n'
+    contents = read(("mine.toml", f"format = 1\n[given]\nr2 = 0.847\n[coordinates]\n{starts}".encode()))
+    told = [str(note.text) for note in contents.notes if note.code == "data_differ"]
+    assert len(told) == (1 if off else 0)
+    assert not off or ("phi1" in told[0] and "phi2" not in told[0] and "phi3" not in told[0])

@@ -84,8 +84,10 @@ def test_an_amount_is_told_in_per_cent_or_as_a_power_and_with_a_unit_that_is_sho
     assert "%" not in amount(context, 4e-4, share)
     assert [amount(context, 2.0, "u" * letters).endswith("u") for letters in (12, 13)] == [True, False]
     assert amount(context, None, "m") == "–"
+    assert bound(context, Finding("PASS", "Told.", 9.0, 6.0, say("unit.digits", number=6.0))) == f"≤{TIGHT}6\xa0digits"
+    assert bound(context, Finding("PASS", "Told.", 9.0, None, share)) == "–"
     limits = [bound(context, Finding("PASS", "Told.", 0.0, value, share)) for value in (0.05, 6e-4, 4e-4)]
-    assert limits[:2] == [f"≤{TIGHT}5\xa0%", f"≤{TIGHT}0.06\xa0%"] and "%" not in limits[2]
+    assert limits[:2] == [f"≤{TIGHT}5\xa0%", f"≤{TIGHT}0.06\xa0%"] and limits[2] == f"≤{TIGHT}4·10⁻⁴"
 
 
 def test_an_amount_that_is_whole_but_for_the_last_digit_shown_is_whole() -> None:

@@ -116,8 +116,7 @@ class _Reader:
             self.skipping -= name in _SKIPPED
             return
         assert self.formula is not None
-        if name == "t":
-            self.is_text = False
+        self.is_text = False
         self.formulas -= name == "oMath"
         if not self.formulas:
             self.builder.formula(omml.text_of_omml(self.formula.top))

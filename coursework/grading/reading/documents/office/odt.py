@@ -32,11 +32,7 @@ _FORMULA = {name: name in _WITH_ATTRIBUTES for name in mathml.ELEMENTS}
 
 def is_odt(archive: Archive) -> bool:
     """Return whether an archive is an OpenDocument text."""
-    if CONTENT not in archive.parts:
-        return False
-    if "mimetype" in archive.parts:
-        return archive.read("mimetype", 1000).strip().startswith(_KIND)
-    return b"<office:text" in next(archive.chunks(CONTENT), b"")
+    return {CONTENT, "mimetype"} <= archive.parts.keys() and archive.read("mimetype", 1000).strip().startswith(_KIND)
 
 
 def document_of_odt(archive: Archive, most_rows: int, most_columns: int) -> Document:
@@ -53,13 +49,12 @@ class _Reader:
     def __init__(self, archive: Archive, builder: DocumentBuilder) -> None:
         self.archive, self.builder = archive, builder
         self.formula: FormulaTree | None = None
-        self.skipping = self.paragraphs = self.formulas = 0
+        self.skipping = self.paragraphs = self.formulas = self.covered = 0  # covered: following cells that the last one covers
         self.style = ""
         self.positions: dict[str, str] = {}  # style name -> "sub" or "super"
         self.spans: list[str] = []
         self.cells: list[tuple[str, dict[str, str]]] = []
         self.rows: list[int] = []
-        self.covered = 0  # number of following cells that the last cell covers to its right
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
         if self.formula is not None:

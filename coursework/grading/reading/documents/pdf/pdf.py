@@ -118,11 +118,7 @@ class _CountedZlib:
         self.left = INFLATED_BYTES
 
     def decompress(self, data: bytes) -> bytes:
-        inflater = self.decompressobj()
-        out = inflater.decompress(data)
-        if not inflater.inflater.eof:
-            raise zlib.error("the stream goes on")
-        return out
+        return self.decompressobj().decompress(data)
 
     def decompressobj(self) -> _CountedZlib._Inflater:
         return self._Inflater(self)

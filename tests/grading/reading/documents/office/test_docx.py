@@ -32,6 +32,7 @@ def run(text: str, style: str = "") -> str:
     (run("r = x") + run("2", '<w:vertAlign w:val="superscript"/>'), ["r = x^2"]),
     (run("a = 1") + "<w:del>" + run("2") + "</w:del>", ["a = 1"]),
     ('<w:r><w:sym w:font="Symbol" w:char="F066"/></w:r>' + run(" = 1"), ["φ = 1"]),
+    ('<w:r><w:sym w:font="Symbol" w:char="F0Z6"/></w:r>' + run(" = 1"), ["= 1"]),
 ])  # fmt: skip
 def test_a_paragraph_is_what_a_reader_sees(inside: str, lines: list[str]) -> None:
     assert [line.text for line in read(f"<w:p>{inside}</w:p>").lines] == lines
