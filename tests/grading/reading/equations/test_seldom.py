@@ -9,7 +9,6 @@ import pytest
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.equations import names_for, read_line
 from coursework.grading.reading.equations.line_kinds import own_name
-from coursework.grading.reading.equations.systems.determinants import with_determinants
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.of_r import in_brackets
@@ -54,9 +53,9 @@ def test_of_prose_between_formulas_the_equations_are_left(text: str, parts: list
         (in_brackets, "A <- matrix(c(a, b, c, d), 3)", "A = matrix(c(a, b, c, d), 3)"),
         (in_brackets, "A <- matrix(c(a, b, c, d), q, ncol=2)", "A = matrix(c(a, b, c, d), q, ncol=2)"),
         (in_one_line, "[ a   0 ] [x]   [ -e ]\n[ c  -d  5 ] [y] = [ 0 ]", None),
-        (with_determinants, "w1 = Det[{{a, b}, {c, d}}]/e", "w1 = ((a)*(d) - (b)*(c))/e"),
-        (with_determinants, "w1 = Det({{a, b}, {c, d}})", "w1 = ((a)*(d) - (b)*(c))"),
-        (with_determinants, "w1 = det([a, b; c]) + 1", None), (with_determinants, "w1 = det(a", None),
+        (in_rows, "w1 = Det[{{a, b}, {c, d}}]/e", "w1 = ((a)*(d) - (b)*(c))/e"),
+        (in_rows, "w1 = Det({{a, b}, {c, d}})", "w1 = ((a)*(d) - (b)*(c))"),
+        (in_rows, "w1 = det([a, b; c]) + 1", None), (in_rows, "w1 = det(a", None),
         (in_rows, "A = [a, b; c]; k = [e; f];\nw1, w2 = np.linalg.solve(A, k)", None),
         (in_rows, "A = [a, b; c, d]; k = [e; f; g];\nw1, w2 = np.linalg.solve(A, k)", None),
     ],
