@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
 from coursework.grading.marking.table.causes.misconceptions import Misconception
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.first_wrong import FirstWrong
@@ -61,3 +62,11 @@ class TableMarks:
         shown = (self.cells.counted & ~self.cells.missing)[:, asked]
         right = shown & ~self.cells.wrong[:, asked]
         return None if np.all(right.sum(axis=0) >= _SHOWS * shown.sum(axis=0)) else self.table.asked
+
+
+def of_other_step(marks: TableMarks | None) -> bool:
+    """Return whether the steps of a table are known to have been made with another length than the task's."""
+    if marks is None:
+        return False
+    named = marks.misconception
+    return OTHER_STEP in (marks.earned.cause, named.code if named else "")
