@@ -91,8 +91,8 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
 def _of_data(key: Key, rubric: Rubric, fit: Fit) -> float:
     """Return the worth of a cell of a table that was made from a datum, or two exchanged, copied wrongly; 0 for another cause.
 
-    A number copied wrongly costs what a start copied wrongly does, wherever it stands in the task. It must be named for that, since
-    many a slip in a formula can be undone by some value of a datum; a datum left out or with the other sign is such a slip.
+    A number copied wrongly costs what a start copied wrongly does, wherever it stands in the task. It must be named for that,
+    since many a slip in a formula can be undone by some value of a datum; one left out or with the other sign is such a slip.
     """
     if fit.code.startswith(_SWAPPED):
         return rubric.start_floor_several
