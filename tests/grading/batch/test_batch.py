@@ -63,7 +63,7 @@ def test_every_submission_has_a_state_and_only_graded_ones_a_number(graded):
     assert found["carl"]["first_wrong"] == "row 11 w2"
     assert found["dora"]["misconception"] == "heun"
     assert found["emil"]["equations"] == "30.00"
-    assert found["emil"]["sentence"].startswith("Line 4 of the equations is not right. A different sign at column ")
+    assert found["emil"]["sentence"].startswith("Line 4 of the equations is not right. A different sign of ")
     assert found["ada"]["sentence"] == ""
     assert "PDF" in found["fred"]["sentence"]
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
 from coursework.grading.marking.equations.dashes import as_lists_or_minus
-from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, unlikeliness
+from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness
 from coursework.grading.marking.equations.lacks import lack_of, law_of
 from coursework.grading.marking.equations.linear import Linear, differing, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
@@ -44,13 +44,17 @@ JUDGED = (*COUNTED, "wrong")
 
 @frozen
 class Hint:
-    """What would make a wrong line right: `text` is the corrected line; `others` counts further single edits that also do."""
+    """What would make a wrong line right: `text` is the corrected line; `others` counts further single edits that also do.
+
+    `column` is that of the line as handed in, which a document or a cell may show otherwise; `term` is what stands there.
+    """
 
     kind: Literal["sign", "function", "name", "factor", "repaired", "reader"]
     column: int
     text: str
     others: int = 0
     fault: Fault | None = None
+    term: str = ""
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it; for a line that could not be read, with the code of the fault."""
@@ -263,7 +267,7 @@ class Judge:
             return None
         best = found[0]
         column = column_as_handed_in(line.text, read, best.column, is_sign=best.kind == "sign")
-        return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1)
+        return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1, term=spelled(term_of(tree, best)))
 
     def slips(self, tree: Formula, read: str) -> list[Edit]:
         """Return all single edits that make a wrong line right, the likeliest first; `read` is the text of the line as read."""
