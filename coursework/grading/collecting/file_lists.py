@@ -30,9 +30,9 @@ _AGAIN = re.compile(r"(.+?)-([0-9]{1,3})(\.[^.]+)?")  # so Canvas names a file w
 class FileList:
     """The files of one student, not yet read: the name of each and the place where it is found.
 
-    `id` is that of a platform, else verbatim (NFC); `name` as the platform gives it, `number` the platform's own; `folder` is the name under which
-    Moodle wants feedback returned; `review` is why a person must look at it.  File lists with equal ids get different ones, and
-    `shared` is then the id they had in common, "" for all others; `late`: the platform says that it is late.
+    `id` is a platform's number, else verbatim (NFC); `name` as the platform gives it, `number` the platform's own; `folder` is
+    the name under which Moodle wants feedback returned; `review` is why a person must look at it.  File lists with equal ids get
+    different ones, and `shared` is then the id they had in common, "" for all others; `late`: the platform says that it is late.
     """
 
     id: str

@@ -5,6 +5,7 @@ Enters: a `Key`, `TableMarks`, the points.  Leaves: `Reason`s, in order.  Used b
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 
@@ -165,7 +166,8 @@ def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
     rule = OTHER_STEP if earned.cause in OTHER_STEPS else earned.rule
-    return say(f"feedback.earned.{rule}", **known, alone=round(earned.of_cells * most, 2), line=earned.cause)
+    percent = math.floor(1000 * earned.explained + 1e-6) / 10  # rounded down: 100 means all of them
+    return say(f"feedback.earned.{rule}", **known, percent=percent, alone=round(earned.of_cells * most, 2), line=earned.cause)
 
 
 def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:
