@@ -64,9 +64,6 @@ class TableMarks:
         return None if np.all(right.sum(axis=0) >= _SHOWS * shown.sum(axis=0)) else self.table.asked
 
 
-def of_other_step(marks: TableMarks | None) -> bool:
-    """Return whether the steps of a table are known to have been made with another length than the task's."""
-    if marks is None:
-        return False
-    named = marks.misconception
-    return OTHER_STEP in (marks.earned.cause, named.code if named else "")
+def is_of_other_step(marks: TableMarks | None) -> bool:
+    """Return whether the steps of a table are proved to have another length than the task's."""
+    return marks is not None and marks.misconception is not None and marks.misconception.code == OTHER_STEP
