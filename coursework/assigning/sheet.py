@@ -132,6 +132,8 @@ def _parts(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
         "table": words("sheet.part.table", rows=variant.time.steps + 1),
         "equations": words("sheet.part.equations", count=len(variant.sought)),
     }
+    if rubric.weights["equations"]:
+        told["equations"] = words("sheet.part.wrong_lines", part=told["equations"])
     if rubric.answers:
         told["answers"] = words(
             "sheet.part.answers", listed=words("join.comma").join(_answer(handout, words, one) for one in rubric.answers)

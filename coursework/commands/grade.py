@@ -109,7 +109,8 @@ def _listed(opened: Source, variant: str | None, roster: Path | None, sheet: Wor
 def _decided(overrides: Path | None, listed: ClassList, rubric: Rubric) -> dict[str, tuple[Override, ...]]:
     if overrides is None:
         return {}
-    return read_overrides(_bytes(overrides), str(overrides), [place.id for place in listed.places], rubric)
+    folders = {one.folder: place.id for place in listed.places for one in place.file_lists if one.folder}
+    return read_overrides(_bytes(overrides), str(overrides), [place.id for place in listed.places], rubric, folders)
 
 
 def _one(

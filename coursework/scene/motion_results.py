@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES
 from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.arrays import Array
-from coursework.system.on_demand import Ledger, computed
+from coursework.system.on_demand import Ledger, Travelling, computed
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT, scheme_names
 
@@ -44,26 +44,20 @@ def given_constants(variant: Variant, names: Sequence[str], rows: Array) -> dict
     return found if len(found) < len(names) else {}
 
 
-# What another process can read; drawings and evidence contain programs, which are made again there.
-PLAIN = {
-    "scene", "motion", "ledger", "by_scheme", "accelerations", "points", "point_accelerations", "checks", "accuracy",
-    "analogs", "invariants", "table", "plots", "extended_precision",
-}  # fmt: skip
-
-
 @dataclass(frozen=True, eq=False, repr=False)
-class MotionResults:
+class MotionResults(Travelling):
     """The results of the `motion` of a `scene`; every result is kept here and nowhere else."""
 
+    PLAIN = frozenset({  # drawings and evidence contain programs
+        "scene", "motion", "ledger", "by_scheme", "accelerations", "points", "point_accelerations", "checks", "accuracy",
+        "analogs", "invariants", "table", "plots", "extended_precision",
+    })  # fmt: skip
     scene: WayToMotion
     motion: Motion
     ledger: Ledger
 
     def __repr__(self) -> str:
         return f"<MotionResults of {self.motion!r}>"
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name in PLAIN}
 
     def charged(self, error: Exception) -> Exception | None:
         """Return the fault of a formula that has no value somewhere on the way, None if every formula has one."""

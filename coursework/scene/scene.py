@@ -8,35 +8,29 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from coursework.motion.integration.motion import AT_EVENT, Motion
 from coursework.scene.motion_results import MotionResults
 from coursework.scene.way_to_motion import WayToMotion
-from coursework.system.on_demand import Ledger
+from coursework.system.on_demand import Ledger, Travelling
 from coursework.variant.record.variant import changed
 from coursework.words.errors import visible
 
-# What another process can read, in the order in which it was made.
-PLAIN = {
-    "variant", "settings", "ledger", "start", "stop", "phases", "motion", "exact", "exact_accelerations", "extremes",
-    "one_period", "scheme_rows", "results",
-}  # fmt: skip
-
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Scene(WayToMotion):
+class Scene(WayToMotion, Travelling):
     """A variant with the settings of its run, and the results of its rows."""
 
+    PLAIN = frozenset({  # in the order in which it was made
+        "variant", "settings", "ledger", "start", "stop", "phases", "motion", "exact", "exact_accelerations", "extremes",
+        "one_period", "scheme_rows", "results",
+    })  # fmt: skip
     kind_of_results: ClassVar[type[MotionResults]] = MotionResults
 
     def __repr__(self) -> str:
         name = f"{visible(self.variant.name)}{changed(self.variant.set_values)}"
         return f"<{type(self).__name__} of {name}: {self.settings.scheme}, h = {self.variant.time.step:g} s>"
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Return what travels to another process: computed numbers and words; programs are made again there."""
-        return {name: value for name, value in vars(self).items() if name in PLAIN}
 
     @property
     def last_time(self) -> float:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import field
 from graphlib import TopologicalSorter
-from typing import Any, Generic, Protocol, TypeVar, overload
+from typing import Any, ClassVar, Generic, Protocol, TypeVar, overload
 
 import numpy as np
 
@@ -68,6 +68,16 @@ class Owner(Protocol):
 
     def charged(self, error: Exception) -> Exception | None:
         """Return the error to show the user for an error of arithmetic or of a law, None if the tool itself is at fault."""
+
+
+class Travelling:
+    """An owner whose computed numbers and words, named in `PLAIN`, travel to another process; programs are made again there."""
+
+    PLAIN: ClassVar[frozenset[str]]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what travels."""
+        return {name: value for name, value in vars(self).items() if name in self.PLAIN}
 
 
 class Computed(Generic[T]):

@@ -34,6 +34,15 @@ def test_a_right_submission_is_understood(tmp_path: Path) -> None:
     assert "Equations: 4 lines, 0 that cannot be read." in found.output
 
 
+def test_cells_with_residuals_are_read_as_they_are_marked(tmp_path: Path) -> None:
+    """Each was told to be the value of w1, which makes a right equation false."""
+    cells = "\n".join(f"={line.removesuffix(' = 0')}" for line in EQUATIONS)
+    found = precheck(tmp_path, csv(students.table()), cells)
+    assert found.exit_code == 0, found.output
+    assert "Equations: 4 lines, 0 that cannot be read." in found.output
+    assert len(re.findall(r"line \d is read as 0 = ", found.output)) == 4
+
+
 def test_a_table_that_lies_on_its_side_is_said_to_have_been_turned(tmp_path: Path) -> None:
     cells = [line.split(";") for line in csv(students.table()).decode().splitlines()]
     found = precheck(tmp_path, "\n".join(";".join(column) for column in zip(*cells, strict=True)).encode())

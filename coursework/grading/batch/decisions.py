@@ -57,12 +57,17 @@ class Override:
         return {key: value for key, value in asdict(self).items() if value or key not in FURTHER}
 
 
-def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Rubric) -> dict[str, tuple[Override, ...]]:
-    """Return the decisions of each student in `known`, by id.  Raises `InputError` with every fault."""
+def read_overrides(
+    content: bytes, file: str, known: Collection[str], rubric: Rubric, folders: Mapping[str, str] | None = None
+) -> dict[str, tuple[Override, ...]]:
+    """Return the decisions of each student in `known`, by id; `folders` are ids by the name of a student's folder, which will do.
+
+    Raises `InputError` with every fault.
+    """
     cells = read_cells(content, file)
     if missing := [name for name in COLUMNS[:3] if name not in cells.columns]:
         raise InputError([Fault(say("fault.G028", missing=missing[0], columns=",".join(COLUMNS)), file, 1)])
-    ids = {same_key(student): student for student in known}
+    ids = {same_key(name): student for name, student in [*(folders or {}).items(), *zip(known, known, strict=True)]}
     found: dict[str, list[Override]] = {}
     faults: list[Fault] = []
     for record, values in cells.named((*COLUMNS, *FURTHER)):

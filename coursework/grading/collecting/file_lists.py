@@ -30,9 +30,9 @@ _AGAIN = re.compile(r"(.+?)-([0-9]{1,3})(\.[^.]+)?")  # so Canvas names a file w
 class FileList:
     """The files of one student, not yet read: the name of each and the place where it is found.
 
-    `id` is verbatim (NFC), `name` as the platform gives it, `number` the platform's own; `folder` is the name under which
-    Moodle wants feedback returned; `review` is why a person must look at it.  File lists with equal ids get different ones, and
-    `shared` is then the id they had in common, "" for all others; `late`: the platform says that it is late.
+    `id` is a platform's number, else verbatim (NFC); `name` as the platform gives it, `number` the platform's own; `folder` is
+    the name under which Moodle wants feedback returned; `review` is why a person must look at it.  File lists with equal ids get
+    different ones, and `shared` is then the id they had in common, "" for all others; `late`: the platform says that it is late.
     """
 
     id: str
@@ -108,7 +108,7 @@ def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[Fil
         again = Counter(owner.file for owner in found if owner.attachment)
         twice = sorted(owner.attachment for owner in found if again[owner.file] > 1)
         review = say("reading.review.resubmitted", names=tuple(twice)) if twice else None
-        student, handed_in = first.folder or key, sorted(files.get(key, []))
+        student, handed_in = first.number or key, sorted(files.get(key, []))
         newer = _handed_in_again(again)
         older = (note("ignored_file", name=name, why=say("reading.why.older", name=newer[name])) for name in sorted(newer))
         file_lists.append(FileList(

@@ -40,7 +40,8 @@ def match(
     found: dict[str, list[FileList]] = {}
     others: list[FileList] = []
     for file_list in file_lists:
-        student = people.by_id.get(same_key(file_list.shared or file_list.id))
+        called = file_list.folder or file_list.shared or file_list.id  # Moodle's number may be another student's id
+        student = people.by_id.get(same_key(called))
         if student is None and platform == "moodle":
             row = rows.get(file_list.number)
             student = people.of_row(row) if row else (None if worksheet else people.by_name.get(name_key(file_list.name or "")))

@@ -31,7 +31,7 @@ from coursework.grading.marking.table.cut_off import with_the_rest
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.ways import StudentTable
-from coursework.grading.marking.table_marks import TableMarks
+from coursework.grading.marking.table_marks import TableMarks, is_of_other_step
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
 from coursework.grading.reading.submission import Note, note
@@ -153,7 +153,8 @@ class Marker:
     def grade(self, work: StudentWork) -> Grade:
         """Return the grade of one submission; a table whose times are not the task's may count in order, if it earns more so.
 
-        Of the two orders that with more right cells is marked first, the other one only if that leaves much open.
+        Of the two orders that with more right cells is marked first, the other one only if that leaves much open. Rows that
+        were made with the step of their own times are not marked in order.
         """
         student = student_of(self.key, work.table) if work.table else None
         if not work.table or student is None or not (in_order := work.table.in_order):
@@ -164,9 +165,12 @@ class Marker:
         if right[1] > right[0]:
             tried, right = tried[::-1], right[::-1]
         first = self._grade(*tried[0])
-        if (first.parts["table"] or 0.0) >= _BY_FAR or right[1] < _FEW * right[0]:
+        is_open = first.work.table is in_order and is_of_other_step(first.table)
+        if not is_open and ((first.parts["table"] or 0.0) >= _BY_FAR or right[1] < _FEW * right[0]):
             return first
-        return max(first, self._grade(*tried[1]), key=lambda grade: grade.parts["table"] or 0.0)
+        found = [first, self._grade(*tried[1])]
+        proved = (one for one in found if one.work.table is not in_order and is_of_other_step(one.table))
+        return next(proved, max(found, key=lambda grade: grade.parts["table"] or 0.0))
 
     def _grade(self, work: StudentWork, student: StudentTable | None) -> Grade:
         back = turned(self.key, student) if student and not self.by_forces and self.rubric.clockwise == "accept" else None

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
 from coursework.grading.marking.table.causes.misconceptions import Misconception
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.first_wrong import FirstWrong
@@ -61,3 +62,8 @@ class TableMarks:
         shown = (self.cells.counted & ~self.cells.missing)[:, asked]
         right = shown & ~self.cells.wrong[:, asked]
         return None if np.all(right.sum(axis=0) >= _SHOWS * shown.sum(axis=0)) else self.table.asked
+
+
+def is_of_other_step(marks: TableMarks | None) -> bool:
+    """Return whether the steps of a table are proved to have another length than the task's."""
+    return marks is not None and marks.misconception is not None and marks.misconception.code == OTHER_STEP

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import statistics
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from coursework.grading.marking.reasons.reason import misconception_sentence
 from coursework.grading.marking.rubric import PARTS
@@ -37,7 +37,7 @@ def class_page(
     named = sorted(facts.misconceptions.items(), key=lambda item: (-len(item[1]), item[0]))
     variants = sorted(facts.by_variant.items())
     parts = [place for place in range(len(PARTS)) if any(earned[place] is not None for _, _, _, earned, _ in facts.everyone)]
-    called = _called(facts)
+    called, alike = _called(facts), _alike(facts)
     content = {
         "count": sum(facts.states.values()),
         "states": [(_state(state), number) for state, number in sorted(facts.states.items())],
@@ -47,7 +47,7 @@ def class_page(
         "most": shown_points(facts.most, words),
         "distribution": _tenths(facts, words),
         "first_rows": [(str(row), facts.first_rows[row]) for row in range(first, last + 1)],
-        "heading": _heading(facts, words),
+        "heading": _heading(facts, len({who for who, *_ in facts.to_look_at} | alike), words),
         "points": _strip(facts.scores, 0.0, facts.most, [shown_points(end, words) for end in (0.0, facts.most)], words),
         "firsts": _strip(list(facts.first_rows.elements()), first, last, [str(first), str(last)], words),
         "hardest": _hardest(facts, words),
@@ -66,6 +66,7 @@ def class_page(
                 called[who],
                 facts.pages.get(who),
                 _state(state),
+                who in alike,
                 shown_points(score, words),
                 [shown_points(earned[place], words) for place in parts],
                 runs(_cell(first, words)),
@@ -103,11 +104,21 @@ def _cell(first: str, words: Phrases) -> str:
     return f"{words.said('gate.row', row=row)} {_symbol(column)}" if row else ""
 
 
-def _heading(facts: ClassFacts, words: Phrases) -> str:
+def _alike(facts: ClassFacts) -> set[str]:
+    """Return who handed in work that is alike, which a person should look at; not who shares a file that was handed out."""
+    shared = {who for ids in facts.shared if not _was_given(ids, facts.names) for who in ids}
+    return shared | {who for who, _ in facts.other_data}
+
+
+def _was_given(ids: Sequence[str], everyone: Collection[str]) -> bool:
+    return len(ids) > max(FEW, GIVEN * len(everyone))
+
+
+def _heading(facts: ClassFacts, look: int, words: Phrases) -> str:
     """Return the heading: the variant, the number of submissions, and how many of them need a person."""
     names = [clean(name) for name in facts.variants]
     key = "class.heading" if len(names) == 1 else "class.heading_several"
-    return words.said(key, variant=names[0] if names else "", count=sum(facts.states.values()), look=len(facts.to_look_at))
+    return words.said(key, variant=names[0] if names else "", count=sum(facts.states.values()), look=look)
 
 
 def _hardest(facts: ClassFacts, words: Phrases) -> list[Run]:
@@ -138,7 +149,7 @@ def _called(facts: ClassFacts) -> dict[str, str]:
 def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -> Sentence:
     """Return who shares some files, or only how many if a large part of the class does."""
     named = joined([clean(name, 80) for name in sorted(set(files))], "join.comma")
-    if len(ids) > max(FEW, GIVEN * len(called)):
+    if _was_given(ids, called):
         return say("class.same_given", files=named, number=len(ids))
     return say("class.same", files=named, who=_listed([called[who] for who in ids]))
 

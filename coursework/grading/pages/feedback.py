@@ -37,20 +37,6 @@ _NEGATIVE = re.compile(r"(?<![\w.-])-(?=\d)")
 # So many columns fit on a sheet of paper; more columns are split into tables one below the other.
 MOST_COLUMNS = 10
 LONGEST_CELL = 80
-# Notes on how a file was read that ask nothing of the student; repairs of spelling are shown beside each line.
-_QUIET = {
-    "repaired",
-    "encoding",
-    "degrees",
-    "rpm",
-    "rows_sorted",
-    "transposed",
-    "turns",
-    "coarse_work",
-    "bit_identical",
-    "from_pdf",
-}
-_BESIDE_LINES = {"repaired"}
 # The sign of each mark and the class of its cell; _SHUT is for a right cell that does not count.
 _SHUT = ("○", "carried")
 _SIGNS = {
@@ -67,6 +53,7 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
     parts = [
         {
             "name": say(f"feedback.part.{part}"),
+            "is_open": part in open_parts,
             "points": shown_points(None if part in open_parts else (final[part] or {}).get("score"), words),
             "most": shown_points(most, words),
         }
@@ -75,11 +62,10 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         for _, most in [grade.part(part)]
     ]
 
-    so_far = [say("feedback.part_missing" if part["points"] == "–" else "feedback.part_points", **part) for part in parts]
+    so_far = [say(f"feedback.part_{_state_of(part)}", **part) for part in parts]
     if late := final.get("late"):
-        parts.append(
-            {"name": say("feedback.part.late"), "points": typeset(shown_points(-late["lost"] or 0.0, words)), "most": ""}
-        )
+        lost = typeset(shown_points(-late["lost"] or 0.0, words))
+        parts.append({"name": say("feedback.part.late"), "points": lost, "most": ""})
 
     def lettered(text: str) -> str:
         """Return a sentence with the names of columns and data printed as in the report."""
@@ -100,15 +86,25 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         notes=[
             runs(lettered(clean(text, LONGEST_TEXT)))
             for text in (
-                *(words.written(entry.text) for entry in grade.notes if entry.code not in _BESIDE_LINES),
+                *(words.written(entry.text) for entry in grade.notes),
                 *(entry["text"] for entry in final["notes"] if entry["code"] == "late"),
             )
             if all(text != entry["text"] for entry in final["reasons"])
         ],
-        table=_table(grade, grade.table, words) if grade.table else None,
+        table=_table(grade, grade.table, words, is_explained=_tells_sum(final)) if grade.table else None,
         equations=_equations(grade, words),
         answers=_answers(grade, words),
     )
+
+
+def _state_of(part: Mapping[str, Any]) -> str:
+    """Return whether a part has points, waits for a person or was not handed in."""
+    return "open" if part["is_open"] else "missing" if part["points"] == "–" else "points"
+
+
+def _tells_sum(final: Mapping[str, Any]) -> bool:
+    """Return whether the page tells how the points of the table came about; a decision of the instructor's stands for that."""
+    return any(entry["part"] == "table" and entry["kind"] == "rule" for entry in final["reasons"])
 
 
 def short_page(student: str, name: str | None, final: Mapping[str, Any], words: Phrases) -> str:
@@ -127,24 +123,16 @@ def _page(
         language=words.language,
         student="" if name and student.startswith(name) else clean(student, LONGEST_TEXT),
         name=clean(name or student, LONGEST_TEXT),
-        status=words.said(f"feedback.status.{_status(final)}"),
+        status=words.said(f"feedback.status.{final['status'].replace('-', '_')}"),
         state=[clean(entry["text"], 2 * LONGEST_TEXT) for entry in reasons if entry["kind"] == "state"],
         points=shown_points(final["score"], words),
         open=final["score"] is None,
         most=shown_points(final["max"], words),
         why=_why(reasons, lettered, words),
-        counted=any(entry["part"] == "table" and entry["kind"] == "rule" for entry in reasons),
+        counted=_tells_sum(final),
         **words.throughout(content),
     )
     return fitted(made)
-
-
-def _status(final: Mapping[str, Any]) -> str:
-    """Return the state as the student is told it: "graded" if the notes ask nothing of the student."""
-    status = str(final["status"]).replace("-", "_")
-    told = {entry["text"] for entry in final["reasons"]}
-    asks = any(note["code"] not in _QUIET and note["text"] not in told for note in final["notes"])
-    return status if asks else status.replace("graded_with_notes", "graded")
 
 
 def _why(reasons: Iterable[Mapping[str, str]], lettered: Callable[[str], str], words: Phrases) -> list[dict[str, Any]]:
@@ -167,7 +155,7 @@ def shown_points(value: float | None, words: Phrases) -> str:
     return "–" if value is None else words.number(round(value, 2), ".10g")
 
 
-def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
+def _table(grade: Grade, marked: TableMarks, words: Phrases, *, is_explained: bool) -> dict[str, Any]:
     key, cells = grade.key, marked.cells
     reading = marked.table.reading
     wrong_rows = np.flatnonzero(cells.wrong.any(axis=1)).tolist()
@@ -184,7 +172,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     times = [words.number(t, f".{digits}f") for t in key.t.tolist()]
     shown = [shown_column([column.texts[row] for row in chosen]) if column else [""] * len(chosen) for column in columns]
     uncounted = np.zeros_like(cells.wrong)
-    if shut(marked) and marked.points.uncounted is not None:
+    if is_explained and shut(marked) and marked.points.uncounted is not None:  # a sign with a reason above
         uncounted = marked.points.uncounted
     first = next((place for place in np.argwhere(cells.wrong).tolist() if place[0] in chosen), None)
     blocks = []

@@ -82,6 +82,7 @@ class OwnTimes:
 class Table:
     """A student's table on the assigned grid; `columns` are in the order of the file, missing ones are left out.
 
+    `rows` has for each row of the grid the number of the file's row of numbers (from 1), 0 if it has none.
     `own` has all rows in the order of time if the student's step differs from the grid's.  `place` says where in a document the
     table stands, None if the file is the table.  `strange` counts the cells read by position under heads that name something
     else; `asked` is the question to a person about columns whose heads are not understood, needed unless their cells are right.
@@ -91,7 +92,7 @@ class Table:
 
     reading: Reading
     columns: tuple[TableColumn, ...]
-    rows_present: tuple[bool, ...]
+    rows: tuple[int, ...]
     notes: tuple[Note, ...]
     own: OwnTimes | None = None
     place: Sentence | None = None
@@ -99,6 +100,11 @@ class Table:
     asked: Sentence | None = None
     in_order: Table | None = None
     unsure: Sentence | None = None
+
+    @property
+    def rows_present(self) -> tuple[bool, ...]:
+        """Return for each row of the grid whether the file has it."""
+        return tuple(map(bool, self.rows))
 
     @property
     def cells(self) -> int:

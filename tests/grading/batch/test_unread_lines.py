@@ -2,19 +2,21 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from coursework.commands.grade import grade_source
 from tests.grading.batch.classroom import EQUATIONS, hand_in
 from tests.grading.batch.in_this_process import in_this_process
+from tests.grading.marking import students
 from tests.grading.pages.truths import VARIANT
 
 UNREAD = "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1) = 0"
 
 
-def graded(tmp_path, overrides="", equations=(*EQUATIONS[:3], UNREAD)):
+def graded(tmp_path, overrides="", equations=(*EQUATIONS[:3], UNREAD), table=None):
     if not (tmp_path / "in").exists():
-        hand_in(tmp_path / "in" / "ada", equations=equations)
+        hand_in(tmp_path / "in" / "ada", table, equations=equations)
     decided = tmp_path / "overrides.csv"
     decided.write_text(overrides, encoding="utf-8")
     with in_this_process():
@@ -36,6 +38,7 @@ def test_the_page_says_that_the_part_is_not_marked_yet(tmp_path):
     assert entry["proposed"] == 90.0
     assert entry["verdicts"]["equations"] == "none"
     assert "The equations are not marked yet" in page
+    assert "(table 60 of 60; equations: not marked yet)" in page  # four lines were handed in: none is missing
     assert "not yet right" not in page
     assert "of the 4 needed" not in page
 
@@ -92,3 +95,12 @@ def test_a_variant_file_that_is_no_toml_waits_for_a_person(tmp_path):
     assert (entry["status"], entry["proposed"]) == ("needs-review", 60.0)
     assert item["line"] == broken[: broken.rindex("[drive]")].count("\n") + 1
     assert f"Line {item['line']} of the equations could not be read" in page
+
+
+def test_no_reason_is_promised_where_a_decision_stands_for_it(tmp_path):
+    table = students.table(printed=lambda t, q: students.velocities(t, q) * [1.2 + 0.1 * np.sin(90 * t), 1, 1, 1])
+    _, page = graded(tmp_path, equations=EQUATIONS, table=table)
+    assert "the reason is given above" in page and "<b>○</b>" in page
+    _, page = graded(tmp_path, "id,check,points,reason\nada,total,0,copied\n")
+    assert "Decided by your instructor: total, 0 of 100 points. copied" in page
+    assert "the reason is given above" not in page and "<b>○</b>" not in page

@@ -14,8 +14,8 @@ ROSTER = [
 ]  # fmt: skip
 
 
-def handed_in(number="", name=None, shared=None, own="p"):
-    return SimpleNamespace(id=own, number=number, name=name, shared=shared)
+def handed_in(number="", name=None, shared=None, own="p", folder=""):
+    return SimpleNamespace(id=own, number=number, name=name, shared=shared, folder=folder)
 
 
 def whose(found, platform, rows=None):
@@ -51,6 +51,8 @@ def test_a_row_of_the_worksheet_is_of_whom_its_mail_its_number_or_its_name_tells
     (handed_in(name="LeeAnn"), "canvas", "ann"), (handed_in(name="annlee"), "canvas", "ann"),
     (handed_in(name="samename"), "canvas", None),
     (handed_in(name="Ann Lee"), "canvas", None), (handed_in(name=None), "canvas", None),
+    (handed_in("007", own="007", folder="x_007_assignsubmission_file"), "moodle", None),  # Moodle's number is nobody's id
+    (handed_in("41", own="41", folder="bob"), "moodle", "bob"),
 ])  # fmt: skip
 def test_without_a_worksheet_each_platform_knows_a_student_in_its_own_way(found, platform, student):
     assert whose(found, platform) == student

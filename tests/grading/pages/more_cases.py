@@ -88,6 +88,17 @@ def two_slips() -> np.ndarray:
     return students.table(printed=printed)
 
 
+def own_slip() -> dict[str, bytes]:
+    """A wrong sign in the second equation, as handed in, and the table made from it."""
+
+    def printed(t, q):
+        w3 = velocities(t, q)[2]
+        return by_two(q, w3, -2 * w3 * (np.cos(q[2]) + 2 * np.sin(q[2])), q[2])
+
+    slipped = EQUATIONS[1].replace("- r3", "+ r3")
+    return files(students.table(printed=printed), equations=(EQUATIONS[0], slipped, *EQUATIONS[2:]))
+
+
 def own_sum() -> tuple[np.ndarray, tuple[str, ...]]:
     """The last equation is the sum of two of the task's with a slip in it, and the table is made from it."""
     line = f"{EQUATIONS[3].removesuffix(' = 0')} {EQUATIONS[2].replace('+ r1', '- r1')}"
@@ -183,6 +194,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "answers": files() | {"answers.txt": ANSWERS.encode()},
         "position": files(equations=(position(), "w1 = w1 + 0*w2", *EQUATIONS)),
         "solved": files(equations=tuple(solved((SLIP, SECOND), (SLIP, SECOND)).split("\n"))),
+        "own-slip": own_slip(),
         "missing-term": files(equations=(*EQUATIONS[:3], "r3*w3*sin(phi3) - r2*w2*cos(phi2) = 0")),
         "many-lines": files(equations=tuple(f"w1 = {k}*w2" for k in range(9))),
         "rounded-data": files(equations=(EQUATIONS[0].replace("2*r3*w3", "0.9145*w3"), *EQUATIONS[1:])),

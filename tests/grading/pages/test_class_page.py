@@ -1,11 +1,13 @@
-"""The page of a class counts as one counts by hand."""
+"""The page of a class counts as one counts by hand, and counts who needs a look."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import pytest
 
 from coursework.grading.pages.class_facts import ClassFacts
-from coursework.grading.pages.class_page import _tenths
+from coursework.grading.pages.class_page import _tenths, class_page
 from coursework.words.sentences import load_phrases
 
 
@@ -19,3 +21,26 @@ def test_scores_lie_in_the_tenths_of_the_points(most: float, scores: list[float]
     assert [count for _, count in tenths] == counts
     if most == 60:
         assert [label for label, _ in tenths][:2] == ["0–6", "6–12"] and tenths[-1][0] == "54–60"
+
+
+def entry(who: str, sha256: str, code: str = "", status: str = "graded") -> dict[str, Any]:
+    file = {"name": "table.csv", "kind": "table", "bytes": 9, "sha256": sha256}
+    return {
+        "id": who, "name": who.title(), "variant": "31", "status": status, "score": 1.0 if status == "graded" else None,
+        "max": 100.0, "page": None, "table": {"score": None, "first_wrong": None}, "equations": None, "answers": None,
+        "misconception": {"code": code} if code else None, "first_wrong": None, "files": [file],
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(("shared", "look"), [(2, 4), (7, 2)])  # a file of most of the class was handed out
+def test_work_that_is_alike_needs_a_look(shared: int, look: int) -> None:
+    facts = ClassFacts()
+    for number in range(shared):
+        facts.add(entry(f"same{number}", "one"))
+    facts.add(entry("ned", "two", "variant_ada"))
+    facts.add(entry("pat", "three", status="unreadable"))
+    facts.add(entry("ada", "four"))
+    page = class_page(facts, [], [], load_phrases("en"))
+    assert f"{shared + 3} submissions, {look} need your attention</h1>" in page
+    assert page.count('<a href="#alike">work alike</a>') == look - 1
+    assert page.count('id="alike"') == 1

@@ -1,25 +1,31 @@
-"""What state a student is told: notes that ask nothing of anybody, or stand among the reasons, are none."""
+"""What state a student is told, and where the cells of the table are counted."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import pytest
 
 from coursework.grading.pages import feedback
-from coursework.grading.pages.feedback import _status
 from coursework.words.sentences import load_phrases
 
-QUIET, LOUD = {"code": "repaired", "text": "one"}, {"code": "ignored_file", "text": "two"}
+
+def shown(monkeypatch: pytest.MonkeyPatch, **final: Any) -> dict[str, Any]:
+    monkeypatch.setattr(feedback, "filled", lambda template, **content: content)
+    monkeypatch.setattr(feedback, "fitted", lambda made: made)
+    monkeypatch.setattr(feedback, "_why", lambda reasons, lettered, words: [])
+    whole = {"status": "graded", "notes": [], "reasons": [], "score": 1.0, "max": 2.0} | final
+    return feedback.short_page("A. Student", None, whole, load_phrases("en"))  # type: ignore[return-value]
 
 
-@pytest.mark.parametrize(("status", "notes", "reasons", "told"), [
-    ("graded-with-notes", [], [], "graded"), ("graded-with-notes", [QUIET], [], "graded"),
-    ("graded-with-notes", [LOUD], [], "graded_with_notes"), ("graded-with-notes", [QUIET, LOUD], [], "graded_with_notes"),
-    ("graded-with-notes", [LOUD], ["two"], "graded"), ("graded-with-notes", [LOUD], ["one"], "graded_with_notes"),
-    ("graded", [LOUD], [], "graded"), ("needs-review", [], [], "needs_review"), ("needs-review", [LOUD], ["two"], "needs_review"),
+@pytest.mark.parametrize(("status", "told"), [
+    ("graded", "Marked."), ("graded-with-notes", "Marked, with notes."),
+    ("needs-review", "Your instructor will look at this before it counts."),
 ])  # fmt: skip
-def test_a_state_as_it_is_told(status: str, notes: list[dict[str, str]], reasons: list[str], told: str) -> None:
-    final = {"status": status, "notes": notes, "reasons": [{"text": text} for text in reasons]}
-    assert _status(final) == told
+def test_the_page_tells_the_state_that_the_class_list_tells(monkeypatch: pytest.MonkeyPatch, status: str, told: str) -> None:
+    """Pages said "Marked." where the list of the class had "marked with notes"."""
+    notes = [{"code": "degrees", "text": "one"}]
+    assert {shown(monkeypatch, status=status, notes=some)["status"] for some in ([], notes)} == {told}
 
 
 @pytest.mark.parametrize(("kinds", "counted"), [
@@ -29,9 +35,5 @@ def test_a_state_as_it_is_told(status: str, notes: list[dict[str, str]], reasons
 def test_cells_are_counted_once_in_the_reasons_or_above_the_table(
     monkeypatch: pytest.MonkeyPatch, kinds: list[str], counted: bool
 ) -> None:
-    monkeypatch.setattr(feedback, "filled", lambda template, **content: content)
-    monkeypatch.setattr(feedback, "fitted", lambda made: made)
-    monkeypatch.setattr(feedback, "_why", lambda reasons, lettered, words: [])
     reasons = [{**dict(zip(("part", "kind"), kind.split(), strict=True)), "text": kind} for kind in kinds]
-    final = {"status": "graded", "notes": [], "reasons": reasons, "score": 1.0, "max": 2.0}
-    assert feedback.short_page("A. Student", None, final, load_phrases("en"))["counted"] is counted  # type: ignore[index,call-overload]
+    assert shown(monkeypatch, reasons=reasons)["counted"] is counted

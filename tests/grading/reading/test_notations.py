@@ -106,7 +106,37 @@ def test_a_wrong_line_stays_wrong_in_every_notation():
 def test_a_formula_without_a_name_that_fits_no_velocity_is_a_question_and_not_wrong():
     found = marked("=VMy*r3*COS(phi3)\nw4 = 2*w3*(cos(phi3) - 2*sin(phi3))")
     assert [mark.verdict for mark in found.marks] == ["unreadable", "right"]
-    assert "w1 =VMy*r3*COS(phi3)" in str(found.marks[0].hint.text)
+    told = str(found.marks[0].hint.text)
+    assert "it may give one of w1, w2, w3 and w4" in told and told.endswith("or 0 = VMy*r3*COS(phi3).")
+
+
+RESIDUALS = """=VMy-2*r3*w3*COS(phi3)-r3*w3*SIN(phi3)
+=2*r3*w3*SIN(phi3)-r3*w3*COS(phi3)+0,5*r3*w4
+=-0,5*r3*w4+r3*w3*COS(phi3)+r2*w2*SIN(phi2)+r1*w1*SIN(phi1)
+=r3*w3*SIN(phi3)-r2*w2*COS(phi2)-r1*w1*COS(phi1)"""
+
+
+def test_cells_that_can_give_no_velocity_are_residuals_whether_they_are_right_or_not():
+    """A residual could be read only if it was right: a slip of sign sent the work to a person, without a mark."""
+    assert [(mark.verdict, mark.line.repaired[:4]) for mark in marked(RESIDUALS).marks] == [("right", "0 = ")] * 4
+    found = marked(RESIDUALS.replace("SIN(phi3)-r3", "SIN(phi3)+r3"))
+    assert [mark.verdict for mark in found.marks] == ["right", "wrong", "right", "right"]
+    assert (found.independent, found.different, found.questions) == (3, 1, ())
+    slip = found.marks[1]
+    assert slip.line.text[slip.hint.column - 1] == "+" and "1000" not in slip.hint.text
+
+
+def test_a_cell_that_may_give_a_velocity_is_a_residual_if_others_of_the_work_are():
+    """In a slider-crank the velocity of the slider has the dimension of a residual of points."""
+    right = """=VMx + a*w3*SIN(phi3) + c*w3*COS(phi3)
+=VMy - a*w3*COS(phi3) + c*w3*SIN(phi3) - u
+=VMx + a*w3*SIN(phi3) + r2*w2*SIN(phi2) + r1*w1*SIN(phi1)
+=VMy - a*w3*COS(phi3) - r2*w2*COS(phi2) - r1*w1*COS(phi1)"""
+    assert [mark.verdict for mark in marked(right, "v102").marks] == ["right"] * 4
+    slips = marked(right.replace(" + c*w3*COS", " - c*w3*COS"), "v102")
+    assert [mark.verdict for mark in slips.marks] == ["wrong", "right", "right", "right"]
+    alone = marked("=VMx + a*w3*SIN(phi3) - c*w3*COS(phi3)", "v102").marks[0]
+    assert alone.verdict == "unreadable" and "it may give one of" in str(alone.hint.text)
 
 
 def test_a_definition_nobody_uses_is_a_line_that_is_told():

@@ -194,14 +194,16 @@ def _equations(held: Held, values: Values) -> bool:
 
 
 def _sign(held: Held, values: Values) -> bool:
-    """The sign that is named is the one that was turned, counted among those of the line as handed in."""
+    """The term that is named begins with the sign that was turned."""
     if held.truth.kind != "sign" or "equations.txt" not in held.pupil.files:
         return bool(held.truth.lines)
-    number, at = held.truth.lines[0] - 1, int(values["column"]) - 1
-    line = held.pupil.files["equations.txt"].decode().split("\n")[number]
-    plain = PLAIN[held.pupil.mechanism].split("\n")[number]
-    before, turned = (len(SIGN.findall(text)) for text in (line[: at + 2], plain[: held.truth.sign + 1]))
-    return line[at] in "+-" and before == turned
+    plain = PLAIN[held.pupil.mechanism].split("\n")[held.truth.lines[0] - 1]
+    behind = re.split(r" [-+=] ", plain[held.truth.sign + 1 :].strip())[0]
+    return _bare(values["term"]) == _bare(behind)
+
+
+def _bare(term: str) -> str:
+    return re.sub(r"[\s()]", "", term)
 
 
 def _cells(held: Held, values: Values) -> bool:
@@ -262,7 +264,6 @@ CHECKS: dict[str, Check] = {
     **dict.fromkeys([f"feedback.earned.{rule}" for rule in ("misconception", "other_step", "start", "own_equations")], _product),
     **dict.fromkeys(("feedback.independent", "feedback.earned.equations"), _equations),
     **dict.fromkeys(("feedback.line_wrong", "feedback.place_wrong", "feedback.equation.wrong", "feedback.hint"), _line),
-    "feedback.earned.row_one": _wrong_rule,
     "feedback.hint.sign": _sign,
     **dict.fromkeys(
         ("feedback.misconception", "feedback.counts_start", "feedback.start_costs", "reading.note.turns"), _wrong_rule

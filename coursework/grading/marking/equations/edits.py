@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
@@ -20,6 +21,7 @@ Kind = Literal["sign", "function", "name", "factor"]
 _LIKELIEST = ("sign", "function", "removed", "name", "factor")
 _OTHER = {"sin": "cos", "cos": "sin"}
 _OPPOSITE = {"+": "-", "-": "+"}
+_SUMS = {*_OPPOSITE, "neg"}
 
 
 @frozen
@@ -75,7 +77,7 @@ def places(
     node: Formula, path: tuple[int, ...] = (), is_term: bool = False, leads: bool = False
 ) -> Iterator[tuple[tuple[int, ...], Formula, bool, bool]]:
     """Yield every node, its path, whether it is a term of a sum, and whether no plus or minus stands before it."""
-    sums = node.op in {"+", "-", "neg"}
+    sums = node.op in _SUMS
     yield path, node, is_term and not sums, leads
     for place, arg in enumerate(node.args):
         first = (
@@ -132,6 +134,17 @@ class Values:
 def applied(tree: Formula, edit: Edit) -> Formula:
     """Return the tree after an edit."""
     return replaced(tree, edit.path, edit.replacement)
+
+
+def term_of(tree: Formula, edit: Edit) -> Formula:
+    """Return the innermost term of a sum that an edit changes; of a plus or minus, the term behind it."""
+    way = [tree]
+    for place in edit.path:
+        way.append(way[-1].args[place])
+    if way[-1].op in _OPPOSITE or way[-1].op == "neg":
+        return way[-1].args[-1]
+    terms = [node for above, node in pairwise(way) if above.op in _SUMS and node.op not in _SUMS]
+    return terms[-1] if terms else way[-1]
 
 
 def unlikeliness(tree: Formula, edit: Edit, *, is_new_sign: bool) -> tuple[int, ...]:

@@ -16,7 +16,7 @@ from typing import Any, Literal
 import numpy as np
 
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
-from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, unlikeliness
+from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness
 from coursework.grading.marking.equations.lacks import lack_of, law_of
 from coursework.grading.marking.equations.linear import Linear, differing, is_one_slip, linear, rank, says_more
 from coursework.grading.marking.equations.meant_together import as_lists_or_minus, as_others_of_their_kind
@@ -41,13 +41,17 @@ JUDGED = (*COUNTED, "wrong")
 
 @frozen
 class Hint:
-    """What would make a wrong line right: `text` is the corrected line; `others` counts further single edits that also do."""
+    """What would make a wrong line right: `text` is the corrected line; `others` counts further single edits that also do.
+
+    `column` is that of the line as handed in, which a document or a cell may show otherwise; `term` is what stands there.
+    """
 
     kind: Literal["sign", "function", "name", "factor", "repaired", "reader"]
     column: int
     text: str
     others: int = 0
     fault: Fault | None = None
+    term: str = ""
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it; for a line that could not be read, with the code of the fault."""
@@ -259,7 +263,7 @@ class Judge:
             return None
         best = found[0]
         column = column_as_handed_in(line.text, read, best.column, is_sign=best.kind == "sign")
-        return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1)
+        return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1, term=spelled(term_of(tree, best)))
 
     def slips(self, tree: Formula, read: str) -> list[Edit]:
         """Return all single edits that make a wrong line right, the likeliest first; `read` is the text of the line as read."""

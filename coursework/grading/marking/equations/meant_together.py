@@ -1,4 +1,4 @@
-"""Lines that are meant alike: a dash before all is the mark of a list or a minus; F(1) = …, F(2) = … are all residuals, or none.
+"""Lines that are meant alike: a dash before all is the mark of a list or a minus; F(1) = … or cells =… are all residuals, or none.
 
 Enters: lines, each with its possible readings, or their marks.  Leaves: the lines as they may be meant together.
 Used by `equations.py`.
@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
+from coursework.grading.reading.equations.labels import without_labels
 from coursework.grading.reading.equations.line_kinds import dash_apart
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.words.errors import Fault
@@ -19,6 +20,7 @@ _BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—−]"
 _DASHED, _CLOSELY = re.compile(rf"{_BEGINS}\s)"), re.compile(rf"{_BEGINS})")  # the second without a blank behind the dash
 _SIGNS = re.compile(r"[\s\-–—−(]*")
 _STEM = re.compile(r"\s*([^\d=]{1,20})\d{1,2}\s*+[)\]]?\s*+(?:\([\w\s,]*\))?\s*(?::?=|<-)")
+_UNNAMED = "="
 
 
 def as_lists_or_minus(
@@ -84,15 +86,18 @@ def as_others_of_their_kind(lines: Sequence[EquationLine], read: Sequence[tuple[
     """
     pairs = [*zip(lines, read, strict=True)]
     vanishing = {_stem(line) for line, (one, is_right) in pairs if is_right and one.guessed and _vanishes(one.repaired)} - {""}
-    for line, (_, is_right) in pairs:
-        meant = [other for other in line.others if _vanishes(other.text) and _stem(line) in vanishing]
+    for line, (one, is_right) in pairs:
+        is_open = _stem(line) in vanishing and not _vanishes(one.repaired)
+        meant = [other for other in line.others if is_open and _vanishes(other.text)]
         yield line.read_as(meant[0], others=(), fault=None, guessed=True) if meant and not is_right else line
 
 
 def _stem(line: EquationLine) -> str:
     found = _STEM.match(line.text)
+    if without_labels(line.text).lstrip().startswith(_UNNAMED):
+        return _UNNAMED
     return found[1].strip() if found else ""
 
 
 def _vanishes(text: str) -> bool:
-    return text.endswith("= 0")
+    return text.endswith("= 0") or text.startswith("0 = ")

@@ -150,15 +150,15 @@ class Key:
         """Return the unknown velocities in the order of solution."""
         return tuple(block.unknowns for block in self.model.blocks)
 
-    @cached_property
+    @property
     def coordinates(self) -> tuple[str, ...]:
         """Return the names of the coordinates."""
-        return tuple(coordinate.name for coordinate in self.variant.coordinates)
+        return self.model.coordinates
 
-    @cached_property
+    @property
     def velocities(self) -> tuple[str, ...]:
         """Return the names of the velocities: rates in the order of the coordinates, then the unknowns."""
-        return self.variant.velocities
+        return self.model.velocities
 
     @property
     def names(self) -> tuple[str, ...]:

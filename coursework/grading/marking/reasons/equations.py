@@ -27,7 +27,7 @@ def _hint(mark: EquationMark) -> Sentence | str:
     if mark.hint is None or not (mark.hint.text or mark.hint.kind != "reader"):
         return ""
     text = mark.hint.text if isinstance(mark.hint.text, Sentence) else clean(mark.hint.text, LONGEST)
-    return say(f"feedback.hint.{mark.hint.kind}", text=text, column=mark.hint.column)
+    return say(f"feedback.hint.{mark.hint.kind}", text=text, column=mark.hint.column, term=clean(mark.hint.term, LONGEST))
 
 
 def equation_reasons(marked: EquationMarks, points: float | None, most: float) -> Iterator[Reason]:

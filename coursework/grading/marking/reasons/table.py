@@ -5,6 +5,7 @@ Enters: a `Key`, `TableMarks`, the points.  Leaves: `Reason`s, in order.  Used b
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 
@@ -29,7 +30,8 @@ _MANY = 0.1
 _READ_OTHERWISE = ("swapped_columns", "origin", "clockwise", "sign_drive")
 _VELOCITIES_SHIFTED = ("omega_late", "omega_early")
 _EXPLAINED = ("misconception", "start")
-_SEVERAL, _DATUM, _CONFUSION = ("start_", "equation_"), "datum_", "confusion_"
+_EQUATION, _DATUM, _CONFUSION = "equation_", "datum_", "confusion_"
+_SEVERAL = ("start_", _EQUATION)
 _MOST_RUNS = 6
 
 
@@ -76,9 +78,11 @@ def table_reasons(key: Key, marked: TableMarks, rubric: Rubric, points: float, m
         limits = {"share": round(100 * ENOUGH_ROWS), "run": RUN}
         yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))
     less = say("feedback.carried_worth", worth=rubric.carried) if found.carried and rubric.carried != 1 else ""
-    costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" and marked.earned.of_cells else ""
+    costs = say("feedback.start_costs") if found.start and marked.earned.of_cells else ""
     total = _sum(marked, found.cells, points, most)
-    yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
+    if marked.earned.rule == "cells":
+        total = joined([_counted(found), costs, less, total])
+    yield Reason("table", "rule", total)
 
 
 def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str], starts: tuple[str, ...] = ()) -> Iterator[Reason]:
@@ -90,7 +94,9 @@ def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str], start
     if named:
         share = str(int(100 * named.share + 1e-9))  # rounded down: 100 means the whole table
         told = say("feedback.misconception.share", share=share)
-        yield Reason("table", "cause", joined([told, _told(named.code, because, named.names)]))
+        is_own = named.code.startswith(_EQUATION) and len(named.names) < 2 and marked.own_line
+        own = say("feedback.misconception.in_line", line=marked.own_line) if is_own else ""
+        yield Reason("table", "cause", joined([told, _told(named.code, because, named.names), own]))
         for code in named.ties:
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code, because)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
@@ -159,9 +165,8 @@ def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
     rule = OTHER_STEP if earned.cause in OTHER_STEPS else earned.rule
-    known |= {"cells": cells, "counted": in_sum(earned.of_cells * cells), "alone": round(earned.of_cells * most, 2)}
-    row_one = say("feedback.earned.row_one") if "start" in earned.shut else ""
-    return joined([say(f"feedback.earned.{rule}", **known, line=earned.cause), row_one])
+    percent = math.floor(1000 * earned.explained + 1e-6) / 10  # rounded down: 100 means all of them
+    return say(f"feedback.earned.{rule}", **known, percent=percent, alone=round(earned.of_cells * most, 2), line=earned.cause)
 
 
 def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:

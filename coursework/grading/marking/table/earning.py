@@ -15,6 +15,7 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
 from coursework.grading.marking.table.causes.hypotheses import NO_VELOCITIES, PI_ROUNDED, RADIAN_MODE
 from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
+from coursework.grading.marking.table.causes.other_data import DATUM
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import Fit
@@ -26,6 +27,9 @@ _SLIPS = ("equation_", "sign_drive", "cosine_drive", NO_VELOCITIES)
 # Causes of a table that was worked out with fewer digits: velocities rounded before each step, π as 3.14; the worth of its cells.
 _COARSER, ROUNDED = (ROUNDED_OMEGA, PI_ROUNDED), 0.98
 
+# Causes of a table made from other numbers than the task's: one, as found or as the rubric declares it; two that were exchanged.
+_DATA, _SWAPPED = (DATUM, "confusion_"), "swap_"
+
 
 def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found: Found, others: Mapping[str, Array]) -> Earned:
     """Return the rule that earns most; on a tie the cells, then the first rule.  `others` are other variants' tables by name."""
@@ -35,7 +39,7 @@ def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found
     rules = [
         by_cells,
         *_by_start(key, rubric, cells, points, found.from_own_start, others),
-        *_by_explanation(rubric, points, found),
+        *_by_explanation(key, rubric, points, found),
     ]
     return max(rules, key=lambda earned: earned.share)
 
@@ -58,7 +62,7 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
     return bool(np.all(alike(key, cells.student, table)[:1] | np.isnan(first)))
 
 
-def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
+def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
     """Yield what each explanation earns; another variant's table is not the student's work and earns nothing, nor does what
     explains less of it, as other data that are near the variant's do.
 
@@ -70,8 +74,10 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
     beyond = [fit for fit in found.fits if fit.beyond_euler]
     most = max((fit.share for fit in beyond), default=0.0)
     copied = max((fit.share for fit in beyond if fit.code.startswith("variant_")), default=0.0)
+    named = (found.named.code, *found.named.ties) if found.named else ()
     for fit in found.fits:
-        worth = _worth(rubric, fit)
+        worth = _of_data(key, rubric, fit) if fit.code in named and fit.share > copied else 0.0
+        worth = worth or _worth(rubric, fit)
         if fit.share < copied or not (fit.beyond_euler or worth <= rubric.misconception_floor):
             continue
         if fit.code == OWN:
@@ -80,6 +86,21 @@ def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterat
             fit.share >= max(NAMED, most - TIE) or not fit.code.startswith((*_COARSER, causes.ORIGIN))
         ):
             yield _earned("misconception", points, fit.share, worth, fit.code)
+
+
+def _of_data(key: Key, rubric: Rubric, fit: Fit) -> float:
+    """Return the worth of a cell of a table that was made from a datum, or two exchanged, copied wrongly; 0 for another cause.
+
+    A number copied wrongly costs what a start copied wrongly does, wherever it stands in the task. It must be named for that,
+    since many a slip in a formula can be undone by some value of a datum; one left out or with the other sign is such a slip.
+    """
+    if fit.code.startswith(_SWAPPED):
+        return rubric.start_floor_several
+    if not fit.code.startswith(_DATA):
+        return 0.0
+    name = fit.code.partition("_")[2]
+    task = next((one.value for one in key.variant.given if one.name == name), 0.0)
+    return rubric.start_floor if not fit.names or float(fit.names[0]) * task > 0 else 0.0
 
 
 def _worth(rubric: Rubric, fit: Fit) -> float:

@@ -94,7 +94,8 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
     stated = replace(shown, turns=0) if way == START else shown  # a start value is told as it stands in the task
     before = int(rows_above(cells.student.values)[row - 1]) if row else 0
     values: dict[str, object] = {
-        "row": row + 1, "name": name, "found": number(found), "expected": number(expected, stated), "before": before + 1,
+        "row": _told(key, table, row), "name": name, "found": number(found), "expected": number(expected, stated),
+        "before": _told(key, table, before),
         "tolerance": float(f"{off:.2g}"), "unit": shown.unit,
     }  # fmt: skip
     said = _SAID[way].replace(" ", "_")
@@ -113,6 +114,13 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
             values |= {"start": number(float(used[place])), "rate": float(f"{speed:.{_MOST_DIGITS}g}"), "step": key.step}
     sentence = say(f"marking.first.{said}", **values)
     return FirstWrong(float(key.t[row]), row + 1, name, found, expected, tolerance, _SAID[way], sentence)
+
+
+def _told(key: Key, table: Table | None, row: int) -> Sentence | int:
+    """Return the number of a row (from 0) as a person is told it: with its time and place in the file, if that is another."""
+    if table is None or table.rows[row] in (0, row + 1):
+        return row + 1
+    return say("marking.first.row_of_file", row=row + 1, t=float(key.t[row]), at=table.rows[row])
 
 
 def _nearest(key: Key, cells: Cells, row: int, place: int) -> tuple[str, float, float]:

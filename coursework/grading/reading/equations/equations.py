@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import field, replace
+from functools import partial
 from itertools import pairwise
 
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
@@ -18,6 +19,7 @@ from coursework.grading.reading.equations.notation.degrees import with_angles_in
 from coursework.grading.reading.equations.notation.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_units, plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
+from coursework.grading.reading.equations.unnamed import without_a_name
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import EquationLine, EquationReading
@@ -73,6 +75,8 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
         is_loose = meant is not in_si or any(not one.is_loose for one in found)  # 0.4 m may also be a product with a datum m
         read = _readings(meant, names)[0] if meant != text else []
         found += [replace(one, text=one.text or meant, is_loose=is_loose) for one in read]
+    unnamed = () if found else without_a_name(without_labels(text), variant, partial(read_as_one, names=names))
+    found += unnamed
     found += [_loosely(tree) for one in found if (tree := with_angles_in_degrees(one.tree, variant)) is not None]
     first = next((one for one in found if not one.is_loose), None)
     if first is not None:
@@ -80,15 +84,13 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
         others = tuple(one for one in found if one is not first)
         return EquationLine(file, line, text, first.tree, first.text, others=others, guessed=first.guessed)
     assert fault is not None  # without a firm reading, the strict reader refused the line
-    others = tuple(found) or _of_any_velocity(without_labels(text), names)
-    if others and not found:
-        example = f"{names.expected.variant.sought[0]} {without_labels(text).strip()}"[:80]
-        fault = Fault(say("fault.G063", example=example), column=1)
+    if unnamed:
+        fault = Fault(say("fault.G063", names=variant.sought, formula=without_labels(text).strip(" =")[:80]), column=1)
     short = text[: reader.MAX_CHARACTERS]
     told = Fault(fault.message, file, line, fault.column)
     relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and TURNED.search(short) is not None)
     is_prose = not relates and _is_prose(short, names)
-    return EquationLine(file, line, short, fault=told, others=others, relates=relates, is_prose=is_prose)
+    return EquationLine(file, line, short, fault=told, others=tuple(found), relates=relates, is_prose=is_prose)
 
 
 def _loosely(tree: Formula) -> EquationReading:
@@ -214,16 +216,6 @@ def read_as_one(text: str, names: Names) -> EquationReading | Fault:
         return found[0]
     assert fault is not None
     return fault
-
-
-def _of_any_velocity(text: str, names: Names) -> tuple[EquationReading, ...]:
-    """Return the readings of a formula without a name, "=V1*SIN(…)": the value of each sought velocity, or a residual."""
-    if not text.lstrip().startswith("=") or len(text) > EQUATION_CHARACTERS:
-        return ()
-    formula = text.lstrip(" =")
-    meant = [f"{velocity} = {formula}" for velocity in names.expected.variant.sought]
-    found = (read_as_one(text, names) for text in (*meant, f"0 = {formula}"))  # or a residual for a solver
-    return tuple(replace(reading, guessed=True) for reading in found if not isinstance(reading, Fault))
 
 
 def read_constraints(source: Source, file: str, expected: Expected) -> list[EquationLine]:

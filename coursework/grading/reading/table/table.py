@@ -103,7 +103,7 @@ def _placed(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
         origin.file, origin.encoding, origin.separator, layout.decimal, part.sheet, layout.transposed,
         tuple(head.text for head in layout.heads) if layout.has_heads else (), units, len(layout.body), order,  # type: ignore[arg-type]
     )  # fmt: skip
-    present = tuple(row is not None for row in rows.of_grid)
+    numbers = tuple(0 if row is None else row + 1 for row in rows.of_grid)
     notes = origin.notes + tuple(_notes(layout, places, rows, read, grid))
     if zeros:
         notes += (note("coarse_work", decimals=max(column.decimals for column in read if not _is_steady(column))),)
@@ -111,7 +111,7 @@ def _placed(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
     return Table(
         reading,
         tuple(read),
-        present,
+        numbers,
         notes,
         own,
         origin.place,

@@ -85,7 +85,7 @@ def test_ten_times_the_speed_of_a_drive_is_not_read_as_turns_per_minute():
     desk = variants()[4]
     table = Machine(desk.variant, data={"w0": 10 * desk.variant.values["w0"]}).table()
     found, told = desk.marked(table)
-    assert found == pytest.approx(24, abs=0.3)
+    assert found == pytest.approx(57, abs=0.3)
     assert codes(told)[0] == "datum_w0"
     right = desk.machine.table()
     right[:, _columns(desk, "rad/s")] *= 30 / np.pi

@@ -107,6 +107,19 @@ def test_rows_left_out_at_the_beginning_stand_where_their_times_say():
         assert marks.table.rows_present[:3] == (False, False, True) and not marks.cells.wrong.any()
 
 
+def test_rows_of_another_step_are_found_by_their_times_and_told_with_their_place_in_the_file():
+    """Half of the task with half the step earned as much as all of it, and the first wrong cell stood in another row."""
+    desk = variants()[0]
+    machine, rows = desk.machine, desk.machine.rows
+    fine, times = machine.table(step=machine.h / 2, rows=2 * rows - 1), np.arange(2 * rows - 1) * machine.h / 2
+    whole, marks = desk.marked(fine, times=times)
+    half, few = desk.marked(fine[:rows], times=times[:rows])
+    assert half == pytest.approx(whole / 2, abs=2)
+    assert (sum(few.table.rows_present), few.table.rows[:3]) == ((rows + 1) // 2, (1, 3, 5))
+    told = f"Row 2 (t = {machine.h:g} s, row 3 of the file): Euler's step from your own row 1 is "
+    assert all(str(one.first.sentence).startswith(told) for one in (marks, few))
+
+
 @pytest.mark.long
 def test_a_table_truly_made_with_another_step_is_told_so():
     for desk in variants()[::2]:

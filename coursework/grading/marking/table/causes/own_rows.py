@@ -16,11 +16,14 @@ from coursework.grading.marking.table.ways import KEY, StudentTable
 from coursework.system.arrays import Flags
 from coursework.words.errors import CourseworkError
 
+_NEAR = 0.01  # of a step: times that differ by less are the same
+
 
 @dataclass(frozen=True)
 class OnOwnRows:
     """The `key` for the student's own step, the `cells` marked by it, and the part (0 to 1) of the task's rows they fill.
 
+    Rows closer than the task's fill no more of them than the time they reach; rows farther apart fill as many as there are.
     `put_right` (n, m + r) are the velocities that have the task's number.
     """
 
@@ -46,4 +49,5 @@ def on_own_rows(key: Key, cells: Cells) -> OnOwnRows | None:
     at = np.rint(key.t / own.step).astype(int)
     on_grid = (at < rows) & np.isclose(at * own.step, key.t)
     put_right[at[on_grid], len(key.coordinates) :] = (cells.marks == KEY)[on_grid, len(key.coordinates) :]
-    return OnOwnRows(made, marked, min(1.0, rows / len(key.table)), put_right)
+    reached = int(np.sum(key.t <= (rows - 1 + _NEAR) * own.step))
+    return OnOwnRows(made, marked, min(rows, reached) / len(key.table), put_right)

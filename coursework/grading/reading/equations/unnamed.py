@@ -1,0 +1,51 @@
+"""A formula without a name, as in a spreadsheet's cell (=V1*SIN(…)): the value of some velocity, or the residual of an equation.
+
+Enters: the text of a line, a variant, a reader of equations.  Leaves: `EquationReading`s.  Used by `equations.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
+from coursework.grading.reading.student_work import EquationReading
+from coursework.variant.dimensions.formulas import Clash, Measurer
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.places import measures
+from coursework.variant.record.variant import Variant
+from coursework.words.errors import Fault
+
+
+def without_a_name(text: str, variant: Variant, read: Callable[[str], EquationReading | Fault]) -> tuple[EquationReading, ...]:
+    """Return the readings of "=formula": a residual if it can be the value of no velocity; else, loosely, each value and that."""
+    if not text.lstrip().startswith("=") or len(text) > EQUATION_CHARACTERS:
+        return ()
+    formula = text.lstrip(" =")
+    zero = read(f"0 = {formula}")
+    if isinstance(zero, Fault):
+        return ()
+    values = [read(f"{velocity} = {formula}") for velocity in _values_of(zero.tree.args[1], variant)]
+    found = [replace(one, guessed=True, is_loose=True) for one in values if not isinstance(one, Fault)]
+    residual = replace(zero, text=zero.text or f"0 = {formula}", guessed=True, is_loose=bool(found))
+    return (*found, residual)
+
+
+def _values_of(formula: Formula, variant: Variant) -> tuple[str, ...]:
+    """Return the sought velocities that a formula may give: those of its dimension that do not stand in it.
+
+    A formula without any sought velocity is no residual, whatever its dimension.
+    """
+    named = {*formula.names()}
+    if named.isdisjoint(variant.sought):
+        return variant.sought
+    return tuple(name for name in variant.sought if name not in named and _may_equal(name, formula, variant))
+
+
+def _may_equal(name: str, formula: Formula, variant: Variant) -> bool:
+    measured = frozenset(one.name for one in variant.given if one.si)
+    try:
+        Measurer(measures(variant), measured).measure(Formula("-", (Formula("name", name=name), formula)))
+    except Clash:
+        return False
+    return True
