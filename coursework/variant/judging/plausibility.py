@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from itertools import chain
 
 from coursework.variant.dimensions.exponents import LENGTH
 from coursework.variant.formula.motion_units import UNITS
@@ -15,6 +14,7 @@ from coursework.variant.formula.tree import Formula, terms
 from coursework.variant.formula.units import advised_unit, size_of
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.judging.dimension_words import text_of
+from coursework.variant.judging.unused import Found, parts_unused
 from coursework.variant.record.no_value import known_value
 from coursework.variant.record.places import Place, lengths_of
 from coursework.variant.record.variant import Given, Remark, Variant
@@ -27,7 +27,6 @@ _TURN = 2 * math.pi
 # The lengths of a mechanism have similar size: in 66 files the largest gap between neighbours was a factor of four.
 _FAR = 30.0
 _LENGTHS = ("mm", "cm", "m"), ("мм", "см", "м")
-_Found = tuple[str, KeyPath, Sentence]
 # 0.1047, 0.105, 3.14/30, 1/9.55: relative tolerance for a factor to count as the size of the unit.
 _NEAR = 0.005
 _MINUTE = 60.0
@@ -42,8 +41,7 @@ def remarks_on(
     phases = {term.name for _, term in angles if term.op == "name"}  # names that are a whole term of an angle
     found = [
         *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
-        *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *_links_left_out(variant), *_pinned_sleeves(variant),
-        *_idle(variant, dimensions), *_empty_guides(variant), *_untouched(variant), *_short_of_end(variant),
+        *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *parts_unused(variant, dimensions),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
     lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
@@ -52,7 +50,7 @@ def remarks_on(
 
 def _angles(
     variant: Variant, dimensions: Dimensions, angles: Iterable[tuple[Place, Formula]], phases: Collection[str]
-) -> Iterator[_Found]:
+) -> Iterator[Found]:
     """Yield starts and phases of more than a turn, written in rad or without a unit: they may be degrees."""
     for coordinate in variant.coordinates:
         if (
@@ -70,12 +68,12 @@ def _angles(
             yield "ANGLE", place.path, say("remark.angle_in", place=place.label, text=f"{size:.10g}", turns=size / _TURN)
 
 
-def _turned(name: str, value: float, text: str, path: KeyPath) -> Iterator[_Found]:
+def _turned(name: str, value: float, text: str, path: KeyPath) -> Iterator[Found]:
     if abs(value) > _TURN * (1 + 1e-12):
         yield "ANGLE", path, say("remark.angle", name=name, text=text, turns=abs(value) / _TURN)
 
 
-def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
+def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
     """Yield lengths far from all others (the side of a gap with fewer of them), and negative lengths of links.
 
     If the file has a geometry, it shows which lengths are links; in equations alone, a factor of a rate looks like one.
@@ -121,7 +119,7 @@ def _nearer(given: Given, middle: Given) -> str:
     return unit if far < math.log(_FAR) and unit != (given.unit or "m") else ""
 
 
-def _bare(variant: Variant, dimensions: Dimensions, phases: Collection[str]) -> Iterator[_Found]:
+def _bare(variant: Variant, dimensions: Dimensions, phases: Collection[str]) -> Iterator[Found]:
     """Yield data and starts without a unit in a file where others have one; plain numbers and zeros need none."""
     if dimensions.disagreement:
         return  # the dimensions of the others are then only a guess
@@ -140,7 +138,7 @@ def _without_unit(name: str, text: str, si: str) -> Sentence:
     return say("remark.no_unit", name=name, text=text, unit=advised_unit(si) or "SI")
 
 
-def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
+def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
     """Yield numbers that must have a dimension, times used as angles, and formulas that only units could make consistent."""
     if any(given.si for given in variant.given):
         written = _written_lengths(variant)
@@ -154,82 +152,6 @@ def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
     if dimensions.disagreement:
         path, told = dimensions.disagreement
         yield "NO-UNIT", path, told
-
-
-def _links_left_out(variant: Variant) -> Iterator[_Found]:
-    """Yield the rates of a chain that no link of [links] has: if links are listed, only these are drawn and counted."""
-    in_groups = {name for group in variant.groups for name in group.coordinates}
-    turning = [c.rate for c in variant.coordinates if c.name in in_groups and c.unit == "rad"]
-    missing = [rate for rate in turning if all(link.rate != rate for link in variant.links)]
-    if variant.links and missing:
-        yield "LINKS", ("links",), say("remark.links", rates=", ".join(missing))
-
-
-def _pinned_sleeves(variant: Variant) -> Iterator[_Found]:
-    """Yield links that slide along a link with which they share a point: a pin there holds them."""
-    points = {link.name: link.points for link in variant.links}
-    for link in variant.links:
-        for point in link.points:
-            if point in points.get(link.slides or "", ()):
-                yield "LINKS", ("links", link.name), say("remark.pinned", link=link.name, other=link.slides, point=point)
-
-
-def _empty_guides(variant: Variant) -> Iterator[_Found]:
-    """Yield guides through a point that no link of [links] has: only the point it passes through slides in a guide."""
-    held = {name for link in variant.links for name in (*link.points, link.wheel, link.contact)}.union(variant.frame.hinges)
-    begun = {guide.through for group in variant.groups for guide in group.guides if group.meets}  # its pin slides there
-    for place, (through, _) in enumerate(variant.frame.rails if variant.links else ()):
-        if through.op == "name" and through.name not in held and through not in begun:
-            yield "GUIDE", ("frame", "rails", place), say("remark.guide", point=through.name)
-
-
-def _untouched(variant: Variant) -> Iterator[_Found]:
-    """Yield wheels if the file shows nothing that they roll on: a rail, a circle, a rack, or another link with the contact."""
-    places = {formula: name for name, formula in variant.points}
-    rails = {through.name if through.op == "name" else places.get(through) for through, _ in variant.frame.rails}
-    racks = any(link.is_block for link in variant.links)
-    for link in () if variant.frame.circles or racks else variant.links:
-        others = (name for one in variant.links if one is not link for name in (*one.points, one.contact))
-        if link.contact and link.contact not in {*rails, *others}:
-            yield "CONTACT", ("links", link.name), say("remark.contact", link=link.name, point=link.contact)
-
-
-def _short_of_end(variant: Variant) -> Iterator[_Found]:
-    """Yield `end` if the step does not lead to it, for the table ends before it."""
-    if variant.time.last != variant.time.end:
-        yield "END", ("time", "end"), say("remark.last_row", last=variant.time.last, end=variant.time.end)
-
-
-def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
-    """Yield unused data, and drives that are neither a rate nor a velocity of the driven point and occur in no formula.
-
-    Zeros are excluded, since they leave no term in an equation; so are files of velocity equations alone, in which offsets and
-    positions of pivots do not occur.
-    """
-    formulas = chain((one for _, one in variant.formulas()), (one for place in dimensions.places for one in place.formulas))
-    read = {*variant.rates, *(link.rate for link in variant.links), *(name for one in formulas for name in one.names())}
-    read |= {f"V{variant.driven}{axis}" for axis in "xy"}
-    for law in variant.drive:
-        if law.name not in read and not (law.formula and known_value(law.formula, variant.values) == 0):
-            yield "IDLE", ("drive", law.name), say("remark.idle", name=law.name)
-    shown = variant.points or variant.groups
-    unused = [given.name for given in variant.given if shown and given.value and given.name not in read]
-    placed = {x: (x, y, point) for x, y, point in _places(variant) if {x, y} <= {*unused}}
-    beside = {y for _, y, _ in placed.values()}
-    for name in unused:
-        if name in placed:
-            x, y, point = placed[name]
-            yield "UNUSED", ("given", name), say("remark.unused_place", x=x, y=y, point=point)
-        elif name not in beside:
-            yield "UNUSED", ("given", name), say("remark.unused", name=name)
-
-
-def _places(variant: Variant) -> Iterator[tuple[str, str, str]]:
-    """Yield the names that data of a place have, such as xD and yD, with the point."""
-    for point, _ in variant.points:
-        yield from (
-            (form.format("x", point), form.format("y", point), point) for form in ("{0}{1}", "{1}{0}", "{0}_{1}", "{1}_{0}")
-        )
 
 
 def _written_lengths(variant: Variant) -> set[str]:

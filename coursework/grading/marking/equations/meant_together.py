@@ -1,4 +1,4 @@
-"""Lines that are meant alike: a dash before all is the mark of a list or a minus; F(1) = … or cells =… are all residuals, or none.
+"""Lines that are meant alike: a dash before all marks a list or is a minus; F(1) = … or cells =… are all residuals, or none.
 
 Enters: lines, each with its possible readings, or their marks.  Leaves: the lines as they may be meant together.
 Used by `equations.py`.
