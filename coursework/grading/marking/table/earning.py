@@ -21,14 +21,18 @@ from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import Fit
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart
+from coursework.grading.marking.table.untold import ramp
 from coursework.system.arrays import Array
 
 _SLIPS = ("equation_", "sign_drive", "cosine_drive", NO_VELOCITIES)
 # Causes of a table that was worked out with fewer digits: velocities rounded before each step, π as 3.14; the worth of its cells.
 _COARSER, ROUNDED = (ROUNDED_OMEGA, PI_ROUNDED), 0.98
 
+# A datum that explains no more than this part of a table is worth no more than a wrong method.
+_PARTLY = 0.8
 # Causes of a table made from other numbers than the task's: one, as found or as the rubric declares it; two that were exchanged.
 _DATA, _SWAPPED = (DATUM, "confusion_"), "swap_"
+_NO_SLIPS = (_SWAPPED, "variant_", OWN, "other_drive")
 
 
 def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found: Found, others: Mapping[str, Array]) -> Earned:
@@ -74,10 +78,11 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
     beyond = [fit for fit in found.fits if fit.beyond_euler]
     most = max((fit.share for fit in beyond), default=0.0)
     copied = max((fit.share for fit in beyond if fit.code.startswith("variant_")), default=0.0)
-    named = (found.named.code, *found.named.ties) if found.named else ()
+    least = max((fit.share + TIE for fit in beyond if _is_slip(key, fit)), default=0.0)
     for fit in found.fits:
-        worth = _of_data(key, rubric, fit) if fit.code in named and fit.share > copied else 0.0
-        worth = worth or _worth(rubric, fit)
+        worth = _worth(rubric, fit)
+        if fit.beyond_euler and fit.share >= least and fit.share > copied and _is_number(key, fit):
+            worth = max(worth, _of_data(rubric, fit))
         if fit.share < copied or not (fit.beyond_euler or worth <= rubric.misconception_floor):
             continue
         if fit.code == OWN:
@@ -88,19 +93,28 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
             yield _earned("misconception", points, fit.share, worth, fit.code)
 
 
-def _of_data(key: Key, rubric: Rubric, fit: Fit) -> float:
-    """Return the worth of a cell of a table that was made from a datum, or two exchanged, copied wrongly; 0 for another cause.
+def _is_number(key: Key, fit: Fit) -> bool:
+    """Return whether a fit is a datum copied wrongly, or two exchanged; one left out or with the other sign is a slip."""
+    if fit.code.startswith(_DATA) and fit.names:
+        name = fit.code.partition("_")[2]
+        return float(fit.names[0]) * next((one.value for one in key.variant.given if one.name == name), 0.0) > 0
+    return fit.code.startswith((*_DATA, _SWAPPED))
 
-    A number copied wrongly costs what a start copied wrongly does, wherever it stands in the task. It must be named for that,
-    since many a slip in a formula can be undone by some value of a datum; one left out or with the other sign is such a slip.
+
+def _is_slip(key: Key, fit: Fit) -> bool:
+    """Return whether a fit is one thing done wrong: no number or law read off the table, nor another's work."""
+    if fit.code.startswith(_DATA):  # its names are a value and a unit
+        return not _is_number(key, fit)
+    return len(fit.names) < 2 and not fit.code.startswith(_NO_SLIPS)
+
+
+def _of_data(rubric: Rubric, fit: Fit) -> float:
+    """Return the worth of a cell of a table made from a number copied wrongly: that of a start copied wrongly.
+
+    It must explain nearly all of the table and more than a slip does, as some value of a datum undoes many a slip.
     """
-    if fit.code.startswith(_SWAPPED):
-        return rubric.start_floor_several
-    if not fit.code.startswith(_DATA):
-        return 0.0
-    name = fit.code.partition("_")[2]
-    task = next((one.value for one in key.variant.given if one.name == name), 0.0)
-    return rubric.start_floor if not fit.names or float(fit.names[0]) * task > 0 else 0.0
+    whole = rubric.start_floor_several if fit.code.startswith(_SWAPPED) else rubric.start_floor
+    return rubric.misconception_floor + (whole - rubric.misconception_floor) * ramp(fit.share, _PARTLY, NAMED)
 
 
 def _worth(rubric: Rubric, fit: Fit) -> float:
