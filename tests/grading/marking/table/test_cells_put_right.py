@@ -284,3 +284,17 @@ def test_another_start_is_told_by_the_second_row_where_the_velocities_of_the_fir
     points = put_right_one_by_one(desk, table, [(0, 2), (0, 3), (0, 6), (0, 5)])
     assert points == sorted(points)
     assert points[-1] > 50
+
+
+@pytest.mark.parametrize(("name", "put"), [("p", "column"), ("p", "rows"), ("alpha", "rows"), ("r3", "rows")])
+def test_a_number_copied_wrongly_is_read_off_what_was_not_put_right(name, put):
+    """A column of the task's values, or 14 of 25 rows of them: the rest still tells the number with which it was made."""
+    desk = variants()[0]
+    table = np.round(desk.machine.table(), 4)
+    made = np.round(Machine(desk.variant, data={name: 1.1 * desk.variant.values[name]}).table(), 4)
+    chosen = (slice(None), 1) if put == "column" else (slice(0, 14), slice(None))
+    before = desk.marked(made)[0]
+    made[chosen] = table[chosen]
+    points, marked = desk.marked(made)
+    assert before == 57.0 and points >= before - 0.5
+    assert marked.earned.cause == f"datum_{name}"

@@ -38,7 +38,7 @@ FEWEST, FEWEST_SHARE = 2, 0.02
 # If Euler's rules explain this part of a hypothesis's own table, the printed digits cannot tell the two apart.
 ALIKE = 0.98
 # For so many of the hypotheses that explain most the whole table is computed.
-_CLOSER = 3
+_CLOSER, _READ_OFF = 3, 2
 _ROUND_OFF = 1e-9
 ROWS_SHIFTED, ORIGIN, ROUNDED_OMEGA = "rows_shifted", "origin_", "rounded_omega_"
 # Causes with steps of another length: in such a table only the velocities are right.
@@ -145,7 +145,7 @@ def explanations(
             most_told, teller = (count, not claim.is_read_off), (claim, holds)
         if claim.student is None and count < most and (claim.code not in held or count > held[claim.code][0]):
             held[claim.code] = count, claim, holds
-    for code, (_, claim, holds) in sorted(held.items(), key=lambda found: -found[1][0])[:_CLOSER]:
+    for code, claim, holds in _closer(held):
         holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
         fit = gates.share(holds, only_velocities=code in OTHER_STEPS)
         if fit > fits[code].share:
@@ -182,6 +182,13 @@ def explanations(
         tied.sort(key=lambda code: not code.startswith("equation_"))
     share, against, names = named[tied[0]]
     return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began, untold)
+
+
+def _closer(held: Mapping[str, tuple[int, Claim, Flags]]) -> list[tuple[str, Claim, Flags]]:
+    """Return the claims to hold against the whole table: of most cells, and data read off, which a column put right hides."""
+    by_count = sorted(held.items(), key=lambda found: -found[1][0])
+    data = [found for found in by_count[_CLOSER:] if found[1][1].is_read_off]
+    return [(code, claim, holds) for code, (_, claim, holds) in (*by_count[:_CLOSER], *data[:_READ_OFF])]
 
 
 def is_one_thing(code: str, names: Sequence[str]) -> bool:

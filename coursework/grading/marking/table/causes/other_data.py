@@ -100,7 +100,7 @@ def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:
     task = np.array([datum.value for datum in given])
     if not printed.closely or not len(given):
         return
-    found, velocities = task.copy(), printed.student.values[:, printed.m :]
+    found, velocities = task.copy(), np.where(printed.of_task, np.nan, printed.student.values)[:, printed.m :]
     with np.errstate(all="ignore"):
         for _ in range(_ROUNDS):
             steps = _DIFFERENCE * np.abs(task)
