@@ -6,6 +6,7 @@ Better work never earns less: each rule also counts right cells, and none depend
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 import numpy as np
@@ -23,6 +24,7 @@ from coursework.grading.marking.table.points import Earned, Rule, TablePoints, s
 from coursework.grading.marking.table.starts import OwnStart
 from coursework.grading.marking.table.untold import ramp
 from coursework.system.arrays import Array
+from coursework.variant.formula.units import size_of
 
 _SLIPS = ("equation_", "sign_drive", "cosine_drive", NO_VELOCITIES)
 # Causes of a table that was worked out with fewer digits: velocities rounded before each step, π as 3.14; the worth of its cells.
@@ -32,6 +34,7 @@ _COARSER, ROUNDED = (ROUNDED_OMEGA, PI_ROUNDED), 0.98
 _PARTLY = 0.8
 # Causes of a table made from other numbers than the task's: one, as found or as the rubric declares it; two that were exchanged.
 _DATA, _SWAPPED = (DATUM, "confusion_"), "swap_"
+_DIGITS_OFF = 0.05  # a datum that is off by less has digits wrong: no slip in an equation does the same
 _NO_SLIPS = (_SWAPPED, "variant_", OWN, "other_drive")
 
 
@@ -81,7 +84,10 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
     least = max((fit.share + TIE for fit in beyond if _is_slip(key, fit)), default=0.0)
     for fit in found.fits:
         worth = _worth(rubric, fit)
-        if fit.beyond_euler and fit.share >= least and fit.share > copied and _is_number(key, fit):
+        ratio = _ratio(key, fit)
+        is_number = ratio > 0 if ratio is not None else fit.code.startswith((*_DATA, _SWAPPED))
+        is_near = ratio is not None and abs(ratio - 1) < _DIGITS_OFF
+        if fit.beyond_euler and (fit.share >= least or is_near) and fit.share > copied and is_number:
             worth = max(worth, _of_data(rubric, fit))
         if fit.share < copied or not (fit.beyond_euler or worth <= rubric.misconception_floor):
             continue
@@ -93,18 +99,19 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
             yield _earned("misconception", points, fit.share, worth, fit.code)
 
 
-def _is_number(key: Key, fit: Fit) -> bool:
-    """Return whether a fit is a datum copied wrongly, or two exchanged; one left out or with the other sign is a slip."""
-    if fit.code.startswith(_DATA) and fit.names:
-        name = fit.code.partition("_")[2]
-        return float(fit.names[0]) * next((one.value for one in key.variant.given if one.name == name), 0.0) > 0
-    return fit.code.startswith((*_DATA, _SWAPPED))
+def _ratio(key: Key, fit: Fit) -> float | None:
+    """Return the value of a datum by which a fit explains a table, in parts of the task's; None if it is none, or not told."""
+    if not fit.code.startswith(_DATA) or not fit.names:
+        return None
+    name, value = fit.code.partition("_")[2], float(fit.names[0]) * (size_of(fit.names[1]) or 1.0)
+    return value / next((one.value for one in key.variant.given if one.name == name), math.nan)
 
 
 def _is_slip(key: Key, fit: Fit) -> bool:
     """Return whether a fit is one thing done wrong: no number or law read off the table, nor another's work."""
     if fit.code.startswith(_DATA):  # its names are a value and a unit
-        return not _is_number(key, fit)
+        ratio = _ratio(key, fit)
+        return ratio is not None and not ratio > 0
     return len(fit.names) < 2 and not fit.code.startswith(_NO_SLIPS)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import combinations, islice, product
+from itertools import combinations, cycle, islice, product
 
 import numpy as np
 
@@ -36,7 +36,9 @@ _TURN = 2 * np.pi
 SLIPPED = "point_slipped"
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
-_ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-3
+_ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-5
+# From this part of the velocities on that are the task's, the others are looked at alone too.
+_PUT_RIGHT = 0.25
 
 
 def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
@@ -95,25 +97,37 @@ def may_be(key: Key, code: str, names: Sequence[str]) -> bool:
 
 
 def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:
-    """Yield each datum with the median of the values that the printed velocities give for it, if that is not the task's."""
-    key, given = printed.key, [datum for datum in printed.key.variant.given if datum.value]
-    task = np.array([datum.value for datum in given])
+    """Yield each datum with the median of the values that the printed velocities give for it, if that is not the task's.
+
+    Where many velocities are the task's they may have been put right: then also with that of the others.
+    """
+    given = [datum for datum in printed.key.variant.given if datum.value]
     if not printed.closely or not len(given):
         return
-    found, velocities = task.copy(), np.where(printed.of_task, np.nan, printed.student.values)[:, printed.m :]
+    velocities, of_task = printed.student.values[:, printed.m :], printed.of_task[:, printed.m :]
+    found = _solved(printed, given, velocities)
+    if of_task.mean() > _PUT_RIGHT:
+        found = np.concatenate([found, _solved(printed, given, np.where(of_task, np.nan, velocities))])
+    for datum, value in zip(cycle(given), found.tolist(), strict=False):
+        if np.isfinite(value) and value * datum.value > 0 and abs(value / datum.value - 1) > _ANOTHER:
+            yield datum, value
+
+
+def _solved(printed: TableUnderTest, given: Sequence[Given], velocities: Array) -> Array:
+    """Return for each datum the value (k,) that velocities (n, r) give for it alone, NaN among them left out."""
+    key, task = printed.key, np.array([datum.value for datum in given])
+    found = task.copy()
     with np.errstate(all="ignore"):
         for _ in range(_ROUNDS):
             steps = _DIFFERENCE * np.abs(task)
             values = np.concatenate([found, found + steps])
-            both = key.sets_at(key.t, printed.q, [{datum.name: value} for datum, value in zip(given * 2, values, strict=True)])
+            both = key.sets_at(key.t, printed.q, [{datum.name: value} for datum, value in zip([*given] * 2, values, strict=True)])
             made, beside = both[: len(given)], both[len(given) :]
             slopes = np.nan_to_num((beside - made) / steps[:, None, None], posinf=0.0, neginf=0.0)
             felt = np.abs(slopes) > _FELT * np.max(np.abs(slopes), axis=(1, 2), keepdims=True)
             moves = np.where(felt, (velocities - made) / slopes, np.nan).reshape(len(given), -1)
             found = found + np.clip(_medians(moves), -np.abs(task), np.abs(task))
-    for datum, value in zip(given, found.tolist(), strict=True):
-        if np.isfinite(value) and value * datum.value > 0 and abs(value / datum.value - 1) > _ANOTHER:
-            yield datum, value
+    return found
 
 
 def _medians(rows: Array) -> Array:
