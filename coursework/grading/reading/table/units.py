@@ -188,6 +188,8 @@ def _turns_of_moves(column: GridColumn, values: Sequence[float], moves: Sequence
         if held[-1]:
             numbers.append(numbers[-1] + round(lack / _TURN))
         else:
+            if not math.isfinite(moved):  # rows are missing between: the key tells how far the angle went
+                jump -= column.values[row] - column.values[sure]
             told = since if _is_whole(since) else jump if math.isfinite(jump) else 0.0
             numbers.append(numbers[sure] + round(told / _TURN))
         if held[-1] or _is_whole(since):

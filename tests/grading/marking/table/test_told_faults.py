@@ -46,7 +46,7 @@ def test_a_start_value_is_told_as_the_task_has_it_whatever_turns_were_taken_off(
 
 @pytest.mark.parametrize(("name", "part"), [("p", 1.0005), ("alpha", 1.0004), ("V1", 1.0015), ("r1", 1.0015)])
 def test_a_small_slip_in_a_datum_costs_no_more_than_a_large_one(name, part):
-    """One place of four off: half the points were lost, as a wrong sign that explained a part was named; ten per cent off cost 3."""
+    """One place of four off: half the points were lost, for a wrong sign that explains a part; ten per cent off cost 3."""
     desk = variants()[0]
     points, marked = desk.marked(np.round(Machine(desk.variant, data={name: part * desk.variant.values[name]}).table(), 4))
     assert points >= 57.0

@@ -111,6 +111,18 @@ def test_a_start_in_degrees_above_angles_in_radians_is_no_turns_away():
     assert whole_turns(key, [angles[0] + 19 * TURN, *angles[1:]], moves) == (19, 0, 0, 0, 0, 0)
 
 
+def test_rows_left_out_are_no_turns():
+    """A table with every fifth row and two neighbours: the angle went by more than half a turn where no row tells it."""
+    angles = [0.5 + 0.1 * row for row in range(60)]
+    shown = {*range(0, 60, 5), 51}
+    printed = [angle if row in shown else math.nan for row, angle in enumerate(angles)]
+    moves = [0.1 if row in shown else math.nan for row in range(59)]
+    assert whole_turns(GridColumn("phi1", "rad", tuple(angles)), printed, moves) == ()
+    within = [angle - TURN * (angle > math.pi) for angle in printed]
+    found = whole_turns(GridColumn("phi1", "rad", tuple(angles)), within, moves)
+    assert all(found[row] == -(angles[row] > math.pi) for row in shown)
+
+
 def test_rows_that_a_notebook_prints_with_names_are_no_equations():
     printed = [" ".join(f"{name}={cell}" for name, cell in zip(HEAD, row, strict=True)) for row in ROWS]
     output = {"output_type": "stream", "name": "stdout", "text": [f"{line}\n" for line in printed]}
