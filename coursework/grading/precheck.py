@@ -17,6 +17,7 @@ from coursework.grading.marking.table.causes.clockwise import turned_back
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.marking.verdicts import telling_steps
+from coursework.grading.reading.equations.equations import DASH
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import FileEntry, StudentWork
@@ -153,4 +154,6 @@ def _equations(work: StudentWork, told: Told) -> bool:
             told(say(f"screen.{kind}_read_as", repaired=line.repaired, **known))
         else:
             told(say(f"screen.{kind}_read", text=line.text, **known))
+    if any(DASH.match(line.text) and line.repaired and not DASH.match(line.repaired) for line in work.equations):
+        told(say("screen.dash"))
     return all(line.is_prose for line in unread)

@@ -43,6 +43,15 @@ def test_cells_with_residuals_are_read_as_they_are_marked(tmp_path: Path) -> Non
     assert len(re.findall(r"line \d is read as 0 = ", found.output)) == 4
 
 
+def test_a_dash_that_is_left_out_is_told(tmp_path: Path) -> None:
+    """A sign seemed lost where dashes stand before all lines; where the dash is read as a minus nothing is said."""
+    told = "A dash before a line counts as a minus or as the mark of a list"
+    lines = "\n".join(f"- {line}" for line in EQUATIONS)
+    assert told in precheck(tmp_path, csv(students.table()), lines).output
+    assert told not in precheck(tmp_path, csv(students.table())).output
+    assert told not in precheck(tmp_path, None, "-r3*w3*sin(phi3) = VMy - r3*w4").output
+
+
 def test_a_table_that_lies_on_its_side_is_said_to_have_been_turned(tmp_path: Path) -> None:
     cells = [line.split(";") for line in csv(students.table()).decode().splitlines()]
     found = precheck(tmp_path, "\n".join(";".join(column) for column in zip(*cells, strict=True)).encode())
