@@ -39,6 +39,8 @@ SLIPPED = "point_slipped"
 _ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-5
 # From this part of the velocities on that are the task's, the others are looked at alone too.
 _PUT_RIGHT = 0.25
+# Parts of the task's value at which the search begins: a frequency, or a length in a closed chain, leads astray from afar.
+_BEGINS, _SETTLED = (1.0, 0.4, 2.5), 1e-4
 
 
 def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
@@ -105,18 +107,24 @@ def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:
     if not printed.closely or not len(given):
         return
     velocities, of_task = printed.student.values[:, printed.m :], printed.of_task[:, printed.m :]
-    found = _solved(printed, given, velocities)
+    found = [_solved(printed, given, velocities, begin) for begin in _BEGINS]
     if of_task.mean() > _PUT_RIGHT:
-        found = np.concatenate([found, _solved(printed, given, np.where(of_task, np.nan, velocities))])
-    for datum, value in zip(cycle(given), found.tolist(), strict=False):
-        if np.isfinite(value) and value * datum.value > 0 and abs(value / datum.value - 1) > _ANOTHER:
+        found.append(_solved(printed, given, np.where(of_task, np.nan, velocities)))
+    told: set[tuple[str, str]] = set()
+    for datum, value in zip(cycle(given), np.concatenate(found).tolist(), strict=False):
+        shown = datum.name, f"{value:.6g}"
+        if np.isfinite(value) and value * datum.value > 0 and abs(value / datum.value - 1) > _ANOTHER and shown not in told:
+            told.add(shown)
             yield datum, value
 
 
-def _solved(printed: TableUnderTest, given: Sequence[Given], velocities: Array) -> Array:
-    """Return for each datum the value (k,) that velocities (n, r) give for it alone, NaN among them left out."""
+def _solved(printed: TableUnderTest, given: Sequence[Given], velocities: Array, begin: float = 1.0) -> Array:
+    """Return for each datum the value (k,) that velocities (n, r) give for it alone, NaN among them left out.
+
+    The search begins at this part of the task's values; away from them NaN stands where it settles on nothing.
+    """
     key, task = printed.key, np.array([datum.value for datum in given])
-    found = task.copy()
+    found, step = begin * task, np.zeros(len(task))
     with np.errstate(all="ignore"):
         for _ in range(_ROUNDS):
             steps = _DIFFERENCE * np.abs(task)
@@ -126,8 +134,9 @@ def _solved(printed: TableUnderTest, given: Sequence[Given], velocities: Array) 
             slopes = np.nan_to_num((beside - made) / steps[:, None, None], posinf=0.0, neginf=0.0)
             felt = np.abs(slopes) > _FELT * np.max(np.abs(slopes), axis=(1, 2), keepdims=True)
             moves = np.where(felt, (velocities - made) / slopes, np.nan).reshape(len(given), -1)
-            found = found + np.clip(_medians(moves), -np.abs(task), np.abs(task))
-    return found
+            step = np.clip(_medians(moves), -np.abs(task), np.abs(task))
+            found = found + step
+    return np.where((begin == 1.0) | (np.abs(step) < _SETTLED * np.abs(task)), found, np.nan)
 
 
 def _medians(rows: Array) -> Array:
