@@ -44,7 +44,7 @@ def state_reason(reason: Sentence | str) -> Reason:
 def _of_part(grade: Grade, part: str, points: float | None, most: float) -> Iterator[Reason]:
     if part == "table" and grade.table and points is not None:
         yield from (Reason("table", "note", note.text) for note in grade.notes if note.code in _COSTS)
-        yield from table_reasons(grade.key, grade.table, grade.rubric, points, most)
+        yield from table_reasons(grade.key, grade.table, grade.rubric, points, most, grade.equations)
     elif part == "equations" and grade.equations:
         yield from equation_reasons(grade.equations, points, most)
     elif part == "answers" and grade.answers and points is not None:
