@@ -127,3 +127,17 @@ def test_where_an_equation_may_be_lost_a_person_looks(tmp_path, number, status):
     told = precheck(Submission("ada", None, tuple(files)), read_variant(VARIANT), lambda text, names: text)
     assert not told.fine  # these lines could not be read, or were not
     assert (told.sentences[-1].key == "reading.review.lines_dropped") == (number > MOST - 4)
+
+
+def test_lines_of_several_files_are_named_by_their_files(tmp_path):
+    """Line 1 of the second said the same as "line 1"; of one file the number is enough."""
+    hand_in(tmp_path / "in" / "ada")
+    (tmp_path / "in" / "ada" / "second.txt").write_text("\n".join((EQUATIONS[0], EQUATIONS[1].replace("+ ", "- "))), "utf-8")
+    entry, page = graded(tmp_path)
+    assert "equations.txt (line 1) and adds nothing" in page
+    assert "says the same as line 1" not in page
+    assert "second.txt (line 2)" in page
+    assert {one["place"] for one in entry["equations"]["items"]} >= {"equations.txt (line 1)", "second.txt (line 1)"}
+    (tmp_path / "in" / "ada" / "second.txt").unlink()
+    entry, page = graded(tmp_path)
+    assert "equations.txt (line" not in page
