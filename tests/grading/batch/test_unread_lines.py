@@ -141,3 +141,14 @@ def test_lines_of_several_files_are_named_by_their_files(tmp_path):
     (tmp_path / "in" / "ada" / "second.txt").unlink()
     entry, page = graded(tmp_path)
     assert "equations.txt (line" not in page
+
+
+def test_a_formula_is_quoted_in_tables_as_it_can_be_searched(tmp_path):
+    """The places to break long words are for pages only."""
+    slip = EQUATIONS[3].replace("- r1", "+ r1").replace(" ", "")
+    entry, _ = graded(tmp_path, equations=(*EQUATIONS[:3], slip))
+    hint = entry["equations"]["items"][3]["hint"]["text"]
+    assert len(hint) > 24
+    written = {path.name: path.read_text(encoding="utf-8") for path in (tmp_path / "out").iterdir() if path.is_file()}
+    assert f"“{hint}”" in written["grades.csv"]
+    assert not any("\u200b" in written[name] for name in ("grades.csv", "grades.json", "class.json") if name in written)

@@ -11,11 +11,10 @@ from typing import Any
 
 from coursework.grading.marking.grade import GRADED, Grade
 from coursework.grading.marking.reasons.equations import answer_reasons, equation_reasons
-from coursework.grading.marking.reasons.reason import LONGEST, Reason
+from coursework.grading.marking.reasons.reason import Reason, quoted
 from coursework.grading.marking.reasons.table import follows_euler, table_reasons
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, say
-from coursework.words.templates import clean
 
 # Sentences that name another person are for the teacher; for these codes the student gets another sentence.
 _FOR_STUDENTS = ("same_id",)
@@ -56,7 +55,7 @@ def _of_part(grade: Grade, part: str, points: float | None, most: float) -> Iter
 def decided(check: str, points: float, most: float, told: str) -> Reason:
     """Return what the instructor decided about a part, and what the student is `told`; it replaces all that was found there."""
     key = "feedback.override_why" if told else "feedback.override"
-    part, reason = say(f"feedback.part.{check}"), _closed(clean(told, LONGEST))
+    part, reason = say(f"feedback.part.{check}"), _closed(quoted(told))
     return Reason(check, "decided", say(key, check=part, points=points, most=most, reason=reason))
 
 

@@ -11,7 +11,7 @@ from dataclasses import asdict
 
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum, misconception_sentence
+from coursework.grading.marking.reasons.reason import Reason, in_sum, misconception_sentence, quoted
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
@@ -23,7 +23,6 @@ from coursework.grading.marking.verdicts import euler_steps
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, ranges, say, say_count
-from coursework.words.templates import clean
 
 # From this part of wrong cells on, a table is told that no usual cause explains them.
 _MANY = 0.1
@@ -98,7 +97,7 @@ def _own_line(marked: TableMarks, equations: EquationMarks | None) -> Sentence |
 
 
 def _causes(
-    found: Counts, marked: TableMarks, because: Mapping[str, str], starts: tuple[str, ...], own_line: Sentence | str
+    found: Counts, marked: TableMarks, because: Mapping[str, str], starts: tuple[str, ...] = (), own_line: Sentence | str = ""
 ) -> Iterator[Reason]:
     """Yield the likely cause and others that explain as much, or, if many cells are wrong, that no usual cause was found.
 
@@ -136,14 +135,14 @@ def _told(code: str, because: Mapping[str, str], names: tuple[str, ...] = ()) ->
     """Return what a code means, with the columns, starts or equations in `names`, and the teacher's reason, by code."""
     if code in because:
         told = {"name": code.removeprefix(_CONFUSION), "because": because[code].strip().rstrip(".。")}
-        return say("feedback.misconception.confusion_because", **{name: clean(text, LONGEST) for name, text in told.items()})
+        return say("feedback.misconception.confusion_because", **{name: quoted(text) for name, text in told.items()})
     if code == "swapped_columns" and names:
         return say("feedback.misconception.swapped", names=names)
     if code == ROWS_SHIFTED and names:
         return say("feedback.misconception.positions_shifted", names=names)
     if code.startswith(_DATUM) and names:
         known = {"value": float(names[0]), "unit": names[1]}
-        return say("feedback.misconception.datum_value", name=clean(code.removeprefix(_DATUM), LONGEST), **known)
+        return say("feedback.misconception.datum_value", name=quoted(code.removeprefix(_DATUM)), **known)
     if code == OTHER_STEP and names:
         return say("feedback.misconception.other_step_value", value=float(names[0]))
     if len(names) > 1 and code.startswith(_SEVERAL):
