@@ -111,12 +111,18 @@ def _table(key: Key, work: StudentWork, named: Named, told: Told) -> bool:
 
 
 def _steps(key: Key, cells: Cells, named: Named, told: Told) -> None:
-    """Tell the first row in which a coordinate does not follow from the row before by Euler's rule, or that all do."""
+    """Tell the first row in which a coordinate does not follow from the row before by Euler's rule, or that all do.
+
+    Nothing is told where a step cannot be judged, since cells are missing or have too few digits.
+    """
     m = len(key.coordinates)
     values = cells.student.values
-    against = telling_steps(key, cells) & ~true_steps(key, cells)
+    telling = telling_steps(key, cells)
+    against = telling & ~true_steps(key, cells)
     if not against.any():
-        told(say("screen.steps_follow"))
+        judged = telling & ~cells.too_coarse[1:, :m]
+        if judged.any() and (judged | ~key.stepped).all():
+            told(say("screen.steps_follow"))
         return
     row = int(np.argmax(against.any(axis=1)))
     place = int(np.argmax(against[row]))

@@ -31,7 +31,8 @@ LONGEST = 2000  # most characters of one text; Typst would take half a minute fo
 _LINE_END = rf"(?<=[{HAN_HERE}])[ \t]*\n\s*(?=[{HAN_HERE}])"
 _UNBROKEN = rf"[^\s{HAN_HERE}-]{{25,}}"
 _SHORT = 24  # a shorter text needs no place to break in its words
-_PIECE = re.compile(r"\S{1,12}")
+# A piece ends between a sign and the next, not inside a name or number, unless that is longer than a piece.
+_PIECE = re.compile(r"\S{12,23}?(?!(?<=[\w.,])[\w.,])|\S{1,12}")
 # In a stylesheet: comments, blanks around signs, leading zeros and blanks that mean nothing.
 _BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,>])\s*|(?<=:)\s+|(?<=[\s,(:])0(?=\.\d)|^\s+""", re.DOTALL | re.MULTILINE)
 INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
@@ -138,10 +139,11 @@ def unreadable(piece: Path) -> Fault | None:
     return None
 
 
-def clean(text: str, longest: int = LONGEST) -> str:
+def clean(text: str, longest: int = LONGEST, *, breaks: bool = True) -> str:
     """Return text without control, direction and unassigned characters, in NFC, with at most `longest` characters.
 
-    Words of more than 24 characters get places to break (U+200B), so that none runs off the page.
+    Words of more than 24 characters get places to break (U+200B), so that none runs off the page; without `breaks` they do not,
+    which is for a text that also enters a file where it is searched.
     """
     if len(text) < _SHORT and text.isascii() and text.isprintable() and "  " not in text:
         return text.strip()[:longest]  # the case of nearly every table cell
@@ -152,4 +154,6 @@ def clean(text: str, longest: int = LONGEST) -> str:
     plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in INVISIBLE).strip()
     if len(plain) > longest:
         plain = plain[: longest - 1].rstrip() + "…"
+    if not breaks:
+        return plain
     return made_for(plain, _UNBROKEN).sub(lambda word: "\u200b".join(_PIECE.findall(word[0])), plain)

@@ -73,6 +73,16 @@ def test_the_first_contradiction_is_told_with_the_students_own_numbers_alone(tmp
     assert {f"{numbers[place]:.4f}" for place in (0, 2, 4)} <= printed
 
 
+@pytest.mark.parametrize("lacks", ["nothing", "the angles", "one angle", "digits"])
+def test_steps_are_said_to_follow_only_where_all_can_be_judged(tmp_path: Path, lacks: str) -> None:
+    content = csv(students.table(), 1 if lacks == "digits" else 4)
+    gone = {"the angles": (1, 2, 3), "one angle": (2,)}.get(lacks, ())
+    kept = [[cell for place, cell in enumerate(line.split(b";")) if place not in gone] for line in content.split(b"\n")]
+    found = precheck(tmp_path, b"\n".join(map(b";".join, kept)))
+    assert "Rows: 25 of 25." in found.output
+    assert ("Every step of the angles follows from your own row before." in found.output) == (lacks == "nothing")
+
+
 def test_wrong_velocities_are_not_betrayed(tmp_path: Path) -> None:
     """A table that follows from itself is told so, whatever the key says."""
     table = students.table(printed=lambda t, q: students.velocities(t, q, r1=1.1))

@@ -95,7 +95,11 @@ def _collected(source: Source, place: Place) -> Submission:
 
 
 def class_of_one(source: Source, variant: str, worksheet: Worksheet | None) -> ClassList:
-    """Return a class in which all students have the same variant; their ids come from SOURCE."""
+    """Return a class in which all students have the same variant; their ids come from SOURCE.
+
+    A row of Moodle's worksheet whose number SOURCE does not have is a student who handed in nothing; but if SOURCE has none of
+    the numbers, it belongs to groups or to another worksheet, and nobody is said to be missing.
+    """
     chosen = read_source(variant, Path())
     rows = {row.number: row for row in worksheet.rows if row.number} if worksheet else {}
     places = []
@@ -103,6 +107,10 @@ def class_of_one(source: Source, variant: str, worksheet: Worksheet | None) -> C
         row = rows.get(file_list.number)
         name = file_list.name or (row.name if row else "") or None
         places.append(Place(file_list.id, name, row.email if row else "", chosen[1].name, (file_list,), row))
+    taken = {file_list.number for file_list in source.file_lists}
+    if source.platform == "moodle" and taken & rows.keys():
+        absent = (number for number in rows if number not in taken)
+        places += [Place(one, rows[one].name or None, rows[one].email, chosen[1].name, (), rows[one]) for one in absent]
     return ClassList(_by_id(places), {chosen[1].name: chosen[1]}, {chosen[1].name: chosen[0]}, ())
 
 

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import statistics
 from collections import Counter, defaultdict
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from coursework.grading.marking.rubric import PARTS
 
+# Work of these kinds with all its points is alike by nature, as long as its file is plain text: a file of an office program
+# holds times and names of its own.
+_ALIKE, _PLAIN = {"table", "equations"}, (".csv", ".txt", ".tsv", ".prn", ".md")
 SAME_FILE_KINDS = ("table", "equations", "answers", "variant", "attachment")
 
 
@@ -38,6 +41,7 @@ class ClassFacts:
     pages: dict[str, str] = field(default_factory=dict)
     everyone: list[tuple[str, str, float | None, tuple[float | None, ...], str]] = field(default_factory=list)
     file_names: dict[str, str] = field(default_factory=dict)
+    chosen: set[str] = field(default_factory=set)  # files that would not be the same by nature
 
     def add(self, entry: Mapping[str, Any], reason: str = "") -> None:
         """Count one submission, given as grades.json writes it; `reason` says why it has no number."""
@@ -66,18 +70,23 @@ class ClassFacts:
             if file["kind"] in SAME_FILE_KINDS and file["bytes"]:
                 self.files[file["sha256"]].append(entry["id"])
                 self.file_names.setdefault(file["sha256"], file["name"])
+                if not _is_simply_right(file, entry):
+                    self.chosen.add(file["sha256"])
 
     @property
     def same_files(self) -> list[list[str]]:
         """Return groups of ids that handed in the same bytes, each group once."""
-        return [list(group) for group in sorted(self.shared)]
+        return [list(group) for group in sorted(self._shared(self.files))]
 
     @property
     def shared(self) -> dict[tuple[str, ...], list[str]]:
-        """Return for each group of ids the names of the files that they share."""
+        """Return for each group of ids the names of the files that they share, except those that are simply right."""
+        return self._shared(self.chosen)
+
+    def _shared(self, among: Container[str]) -> dict[tuple[str, ...], list[str]]:
         groups: dict[tuple[str, ...], list[str]] = {}
         for sha256, ids in self.files.items():
-            if len(set(ids)) > 1:
+            if len(set(ids)) > 1 and sha256 in among:
                 groups.setdefault(tuple(sorted(set(ids))), []).append(self.file_names[sha256])
         return groups
 
@@ -97,3 +106,12 @@ class ClassFacts:
             "hardest_column": self.hardest_column,
             "same_files": self.same_files,
         }
+
+
+def _is_simply_right(file: Mapping[str, Any], entry: Mapping[str, Any]) -> bool:
+    """Return whether a file holds nothing but work with all its points, as whoever works right would hand in."""
+    kinds = {*file.get("kinds", (file["kind"],))}
+    if not kinds <= _ALIKE or not file["name"].casefold().endswith(_PLAIN):
+        return False
+    parts = [entry[kind] for kind in kinds]
+    return all(part and part["score"] is not None and part["score"] == part["max"] for part in parts)

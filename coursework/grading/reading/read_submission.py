@@ -210,9 +210,11 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         found.entries.append(FileEntry(file.name, kinds[0], kinds, file.size, file.sha256))
     table, trouble = found.one_table()
     handed = found.equations or found.beside
-    lines = handed[: most_lines(expected)]
+    lines = _with_files(_first_of_each(handed, most_lines(expected)))
     if unread := found.unread + len(handed) - len(lines):
         found.notes.append(note("ignored_file", "lines", number=unread))
+    if dropped := found.unread + sum(line.may_be_one for line in handed) - sum(line.may_be_one for line in lines):
+        found.review = found.review or say("reading.review.lines_dropped", number=dropped)
     return StudentWork(
         tuple(found.entries),
         table,
@@ -223,6 +225,24 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         found.review,
         found.unopened,
     )
+
+
+def _first_of_each(lines: Sequence[EquationLine], most: int) -> list[EquationLine]:
+    """Return the first `most` lines that may be equations and as many of the others, in the order handed in."""
+    left = {True: most, False: most}
+    kept = []
+    for line in lines:
+        left[line.may_be_one] -= 1
+        if left[line.may_be_one] >= 0:
+            kept.append(line)
+    return kept
+
+
+def _with_files(lines: list[EquationLine]) -> list[EquationLine]:
+    """Return the lines with their files in their places if there are several files: the number of a line alone names two."""
+    if len({line.file for line in lines}) < 2:
+        return lines
+    return [replace(line, place=say("reading.place.in_file", file=line.file, place=line.where)) for line in lines]
 
 
 def _opened(file: SubmittedFile) -> list[SubmittedFile]:

@@ -160,6 +160,11 @@ class EquationLine:
     guessed: bool = False
 
     @property
+    def may_be_one(self) -> bool:
+        """Return whether the line may be an equation of the variant's names: it was read, or it names two of them."""
+        return self.tree is not None or self.relates
+
+    @property
     def difference(self) -> Formula:
         """Return left - right; the line must have been read."""
         assert self.tree is not None

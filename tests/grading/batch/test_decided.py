@@ -140,6 +140,24 @@ def test_a_locked_grade_is_left_as_it_stands(tmp_path, title):
         assert ("locked" in notes[f"N{number}"]) is (number % 2 == 1)
 
 
+@pytest.mark.parametrize("is_of_groups", [False, True])
+def test_who_handed_in_nothing_is_missing_and_told_so(tmp_path, is_of_groups):
+    """But nobody is missing where the folders are those of groups: their numbers are in no row."""
+    rows = "".join(f"Participant {number},N{number},n{number}@x,s,,100.00,Yes,-,-,\r\n" for number in (7000, 7187))
+    (tmp_path / "sheet.csv").write_bytes((SHEET + rows).encode())
+    number, out = 12 if is_of_groups else 7000, tmp_path / "out"
+    hand_in(tmp_path / "in" / f"N7000_{number}_assignsubmission_file")
+    assert grade(tmp_path / "in", out, "--worksheet", tmp_path / "sheet.csv").exit_code == 0
+    filled = (out / "worksheet.csv").read_bytes().decode().splitlines()
+    if is_of_groups:
+        assert list(submissions(out)) == ["12"] and filled[2] == rows.splitlines()[1]
+        return
+    found = submissions(out)["7187"]
+    assert (found["name"], found["status"], found["score"]) == ("N7187", "missing", None)
+    assert filled[2] == rows.splitlines()[1] + "No file was found under this name."
+    assert "N7187" in (out / "class.html").read_text(encoding="utf-8")
+
+
 def test_the_page_of_a_withdrawn_submission_is_removed_and_told(tmp_path):
     for name in ("ada", "bert", "carl"):
         hand_in(tmp_path / "in" / name)

@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 
 from coursework.commands.grade import grade_source
+from coursework.grading.precheck import precheck
+from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.variant.reading.reader import read_variant
 from tests.grading.batch.classroom import EQUATIONS, hand_in
 from tests.grading.batch.in_this_process import in_this_process
 from tests.grading.marking import students
@@ -104,3 +107,48 @@ def test_no_reason_is_promised_where_a_decision_stands_for_it(tmp_path):
     _, page = graded(tmp_path, "id,check,points,reason\nada,total,0,copied\n")
     assert "Decided by your instructor: total, 0 of 100 points. copied" in page
     assert "the reason is given above" not in page and "<b>○</b>" not in page
+
+
+PROSE = "Step {}: the velocity of point D is V_D = V_M + V_DM"
+MOST = 2 * 4 + 20  # lines that are read of the 4 equations needed
+
+
+def test_a_sentence_uses_up_no_place_of_an_equation(tmp_path):
+    entry, _ = graded(tmp_path, equations=(*map(PROSE.format, range(MOST + 1)), *EQUATIONS))
+    assert (entry["status"], entry["score"], entry["equations"]["independent"]) == ("graded-with-notes", 100.0, 4)
+
+
+@pytest.mark.parametrize(("number", "status"), [(MOST - 4, "graded"), (MOST - 3, "needs-review")])
+def test_where_an_equation_may_be_lost_a_person_looks(tmp_path, number, status):
+    entry, page = graded(tmp_path, equations=(*[UNREAD] * number, *EQUATIONS))
+    assert entry["status"] == status
+    assert ("Lines that may be equations were not read, since there are too many before them: 1." in page) == (number > MOST - 4)
+    files = [submitted_file(one.name, one.read_bytes()) for one in (tmp_path / "in" / "ada").iterdir()]
+    told = precheck(Submission("ada", None, tuple(files)), read_variant(VARIANT), lambda text, names: text)
+    assert not told.fine  # these lines could not be read, or were not
+    assert (told.sentences[-1].key == "reading.review.lines_dropped") == (number > MOST - 4)
+
+
+def test_lines_of_several_files_are_named_by_their_files(tmp_path):
+    """Line 1 of the second said the same as "line 1"; of one file the number is enough."""
+    hand_in(tmp_path / "in" / "ada")
+    (tmp_path / "in" / "ada" / "second.txt").write_text("\n".join((EQUATIONS[0], EQUATIONS[1].replace("+ ", "- "))), "utf-8")
+    entry, page = graded(tmp_path)
+    assert "equations.txt (line 1) and adds nothing" in page
+    assert "says the same as line 1" not in page
+    assert "second.txt (line 2)" in page
+    assert {one["place"] for one in entry["equations"]["items"]} >= {"equations.txt (line 1)", "second.txt (line 1)"}
+    (tmp_path / "in" / "ada" / "second.txt").unlink()
+    entry, page = graded(tmp_path)
+    assert "equations.txt (line" not in page
+
+
+def test_a_formula_is_quoted_in_tables_as_it_can_be_searched(tmp_path):
+    """The places to break long words are for pages only."""
+    slip = EQUATIONS[3].replace("- r1", "+ r1").replace(" ", "")
+    entry, _ = graded(tmp_path, equations=(*EQUATIONS[:3], slip))
+    hint = entry["equations"]["items"][3]["hint"]["text"]
+    assert len(hint) > 24
+    written = {path.name: path.read_text(encoding="utf-8") for path in (tmp_path / "out").iterdir() if path.is_file()}
+    assert f"“{hint}”" in written["grades.csv"]
+    assert not any("\u200b" in written[name] for name in ("grades.csv", "grades.json", "class.json") if name in written)

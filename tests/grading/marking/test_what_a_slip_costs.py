@@ -21,7 +21,7 @@ def of_the_slip(t, q):
 
 
 @pytest.fixture(scope="module")
-def scores(tmp_path_factory):
+def found(tmp_path_factory):
     folder = tmp_path_factory.mktemp("slips")
     mistyped = students.table()
     mistyped[9, 4] += 0.3
@@ -30,11 +30,18 @@ def scores(tmp_path_factory):
         ("start", students.table(start=(1.73, 3.37, 2.87)), EQUATIONS),
         ("starts", students.table(start=(1.73, 3.37, 2.78)), EQUATIONS),
         ("equations", None, SLIP), ("both", students.table(printed=of_the_slip), SLIP),
+        ("table", students.table(printed=of_the_slip), EQUATIONS),
         ("method", students.table(lambda t, q: students.H * students.velocities(t - students.H, q)[:3]), EQUATIONS),
     ):  # fmt: skip
         hand_in(folder / "in" / name, table, equations)
     assert grade(folder / "in", folder / "out").exit_code == 0
-    return {name: one["score"] for name, one in submissions(folder / "out").items()}
+    pages = {page.stem: page.read_text(encoding="utf-8") for page in (folder / "out" / "feedback").iterdir()}
+    return {name: one["score"] for name, one in submissions(folder / "out").items()}, pages
+
+
+@pytest.fixture
+def scores(found):
+    return found[0]
 
 
 def test_a_slip_costs_by_the_place_where_it_is_made(scores):
@@ -45,3 +52,10 @@ def test_a_slip_costs_by_the_place_where_it_is_made(scores):
     assert scores["starts"] == pytest.approx(40 + 60 * rubric.start_floor_several)
     assert (scores["equations"], scores["both"]) == pytest.approx((90, 30 + 60 * rubric.own_equations_floor))
     assert 40 + 60 * rubric.misconception_floor <= scores["method"] < scores["start"]
+
+
+def test_a_line_is_called_a_slip_only_where_it_is_one(found):
+    """The table is the same; once the line is handed in right."""
+    assert "In your list of equations that is line 4;" in found[1]["both"]
+    assert "Your own line 4 is right; the table was made with a slip in it that is not in your list." in found[1]["table"]
+    assert "that is line 4" not in found[1]["table"]

@@ -44,3 +44,19 @@ def test_work_that_is_alike_needs_a_look(shared: int, look: int) -> None:
     assert f"{shared + 3} submissions, {look} need your attention</h1>" in page
     assert page.count('<a href="#alike">work alike</a>') == look - 1
     assert page.count('id="alike"') == 1
+
+
+@pytest.mark.parametrize(("name", "scores", "look"), [
+    ("e.txt", (40.0, 40.0), 0), ("e.txt", (40.0, 32.0), 2), ("e.docx", (40.0, 40.0), 2),
+])  # fmt: skip
+def test_what_is_simply_right_is_alike_by_nature(name: str, scores: tuple[float, float], look: int) -> None:
+    """Both typed the equations as the sheet writes them; it counts once one lost points, or if the file has a time of its own."""
+    facts = ClassFacts()
+    for who, score in zip(("ada", "bert"), scores, strict=True):
+        one = entry(who, "one") | {"equations": {"score": score, "max": 40.0}}
+        one["files"] = [{"name": name, "kind": "equations", "kinds": ["equations"], "bytes": 9, "sha256": "one"}]
+        facts.add(one)
+    assert facts.same_files == [["ada", "bert"]]  # a fact all the same
+    page = class_page(facts, [], [], load_phrases("en"))
+    assert f"2 submissions, {look} need your attention</h1>" in page or f"2 submissions, {look} needs" in page
+    assert page.count('<a href="#alike">work alike</a>') == look

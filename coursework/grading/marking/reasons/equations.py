@@ -9,10 +9,9 @@ from collections.abc import Iterator
 
 from coursework.grading.marking.answers import AnswerMarks
 from coursework.grading.marking.equations.equations import COUNTED, EquationMark, EquationMarks
-from coursework.grading.marking.reasons.reason import LONGEST, Reason
+from coursework.grading.marking.reasons.reason import Reason, quoted
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
-from coursework.words.templates import clean
 
 MOST_LINES = 6
 
@@ -26,8 +25,8 @@ def why_of_line(mark: EquationMark, *, asked: bool = False) -> Sentence:
 def _hint(mark: EquationMark) -> Sentence | str:
     if mark.hint is None or not (mark.hint.text or mark.hint.kind != "reader"):
         return ""
-    text = mark.hint.text if isinstance(mark.hint.text, Sentence) else clean(mark.hint.text, LONGEST)
-    return say(f"feedback.hint.{mark.hint.kind}", text=text, column=mark.hint.column, term=clean(mark.hint.term, LONGEST))
+    text = mark.hint.text if isinstance(mark.hint.text, Sentence) else quoted(mark.hint.text)
+    return say(f"feedback.hint.{mark.hint.kind}", text=text, column=mark.hint.column, term=quoted(mark.hint.term))
 
 
 def equation_reasons(marked: EquationMarks, points: float | None, most: float) -> Iterator[Reason]:
@@ -60,6 +59,6 @@ def answer_reasons(marked: AnswerMarks, points: float, most: float) -> Iterator[
     for mark in marked.marks:
         if mark.verdict != "right":
             verdict = say(f"feedback.answer.{mark.verdict}")
-            yield Reason("answers", "finding", say("feedback.answer_of", name=clean(mark.name, LONGEST), verdict=verdict))
+            yield Reason("answers", "finding", say("feedback.answer_of", name=quoted(mark.name), verdict=verdict))
     known = {"right": marked.share * len(marked.marks), "all": len(marked.marks), "points": points, "most": most}
     yield Reason("answers", "rule", say("feedback.earned.answers", **known))

@@ -40,6 +40,11 @@ def in_sum(value: float) -> float:
     return float(f"{value:.5g}")
 
 
+def quoted(text: str) -> str:
+    """Return a text of a student or a file as sentences quote it; they enter tables too, where a place to break is in the way."""
+    return clean(text, LONGEST, breaks=False)
+
+
 def misconception_sentence(code: str, *, for_student: bool = False) -> Sentence | str:
     """Return what a code means, with the name it carries (datum, velocity, variant) filled in.
 
@@ -50,7 +55,7 @@ def misconception_sentence(code: str, *, for_student: bool = False) -> Sentence 
             if stem == "variant" and for_student:
                 return say("feedback.misconception.other_variant")
             name = code.removeprefix(f"{stem}_")
-            name = clean(", ".join(_two_names(name)) if stem == "swap" else name, LONGEST)
+            name = quoted(", ".join(_two_names(name)) if stem == "swap" else name)
             return say(f"feedback.misconception.{stem}", name=name)
     key = f"feedback.misconception.{code}"
     return say(key) if load_phrases().has(key) else code

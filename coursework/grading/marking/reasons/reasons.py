@@ -11,11 +11,10 @@ from typing import Any
 
 from coursework.grading.marking.grade import GRADED, Grade
 from coursework.grading.marking.reasons.equations import answer_reasons, equation_reasons
-from coursework.grading.marking.reasons.reason import LONGEST, Reason
+from coursework.grading.marking.reasons.reason import Reason, quoted
 from coursework.grading.marking.reasons.table import follows_euler, table_reasons
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, say
-from coursework.words.templates import clean
 
 # Sentences that name another person are for the teacher; for these codes the student gets another sentence.
 _FOR_STUDENTS = ("same_id",)
@@ -44,7 +43,7 @@ def state_reason(reason: Sentence | str) -> Reason:
 def _of_part(grade: Grade, part: str, points: float | None, most: float) -> Iterator[Reason]:
     if part == "table" and grade.table and points is not None:
         yield from (Reason("table", "note", note.text) for note in grade.notes if note.code in _COSTS)
-        yield from table_reasons(grade.key, grade.table, grade.rubric, points, most)
+        yield from table_reasons(grade.key, grade.table, grade.rubric, points, most, grade.equations)
     elif part == "equations" and grade.equations:
         yield from equation_reasons(grade.equations, points, most)
     elif part == "answers" and grade.answers and points is not None:
@@ -56,7 +55,7 @@ def _of_part(grade: Grade, part: str, points: float | None, most: float) -> Iter
 def decided(check: str, points: float, most: float, told: str) -> Reason:
     """Return what the instructor decided about a part, and what the student is `told`; it replaces all that was found there."""
     key = "feedback.override_why" if told else "feedback.override"
-    part, reason = say(f"feedback.part.{check}"), _closed(clean(told, LONGEST))
+    part, reason = say(f"feedback.part.{check}"), _closed(quoted(told))
     return Reason(check, "decided", say(key, check=part, points=points, most=most, reason=reason))
 
 

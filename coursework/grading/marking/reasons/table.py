@@ -9,8 +9,9 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 
+from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.reasons.reason import LONGEST, Reason, in_sum, misconception_sentence
+from coursework.grading.marking.reasons.reason import Reason, in_sum, misconception_sentence, quoted
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
@@ -22,7 +23,6 @@ from coursework.grading.marking.verdicts import euler_steps
 from coursework.system.frozen import frozen
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, ranges, say, say_count
-from coursework.words.templates import clean
 
 # From this part of wrong cells on, a table is told that no usual cause explains them.
 _MANY = 0.1
@@ -33,6 +33,7 @@ _EXPLAINED = ("misconception", "start")
 _EQUATION, _DATUM, _CONFUSION = "equation_", "datum_", "confusion_"
 _SEVERAL = ("start_", _EQUATION)
 _MOST_RUNS = 6
+_RIGHT_LINE = "feedback.misconception.in_right_line"
 
 
 @frozen
@@ -63,14 +64,16 @@ def shut(marked: TableMarks) -> Mapping[str, int]:
     return marked.earned.shut if marked.earned.rule == "cells" else {}
 
 
-def table_reasons(key: Key, marked: TableMarks, rubric: Rubric, points: float, most: float) -> Iterator[Reason]:
-    """Yield why a table has less than all points, with the words of the rubric for a confusion."""
+def table_reasons(
+    key: Key, marked: TableMarks, rubric: Rubric, points: float, most: float, equations: EquationMarks | None = None
+) -> Iterator[Reason]:
+    """Yield why a table has less than all points, with the words of the rubric for a confusion; `equations` were handed in."""
     if marked.first:
         yield Reason("table", "first", marked.first.sentence)
     found = counts(key, marked)
     starts = [name for name, is_wrong in zip(key.names, marked.cells.wrong[0], strict=True) if is_wrong][: found.start]
     because = {f"{_CONFUSION}{one.datum}": one.because for one in rubric.confusions if one.because}
-    yield from _causes(found, marked, because, tuple(starts))
+    yield from _causes(found, marked, because, tuple(starts), _own_line(marked, equations))
     yield from _odd_rows(key, marked)
     if absent := lacking(key, marked.table):
         yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
@@ -85,17 +88,26 @@ def table_reasons(key: Key, marked: TableMarks, rubric: Rubric, points: float, m
     yield Reason("table", "rule", total)
 
 
-def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str], starts: tuple[str, ...] = ()) -> Iterator[Reason]:
+def _own_line(marked: TableMarks, equations: EquationMarks | None) -> Sentence | str:
+    """Return what the student's own line has to do with the slip in a table, "" if the table follows from no line of theirs."""
+    if not marked.own_line:
+        return ""
+    is_wrong = equations is None or any(str(mark.line.line) == marked.own_line for mark in equations.wrong)
+    return say("feedback.misconception.in_line" if is_wrong else _RIGHT_LINE, line=marked.own_line)
+
+
+def _causes(
+    found: Counts, marked: TableMarks, because: Mapping[str, str], starts: tuple[str, ...] = (), own_line: Sentence | str = ""
+) -> Iterator[Reason]:
     """Yield the likely cause and others that explain as much, or, if many cells are wrong, that no usual cause was found.
 
-    `starts` are the coordinates whose start is not the task's.
+    `starts` are the coordinates whose start is not the task's; `own_line` says whether the slip is in the student's own line too.
     """
     named, earned = marked.misconception, marked.earned
     if named:
         share = str(int(100 * named.share + 1e-9))  # rounded down: 100 means the whole table
         told = say("feedback.misconception.share", share=share)
-        is_own = named.code.startswith(_EQUATION) and len(named.names) < 2 and marked.own_line
-        own = say("feedback.misconception.in_line", line=marked.own_line) if is_own else ""
+        own = own_line if named.code.startswith(_EQUATION) and len(named.names) < 2 else ""
         yield Reason("table", "cause", joined([told, _told(named.code, because, named.names), own]))
         for code in named.ties:
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code, because)]))
@@ -103,7 +115,9 @@ def _causes(found: Counts, marked: TableMarks, because: Mapping[str, str], start
         partly = say(f"feedback.misconception.{'partly' if named is None else 'also'}")
         yield Reason("table", "cause", joined([partly, _told(earned.cause, because, starts if earned.rule == "start" else ())]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and found.wrong > _MANY * found.cells:
-        if marked.own_line:
+        if isinstance(own_line, Sentence) and own_line.key == _RIGHT_LINE:
+            yield Reason("table", "cause", own_line)
+        elif marked.own_line:
             own = say("feedback.misconception.own_equations", line=marked.own_line)
             yield Reason("table", "cause", joined([say("feedback.misconception.partly"), own]))
         else:
@@ -121,14 +135,14 @@ def _told(code: str, because: Mapping[str, str], names: tuple[str, ...] = ()) ->
     """Return what a code means, with the columns, starts or equations in `names`, and the teacher's reason, by code."""
     if code in because:
         told = {"name": code.removeprefix(_CONFUSION), "because": because[code].strip().rstrip(".。")}
-        return say("feedback.misconception.confusion_because", **{name: clean(text, LONGEST) for name, text in told.items()})
+        return say("feedback.misconception.confusion_because", **{name: quoted(text) for name, text in told.items()})
     if code == "swapped_columns" and names:
         return say("feedback.misconception.swapped", names=names)
     if code == ROWS_SHIFTED and names:
         return say("feedback.misconception.positions_shifted", names=names)
     if code.startswith(_DATUM) and names:
         known = {"value": float(names[0]), "unit": names[1]}
-        return say("feedback.misconception.datum_value", name=clean(code.removeprefix(_DATUM), LONGEST), **known)
+        return say("feedback.misconception.datum_value", name=quoted(code.removeprefix(_DATUM)), **known)
     if code == OTHER_STEP and names:
         return say("feedback.misconception.other_step_value", value=float(names[0]))
     if len(names) > 1 and code.startswith(_SEVERAL):

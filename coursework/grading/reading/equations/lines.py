@@ -57,7 +57,7 @@ _MOST_LINES, _MOST_DEFINITIONS, _PASSES = 20_000, 100, 3
 
 @dataclass(slots=True)
 class Lines:
-    """The equations and answers of a text; `unread` counts the lines with "=" that were not tried."""
+    """The equations and answers of a text; `unread` counts the lines with "=" that were not tried, any of which may be one."""
 
     equations: list[EquationLine] = field(default_factory=list)
     answers: list[AnswerLine] = field(default_factory=list)
@@ -98,7 +98,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     for number, line in lines:
         length = min(len(line), EQUATION_CHARACTERS)
         tried, characters = tried + 1, characters + max(length, length**2 // MAX_CHARACTERS)
-        if tried > _TRIED * most or characters > _CHARACTERS or len(found.equations) > most:
+        if tried > _TRIED * most or characters > _CHARACTERS or sum(line.may_be_one for line in found.equations) > most:
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
