@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import re
 
 import pytest
@@ -78,6 +79,19 @@ def test_a_closed_chain_stays_closed(client, name, joint, free):
     found = drag(client, text, joint, 0.05 * size, free=free)
     run = solve(parse_variant(found["text"]))  # raises where it does not close
     assert run.scene.stop is None or found["text"] != text
+
+
+def test_what_a_closure_holds_follows_the_crank(client):
+    text = mechanism("slotted-lever", ("68.19859051363818 deg", "68.20 deg"))
+    hand = -0.18 + 0.06j  # half a turn on, so that the lever passes its steepest
+    found = drag(client, text, "A", hand)
+    assert (found["near"], found["sentence"]) == (True, None)
+    crank, lever = (one.start_or_guess for one in parse_variant(found["text"]).coordinates)
+    pin = cmath.rect(0.1, crank)
+    assert abs(pin - 0.1 * (0.1 + hand) / abs(0.1 + hand)) < 1e-3
+    assert cmath.phase(pin + 0.25j) == pytest.approx(lever, abs=2e-6)  # the rounding of the written angle, and not a turn more
+    radial = drag(client, text, "A", 0.05)
+    assert (radial["text"], radial["ranges"], "No start that closes" in radial["sentence"]) == (text, [], True)
 
 
 def test_what_cannot_be_reached_is_shown_as_the_nearest_that_can(client):
