@@ -82,12 +82,12 @@ def drag(desk: Desk) -> dict[str, Any]:
 
 
 def _movable(variant: Variant, lengths: bool) -> list[Written]:
-    """Return the lengths, or the start values that nothing else gives: of a loop that no drive turns, the first alone."""
+    """Return the lengths, or the start values that nothing else gives: where no drive turns a loop, the first of its freedoms."""
     numbers = written_numbers(variant)
     if lengths:
         return [one for one in numbers if one.path[0] == "given" and one.si == "m"]
     starts = [one for one in numbers if one.path[0] != "given" and one.name not in determined(variant)]
-    return [one for one in starts if one.name not in followers(variant)] or starts[:1]
+    return [one for one in starts if one.name not in followers(variant)] or starts[: max(1, len(starts) - len(variant.holds))]
 
 
 def _value(one: Written) -> float:
@@ -192,7 +192,7 @@ def _written(variant: Variant, after: Variant, moving: Sequence[Written], values
         decimals = _decimals(one, CLOSING if one.name in follow else FINE)
         if abs(value - _value(one)) > 0.5 * one.size * 10.0**-decimals:
             found[one.path] = one.spelled(value, decimals)
-    return found
+    return found if any(one.path in found for one in moving) else {}  # what only follows has not moved, but more digits
 
 
 def _unmoved(desk: Desk, why: Sentence) -> dict[str, Any]:
