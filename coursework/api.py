@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable, Mapping
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,8 +16,7 @@ from coursework.run import Run
 from coursework.scene.exact_scene import scene_of
 from coursework.scene.quantities import TABLE, known_quantities, no_quantity, quantities_for
 from coursework.variant.catalogue import load, variant_from
-from coursework.variant.formula.units import UnitFault, read
-from coursework.variant.judging.bounds import timed
+from coursework.variant.judging.bounds import seconds, timed
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkWarning, Fault, InputError
@@ -156,18 +154,6 @@ def step_of(step: float | str | None, variant: Variant) -> float | None:
     if isinstance(found, str):
         raise InputError(say("fault.C031", text=step))
     return found
-
-
-def seconds(time: float | str | None) -> float | str | None:
-    """Return a time in seconds; text that is no time is returned unchanged, so that the function that uses it reports it."""
-    if not isinstance(time, str):
-        return time
-    with suppress(UnitFault):
-        found = read(time, "s")
-        return found.value if found.si in {"s", ""} else time
-    with suppress(ValueError):  # nan and infinity become numbers, so that they are reported as such
-        return float(time)
-    return time
 
 
 def step_choice(run: Run, error: float | None) -> StepChoice:

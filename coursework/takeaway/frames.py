@@ -7,7 +7,7 @@ Used by `run.py`; it imports pandas, which the files of a run do not need.
 from __future__ import annotations
 
 from dataclasses import field, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array
 from coursework.system.frozen import caching
+from coursework.variant.judging.bounds import number_of_seconds, seconds
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -37,10 +38,12 @@ def point_frame(scene: Scene, motion: Motion) -> pd.DataFrame:
     """Return positions (m), velocities (m/s) and accelerations (m/s²) of the points: columns (point, quantity, axis)."""
     import pandas as pd
 
+    from coursework.takeaway.points import PointFrame
+
     names, rows = scene.over(motion).point_accelerations
     columns = [(point, _LEVELS[key[:-1]], key[-1]) for point, _, key in (name.partition(".") for name in names)]
     levels = pd.MultiIndex.from_tuples(columns, names=["point", "quantity", "axis"])
-    return pd.DataFrame(rows, index=time_index(motion.t), columns=levels)
+    return PointFrame(rows, index=time_index(motion.t), columns=levels)
 
 
 @caching
@@ -65,12 +68,12 @@ class ExactRows(Motion):
         return point_frame(self.scene, self)
 
     def at(self, t: ArrayLike) -> ExactRows:
-        """Return the rows at one or several times (s), in the order given.
+        """Return the rows at one or several times, in s or as text with a unit ("50 ms"), in the order given.
 
-        Raises `InputError` for a time outside the motion.
+        Raises `InputError` for a time outside the motion, and for text that is no time.
         """
         assert self.scene is not None
-        times = np.atleast_1d(np.asarray(t, dtype=float)).ravel()
+        times = np.array([_time(one) for one in np.atleast_1d(np.asarray(t)).ravel().tolist()], dtype=float)
         last = self.scene.last_time
         outside = times[~((times >= 0) & (times <= last * (1 + _SHORTEST)))].tolist()
         grid, places = np.unique(np.append(np.clip(times, 0.0, last), 0.0), return_inverse=True)
@@ -78,6 +81,10 @@ class ExactRows(Motion):
         if outside or len(found.t) < len(grid):
             raise InputError(say("fault.D026", time=[*outside, float(grid[-1])][0], last=last))
         return exact_rows(self.scene, found, places.ravel()[:-1])
+
+
+def _time(given: Any) -> float:
+    return number_of_seconds(seconds(given), "time")
 
 
 def exact_rows(scene: Scene, motion: Motion, places: NDArray[np.intp] | None = None) -> ExactRows:

@@ -64,7 +64,7 @@ export type Told =
 export interface Joint { joint: string; at: [number, number]; mm: number; svg: SVGSVGElement; ring: SVGCircleElement }
 /** A joint while it is dragged: the sheet as it was when the hand took it. */
 export interface Held {
-  name: string; origin: number[]; mm: number; box: number[]; width: number; height: number; moved: boolean; released: boolean;
+  name: string; origin: number[]; mm: number; box: number[]; width: number; height: number; moved: boolean;
   matrix: DOMMatrix;
 }
 /** A fault where it is in the editor now. */

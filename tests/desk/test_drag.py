@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import re
 
 import pytest
@@ -78,6 +79,25 @@ def test_a_closed_chain_stays_closed(client, name, joint, free):
     found = drag(client, text, joint, 0.05 * size, free=free)
     run = solve(parse_variant(found["text"]))  # raises where it does not close
     assert run.scene.stop is None or found["text"] != text
+
+
+# A Whitworth quick return: the pin A of the crank slides along the rod from C.
+SLOT = mechanism("slotted-lever", ('start = "68.19859051363818 deg"', 'start = "68.1986 deg"'), (
+    "\n[time]", '\ns = { start = "0.269258 m", rate = "u" }\n[time]',
+), ('"(A - D).x*sin(th) - (A - D).y*cos(th)"', '"A.x - D.x - s*cos(th)", "A.y - D.y - s*sin(th)"'))  # fmt: skip
+
+
+def test_what_a_closure_holds_follows_the_crank(client):
+    hand = -0.18 + 0.06j
+    found = drag(client, SLOT, "A", hand)
+    assert (found["near"], found["sentence"]) == (True, None)
+    crank, lever, slide = (one.start_or_guess for one in parse_variant(found["text"]).coordinates)
+    pin = cmath.rect(0.1, crank)
+    assert abs(pin - (0.1 + hand)) < 1e-3
+    assert abs(pin + 0.25j - cmath.rect(slide, lever)) < 2e-6  # the rounding of the written values; it was 0.1
+    assert 0 < lever < cmath.pi  # not a turn more, nor the slide below zero
+    radial = drag(client, SLOT, "A", 0.05)
+    assert (radial["text"], radial["ranges"], "No start that closes" in radial["sentence"]) == (SLOT, [], True)
 
 
 def test_what_cannot_be_reached_is_shown_as_the_nearest_that_can(client):

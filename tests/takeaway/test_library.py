@@ -28,6 +28,7 @@ WRONG = [
     (lambda: coursework.solve("31").exact.at(0.481), "outside the motion"),
     (lambda: coursework.solve("31").exact.at(-0.001), "outside the motion"),
     (lambda: coursework.solve("31").exact.at(0.48 * (1 + 1.1e-9)), "outside the motion"),
+    (lambda: coursework.solve("31").exact.at("50 kg"), "the time must be a number of seconds"),
     (lambda: coursework.load("31").with_data({"R1": 1.0}), 'mean "r1"'),
     (lambda: coursework.load("31").unit_of("nope"), "no column"),
     (lambda: coursework.load("31").with_data({"r1": -0.953}), "above zero"),
@@ -45,6 +46,17 @@ def test_a_slip_is_a_sentence(slip, told):
     with pytest.raises(coursework.InputError, match=told) as caught:
         slip()
     assert isinstance(caught.value, ValueError)
+
+
+def test_a_time_with_a_unit_and_a_point_that_is_not_there():
+    run = coursework.solve("31")
+    assert run.exact.at(["50 ms", 0.05, "0.05"]).t.tolist() == [0.05] * 3
+    for points in (run.points, run.exact.points):
+        with pytest.raises(KeyError, match=r"no point 'Q'.* Points: .*B.*M"):
+            points["Q"]
+        with pytest.raises(KeyError, match="speed"):
+            points["B", "speed", "x"]
+        assert points["B"].velocity.shape[1] == 2
 
 
 @pytest.mark.parametrize("take", [coursework.solve, coursework.feasible, coursework.compile_model, coursework.exact])

@@ -18,7 +18,8 @@ from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
 from coursework.motion.integration.motion import AT_EVENT, Motion
-from coursework.motion.schemes import SEMI_IMPLICIT, Scheme, scheme_of, title_of
+from coursework.motion.schemes import DEFAULT_SCHEME, SEMI_IMPLICIT, Scheme, scheme_of, title_of
+from coursework.motion.settings import scheme_for
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import Words
 from coursework.scene.scene_run import SceneRun
@@ -80,6 +81,7 @@ class Program:
     title: str
     scheme: Scheme
     scheme_title: str
+    beside_exact: bool  # the rows are Euler's, where a plain run has the exact motion
     data: tuple[Datum, ...]
     start: tuple[Datum, ...]
     step: float
@@ -128,7 +130,7 @@ def program_of(context: PageContext) -> Program:
     states = [(private(one.name), one.unit) for one in variant.coordinates]
     states += [(name, variant.unit_of(public(name, ()))) for name in found.states]
     start = zip(states, (*scene.start, *found.start), strict=True)
-    units = {private(one.name): one.si for one in found.variant.given}
+    units = {private(one.name): one.shown_si for one in found.variant.given}
     limits = tuple(
         Limit(one.middle.time, AT_EVENT * one.middle.time, tuple(one.middle.velocities[name] for name in variant.velocities))
         for one in scene.search.passages
@@ -137,6 +139,7 @@ def program_of(context: PageContext) -> Program:
     title = context.words("listing.title", name=variant.name, title=context.variant.title)
     return Program(
         title, scheme, context.words.written(title_of(scheme)),
+        scheme is DEFAULT_SCHEME and scheme_for(variant) == EXACT,
         tuple(Datum(name, found.numbers[name], context.words.unit(units.get(name, "s"))) for name in found.data),
         tuple(Datum(name, value, context.words.unit(unit)) for (name, unit), value in start),
         motion.step, len(motion.t), found.known, blocks, found.outs, scene.equations.tables,

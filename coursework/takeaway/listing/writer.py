@@ -99,7 +99,8 @@ class Writer:
 
     def head(self) -> list[str]:
         """Return the first lines: the title and the scheme."""
-        return [self.comment(self.program.title), self.say("scheme", title=self.program.scheme_title)]
+        beside = [self.say("beside_exact")] if self.program.beside_exact else []
+        return [self.comment(self.program.title), self.say("scheme", title=self.program.scheme_title), *beside]
 
     def sets(self, name: str, value: str) -> str:
         """Return an assignment."""

@@ -107,7 +107,8 @@ def _sheets(book: Book, names: tuple[str, ...]) -> dict[str, Any]:
 def _readme(book: Book, sheet: Any) -> None:
     """Write explanations of where each formula comes from."""
     sheet.write_string(0, 0, plain(book.context.variant.title), book.bold)
-    title, is_other = book.context.told(book.run.scheme_title), book.run.motion.scheme != DEFAULT_SCHEME.name
+    motion = book.run.scene.scheme_rows or book.run.motion  # beside an exact table the sheet has the rows of Euler
+    title, is_other = book.context.told(book.run.scheme_title), motion.scheme != DEFAULT_SCHEME.name
     for row, key in enumerate(README if book.run.variant.motor is None else FORCED, start=2):
         text = book.say(f"readme.{'slopes' if key == 'steps' and is_other else key}", scheme=title)
         letters = sum(1 + (ord(letter) > _WIDE) for letter in text)

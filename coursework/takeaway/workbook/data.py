@@ -95,7 +95,7 @@ def _data(book: Book, names: Mapping[str, str]) -> Iterator[_Line]:
     for given in book.context.variant.given:
         meaning = own[given.name] or book.context.words.written(told[given.name])
         written = f"{given.text} {given.unit}".strip()
-        yield _Line(_symbol(book, given.name), meaning, given.value, _unit(book, given.si), written, names[given.name])
+        yield _Line(_symbol(book, given.name), meaning, given.value, _unit(book, given.shown_si), written, names[given.name])
 
 
 def _starts(book: Book, names: Mapping[str, str], formulas: dict[str, tuple[str, str]]) -> Iterator[_Line]:

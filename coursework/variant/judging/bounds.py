@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator
 from contextlib import suppress
 
+from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.record.variant import MAX_NUMBERS, MAX_ROWS, MOST_PERIODS, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -39,8 +40,8 @@ def refuse_unbounded(variant: Variant) -> None:
 
 def timed(variant: Variant, step: float | None, end: float | str | None) -> Variant:
     """Return the variant with another step and end (s).  Raises `InputError` for times that give no table."""
-    h = _number(step, "step") if step is not None else variant.time.step
-    last = _number(end, "end") if end is not None else variant.time.end
+    h = number_of_seconds(step, "step") if step is not None else variant.time.step
+    last = number_of_seconds(end, "end") if end is not None else variant.time.end
     if not (math.isfinite(h) and h > 0):
         raise InputError(say("fault.C008", h=h))
     if not math.isfinite(last):
@@ -52,7 +53,19 @@ def timed(variant: Variant, step: float | None, end: float | str | None) -> Vari
     return variant.timed(h, last)
 
 
-def _number(value: object, name: str) -> float:
+def seconds(time: float | str | None) -> float | str | None:
+    """Return a time in seconds; text that is no time is returned unchanged, so that the function that uses it reports it."""
+    if not isinstance(time, str):
+        return time
+    with suppress(UnitFault):
+        found = read(time, "s")
+        return found.value if found.si in {"s", ""} else time
+    with suppress(ValueError):  # nan and infinity become numbers, so that they are reported as such
+        return float(time)
+    return time
+
+
+def number_of_seconds(value: object, name: str) -> float:
     """Return a number of seconds.  Raises `InputError` for any other value."""
     with suppress(TypeError, ValueError):
         if not isinstance(value, bool):

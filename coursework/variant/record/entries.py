@@ -37,6 +37,11 @@ class Given:
     unit: str
     means: str = ""
 
+    @property
+    def shown_si(self) -> str:
+        """Return the SI unit beside which `value` is shown: rad/s of a speed of turning given in rpm, 1/s as it is given."""
+        return "rad/s" if self.si == "1/s" and self.unit not in {"", "1/s", "1/с"} else self.si
+
 
 @frozen
 class Law:

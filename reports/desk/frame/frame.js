@@ -52,7 +52,7 @@ addEventListener("message", ({ source, data }) => {
   else if (data.kind === "words") {
     words = data.words;
     explain();
-  } else if (data.kind === "clear") forget();
+  } else if (data.kind === "clear") joints.drop(), forget();
   else if (data.kind === "refused") explain(data.sentence);
   else if (data.kind === "page") {
     patch(data.html, data.later);

@@ -79,6 +79,7 @@ const joints = {
     const origin = [ring.cx.baseVal.value - at[0] * mm, ring.cy.baseVal.value + at[1] * mm],
       k = mm / held.mm;
     const [x = 0, y = 0, w = 0, h = 0] = held.box;
+    svg.dataset.own ??= svg.getAttribute("viewBox") ?? "";
     svg.setAttribute(
       "viewBox",
       [
@@ -91,7 +92,17 @@ const joints = {
     svg.style.width = `${held.width}px`;
     svg.style.height = `${held.height}px`;
     svg.style.overflow = "visible";
-    ring.classList.toggle("held", !held.released);
+    ring.classList.add("held");
+  },
+
+  /** The drawing as large as it fits: what was held for one hand is not kept for the next hand, nor for another text. */
+  fit() {
+    for (const svg of document.querySelectorAll("#mechanism svg[data-own]")) {
+      if (!(svg instanceof SVGSVGElement)) continue;
+      svg.setAttribute("viewBox", svg.dataset.own ?? "");
+      delete svg.dataset.own;
+      for (const set of ["width", "height", "overflow"]) svg.style.removeProperty(set);
+    }
   },
 
   /** Where a place of the window lies in the mechanism (m).
@@ -128,7 +139,6 @@ const joints = {
       width: svg.getBoundingClientRect().width,
       height: svg.getBoundingClientRect().height,
       moved: false,
-      released: false,
       matrix: matrix.inverse(),
     };
     this.focus = joint.joint;
@@ -150,7 +160,7 @@ const joints = {
   /** @param {PointerEvent} event
    * @param {boolean} last */
   move(event, last) {
-    if (!this.held || this.held.released) return this.look(event);
+    if (!this.held) return;
     event.preventDefault();
     this.follow(event.clientX, event.clientY);
     tell({
@@ -164,20 +174,15 @@ const joints = {
     if (last) this.drop();
   },
 
-  /** What cannot follow to where the hand was is where it can be; the last drawing does not jump under the hand. */
+  /** What cannot follow to where the hand was is where it can be. */
   drop() {
     if (!this.held) return;
-    this.held.released = true;
     const ring = this.find(this.held.name);
+    this.held = null;
+    this.fit();
     ring?.removeAttribute("transform");
     ring?.classList.remove("held");
     document.documentElement.classList.remove("dragging");
-  },
-
-  /** Whoever looks elsewhere gets the next drawing as large as it fits.
-   * @param {Event} event */
-  look({ target }) {
-    if (this.held?.released && !(target instanceof Element && target.closest("#mechanism"))) this.held = null;
   },
 
   /** @param {KeyboardEvent} event */
@@ -203,12 +208,11 @@ document.addEventListener("pointermove", (event) => joints.move(event, false));
 document.addEventListener("pointerup", (event) => joints.move(event, true));
 // What is broken off has no place of its own: the joint stays where it was last.
 document.addEventListener("pointercancel", () => joints.drop());
-document.documentElement.addEventListener("pointerleave", (event) => joints.look(event));
 // A finger on a joint does not move the page, whatever becomes of the drawing under it.
-document.addEventListener("touchstart", (event) => joints.held && !joints.held.released && event.preventDefault(), {
+document.addEventListener("touchstart", (event) => joints.held && event.preventDefault(), {
   passive: false,
 });
 document.addEventListener("keydown", (event) => joints.key(event));
 document.addEventListener("focusout", (event) => {
-  if ((!joints.held || joints.held.released) && document.hasFocus() && event.relatedTarget) joints.focus = "";
+  if (!joints.held && document.hasFocus() && event.relatedTarget) joints.focus = "";
 });

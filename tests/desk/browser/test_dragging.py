@@ -8,6 +8,10 @@ from typing import Any
 import pytest
 
 pytestmark = pytest.mark.browser
+SHOWN = """({ ownerSVGElement: svg }) => ({
+  box: svg.getAttribute("viewBox"), set: svg.style.width + svg.style.height + svg.style.overflow,
+  wide: parseFloat(svg.getAttribute("width")), high: parseFloat(svg.getAttribute("height")),
+})"""
 
 
 def numbers(text: str) -> dict[str, str]:
@@ -33,11 +37,15 @@ def test_a_joint_is_dragged_and_the_text_follows(desk: Callable[..., Any]) -> No
     page.mouse.down()
     for step in range(1, 4):
         page.mouse.move(x + 5 * step, y + 7 * step)
-    page.mouse.up()
     one.until(lambda: moved(before, one.text) == {"phi1", "phi2", "phi3"})
     one.rest("changed")
+    assert all(abs(frame.bounding_box()[side] - fixed[side]) < 1 for side in "xy")  # the drawing does not jump under the hand
+    page.mouse.up()
+    one.rest("changed")
+    # Once the hand is off, the figure is as large as it fits: it was the window of the sheet that had been dragged upon.
+    drawn = ring.evaluate(SHOWN)
+    assert (drawn["box"], drawn["set"]) == (f"0 0 {drawn['wide']} {drawn['high']}", "")
     assert ring.get_attribute("transform") is None  # it is where the drawing has it, not where the hand was
-    assert all(abs(frame.bounding_box()[side] - fixed[side]) < 1 for side in "xy")  # the drawing does not jump
     page.focus("#desk-text .cm-content")
     page.keyboard.press("Control+z")
     one.rest("changed")

@@ -43,6 +43,7 @@ def graded(tmp_path_factory):
     source, out = small_class(root / "in"), root / "out"
     done = grade(source, out)
     assert done.exit_code == 0, done.output
+    assert " submissions: " in done.output
     return source, out
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from coursework.grading.pages import feedback
-from coursework.words.sentences import load_phrases
+from coursework.words.sentences import load_phrases, say
 
 
 def shown(monkeypatch: pytest.MonkeyPatch, **final: Any) -> dict[str, Any]:
@@ -37,3 +37,10 @@ def test_cells_are_counted_once_in_the_reasons_or_above_the_table(
 ) -> None:
     reasons = [{**dict(zip(("part", "kind"), kind.split(), strict=True)), "text": kind} for kind in kinds]
     assert shown(monkeypatch, reasons=reasons)["counted"] is counted
+
+
+@pytest.mark.parametrize(
+    ("count", "begun"), [(0, "0 submissions: "), (1, "1 submission: "), (2, "2 submissions: "), (21, "21 submissions: ")]
+)
+def test_one_submission_is_no_plural(count: int, begun: str) -> None:
+    assert str(say("screen.submissions", count=count, told="x", fresh=count, kept=0)).startswith(begun)

@@ -51,7 +51,7 @@ def test_rrr_too_short_names_row_and_shortage() -> None:
         rrr(ORIGIN, row_of_pins(*places), lengths=(1.0, 0.8), mode=1)
     assert str(caught.value) == (
         "RRR cannot be assembled at row 11: B and D are 1.8371 m apart, the two links reach 1.8000 m; "
-        "together they are 0.0371 m too short. So does 1 later row."
+        "together they are 0.0371 m too short. Nor can 1 later row."
     )
     assert (caught.value.row, caught.value.rows) == (11, (11, 12))
     assert caught.value.shortage == pytest.approx(places[11] - 1.8, abs=1e-15)

@@ -206,3 +206,12 @@ def test_a_step_that_was_found_is_the_advised_one_or_keeps_an_error():
 def test_what_has_no_listing_is_told(options, code):
     told = call("listing", *options)
     assert told.exit_code == 2 and code in told.stderr
+
+
+@pytest.mark.parametrize(("scheme", "said"), [(None, True), ("euler", True), ("rk4", False)])
+def test_a_listing_says_that_it_is_eulers_where_the_report_is_exact(scheme, said):
+    run = coursework.solve("whitworth", scheme=scheme, quantities=["table"])
+    heads = {language: written(run, "python", language).splitlines()[:4] for language in ("en", "ru", "uk", "zh")}
+    for language, told in {"en": "exact motion", "ru": "точное движение", "uk": "точний рух", "zh": "精确运动"}.items():
+        assert any(line.startswith("#") and told in line for line in heads[language]) is said
+    assert "exact motion" not in written(coursework.solve("31", quantities=["table"]), "python")

@@ -16,6 +16,7 @@ from tests.command import call
 from tests.equations.reduction.test_long_formulas import two_by_two
 from tests.grading.reading.documents.test_right_work import graded
 from tests.hard.scenes import scene, solve
+from tests.mechanisms.library import mechanism
 from tests.sample import sampled
 from tests.solved import solved
 from tests.takeaway.taken import taken
@@ -279,3 +280,12 @@ def test_a_tabulated_law_stands_beside_the_data_below_its_heads():
     assert heads == ["r", *(f"{of}·u^{power}" for of in ("r", "r′") for power in range(5))]
     ((place, length), (following, longer)) = coursework.load("variable-crank-table").functions[0].table[:2]
     assert (first[:2], second[:2]) == ([pytest.approx(place), length], [pytest.approx(following), pytest.approx(longer)])
+
+
+@pytest.mark.parametrize(("unit", "shown_unit"), [("60 rpm", "rad/s"), ("6.28 rad/s", "rad/s"), ("6.28 1/s", "1/s")])
+def test_a_speed_of_turning_is_in_rad_and_the_sheet_beside_an_exact_table_is_eulers(unit, shown_unit):
+    run = coursework.solve(coursework.parse_variant(mechanism("crank", w0=unit)), scheme="exact", quantities=["table"])
+    made = openpyxl.load_workbook(io.BytesIO(workbook_of(run, "en")))
+    assert [row[3].value for row in made["Data"].iter_rows() if row[4].value == unit] == [shown_unit]
+    (euler,) = [row[0].value for row in made["Read me"].iter_rows() if str(row[0].value).startswith("Euler")]
+    assert "exact" not in euler and "the step times its velocity there" in euler

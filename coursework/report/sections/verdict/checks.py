@@ -136,7 +136,8 @@ def bound(context: PageContext, check: Finding) -> str:
         return NOTHING
     is_share = isinstance(unit, Sentence) and unit.key in SHARES and value >= LEAST_SHARE
     is_tiny = isinstance(unit, Sentence) and unit.key in SHARES
-    behind = "" if is_tiny or len(context.told(unit)) > SHORT_UNIT else context.unit_beside(value, unit)
+    is_noun = isinstance(unit, Sentence) and unit.key == DIGITS_LEFT  # a bare number of digits says nothing
+    behind = "" if is_tiny or (len(context.told(unit)) > SHORT_UNIT and not is_noun) else context.unit_beside(value, unit)
     if is_share:
         shown = context.with_unit(context.numbers.plain(100 * value), "%")
     else:

@@ -14,6 +14,7 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.results.checks.result import Finding
 from coursework.words.sentences import say
+from tests.solved import solved
 
 
 def listed(real: ModuleType, run: Any) -> dict[str, Any]:
@@ -93,3 +94,10 @@ def test_an_amount_is_told_in_per_cent_or_as_a_power_and_with_a_unit_that_is_sho
 def test_an_amount_that_is_whole_but_for_the_last_digit_shown_is_whole() -> None:
     rows = say("unit.rows", number=1000)
     assert [counted(value, rows) for value in (1000.04, 999.96, 1000.06)] == [1000.0, 1000.0, 1000.06]
+
+
+@pytest.mark.parametrize(("language", "noun"), [("en", "digits"), ("ru", "верных цифр"), ("uk", "правильних цифр")])
+def test_the_limit_of_digits_has_its_noun(language: str, noun: str) -> None:
+    run = solved("31")
+    (check,) = [one for one in run.checks if one.code == "CONDITION"]
+    assert bound(PageContext(run, load_words(language)), check).replace("\xa0", " ").endswith(f"6 {noun}")
