@@ -32,7 +32,7 @@ _LINE_END = rf"(?<=[{HAN_HERE}])[ \t]*\n\s*(?=[{HAN_HERE}])"
 _UNBROKEN = rf"[^\s{HAN_HERE}-]{{25,}}"
 _SHORT = 24  # a shorter text needs no place to break in its words
 # A piece ends between a sign and the next, not inside a name or number, unless that is longer than a piece.
-_PIECE = re.compile(r"\S{12,23}?(?!(?<=[\w.,])[\w.,])|\S{1,12}")
+_PIECE = re.compile(r"\S{1,12}(?!(?<=[\w.,])[\w.,])|\S{1,12}")
 # In a stylesheet: comments, blanks around signs, leading zeros and blanks that mean nothing.
 _BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,>])\s*|(?<=:)\s+|(?<=[\s,(:])0(?=\.\d)|^\s+""", re.DOTALL | re.MULTILINE)
 INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}

@@ -126,7 +126,7 @@ def test_long_words_get_places_to_break_and_long_texts_an_end() -> None:
     assert max(len(part) for part in word.split("\u200b")) < 24
     assert word.replace("\u200b", "") == "W" * 300
     assert len(clean("x y " * 5000)) <= LONGEST
-    formula = "w1=(V1+V2)*sin(phi1-phi2)/(r1*sin(phi1+alpha_of_the_link)*0.123456)"
+    formula = "w1=(V1+V2)*sin(phi1-phi2)/(r1*sin(phi1+alpha_link)*0.123456)"
     pieces = clean(formula).split("\u200b")
     assert len(pieces) > 2 and not any(re.search(r"[\w.]$", one) and re.match(r"[\w.]", two) for one, two in pairwise(pieces))
     assert clean(formula, breaks=False) == formula
