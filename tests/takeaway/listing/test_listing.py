@@ -212,6 +212,6 @@ def test_what_has_no_listing_is_told(options, code):
 def test_a_listing_says_that_it_is_eulers_where_the_report_is_exact(scheme, said):
     run = coursework.solve("whitworth", scheme=scheme, quantities=["table"])
     heads = {language: written(run, "python", language).splitlines()[:4] for language in ("en", "ru", "uk", "zh")}
-    for language, told in {"en": "exact motion", "ru": "точное движение", "uk": "точний рух", "zh": "精确运动"}.items():
+    for language, told in {"en": "exact motion", "ru": "точное движение", "uk": "точний рух", "zh": "精确解"}.items():
         assert any(line.startswith("#") and told in line for line in heads[language]) is said
     assert "exact motion" not in written(coursework.solve("31", quantities=["table"]), "python")
