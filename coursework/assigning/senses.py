@@ -9,7 +9,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
 from fractions import Fraction
 
 from coursework.assigning.handout import Handout
@@ -22,7 +21,7 @@ from coursework.report.text.numbers import POINT
 from coursework.report.text.parts import Runs
 from coursework.report.text.words import Words
 from coursework.variant.formula.made import part_of_pi, summed
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, signed
+from coursework.variant.formula.tree import Formula, evaluate, named, signed, with_points
 from coursework.variant.record.entries import Binding, Coordinate
 from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
@@ -55,10 +54,7 @@ def _values(handout: Handout) -> dict[str, complex]:
     variant = handout.variant
     names = [coordinate.name for coordinate in variant.coordinates]
     values: dict[str, complex] = {**variant.values, "pi": math.pi, **dict(zip(names, handout.start, strict=True))}
-    for name, formula in handout.scene.mechanism.points:
-        with suppress(KeyError, FormulaFault):
-            values[name] = evaluate_any(formula, values)
-    return values
+    return with_points(values, handout.scene.mechanism.points)
 
 
 def _angle(variant: Variant, one: Coordinate, turn: Turn | None, words: Words) -> tuple[str, str, str]:

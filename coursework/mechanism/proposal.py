@@ -10,11 +10,10 @@ import cmath
 import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
 from itertools import chain, count, permutations
 
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, spelled
+from coursework.variant.formula.tree import Formula, evaluate, named, spelled, with_points
 from coursework.variant.reading.implied_closure import across_rail, stays
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Link, Variant
@@ -82,8 +81,10 @@ class Arm:
 
 def loose_arms(variant: Variant, start: Sequence[float]) -> list[Arm]:
     """Return two points of each link that nothing ties, and the datum and the coordinate by which the start (m,) does so."""
-    poses = [_points(variant, [value + shift for value in start]) for shift in (0.0, _SHIFT)]
     values = dict(zip((one.name for one in variant.coordinates), start, strict=True))
+    known = {**variant.values, "pi": math.pi}
+    moved = ({name: value + shift for name, value in values.items()} for shift in (0.0, _SHIFT))
+    poses = [with_points({**known, **position}, variant.points) for position in moved]
     turning = {one.rate: one.name for one in variant.coordinates if one.unit == "rad"}
     found: dict[str, Arm] = {}
     for link in variant.links:
@@ -96,17 +97,6 @@ def loose_arms(variant: Variant, start: Sequence[float]) -> list[Arm]:
             if abs(now - beside) <= _NEAR * abs(now) and abs(abs(then) - abs(now)) > _NEAR * abs(now) and len(lengths) == 1:
                 found.setdefault(link.name, Arm(link.name, begin, end, lengths[0], angle))
     return [*found.values()]
-
-
-def _points(variant: Variant, coordinates: Sequence[float]) -> dict[str, complex]:
-    """Return the points (x + iy, m) that follow from data and coordinates (m,)."""
-    place: dict[str, complex] = {**variant.values, "pi": math.pi}
-    place |= zip((one.name for one in variant.coordinates), coordinates, strict=True)
-    points: dict[str, complex] = {}
-    for name, formula in variant.points:
-        with suppress(FormulaFault, KeyError):  # a law of time has no value here
-            points[name] = place[name] = evaluate_any(formula, place)
-    return points
 
 
 def _of_link(variant: Variant, name: str) -> Sentence:

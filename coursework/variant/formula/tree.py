@@ -9,7 +9,8 @@ from __future__ import annotations
 import cmath
 import math
 import operator
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import field
 from fractions import Fraction
 from functools import lru_cache
@@ -230,6 +231,15 @@ def evaluate_any(tree: Formula, values: Mapping[str, complex]) -> complex:
     if not cmath.isfinite(value):
         raise FormulaFault(tree.column or 1, say("fault.V132"))
     return value
+
+
+def with_points(values: Mapping[str, complex], points: Iterable[tuple[str, Formula]]) -> dict[str, complex]:
+    """Return values with those of points (x + iy) that have one by them; a law of time has none, nor what depends on it."""
+    found = {**values}
+    for name, formula in points:
+        with suppress(FormulaFault, KeyError):
+            found[name] = evaluate_any(formula, found)
+    return found
 
 
 def _evaluate(tree: Formula, values: Mapping[str, Any]) -> Any:

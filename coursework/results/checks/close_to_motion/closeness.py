@@ -33,14 +33,8 @@ def accuracy(evidence: Evidence) -> Finding:
     shares = np.abs(evidence.errors)
     row, place = worst(shares)
     name, value = names[place], float(shares[row, place])
-    found = evidence.say(
-        "check.ACCURACY.found",
-        share=percent(value, LIMIT),
-        name=name,
-        row=row + 1,
-        scale=evidence.scale[name],
-        unit=evidence.unit(name),
-    )
+    known = {"name": name, "row": row + 1, "scale": evidence.scale[name], "unit": evidence.unit(name)}
+    found = evidence.say("check.ACCURACY.found", share=percent(value, LIMIT), **known)
     lines = tuple(
         (evidence.say("check.largest", name=name), float(size), unit)
         for name, size in zip(names, np.max(shares, axis=0), strict=True)
