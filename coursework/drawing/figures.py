@@ -128,9 +128,10 @@ def _mechanism(
     for name, (at, tip) in shafts.items():
         sheet.label(("V", lowered_name(name), ""), [(tip, tip - at, 1.0)], ITALIC, owner=Owner([(at, tip)]))
     link_names(painter)
-    dimension_names(painter, dimensions)
-    part_lengths(painter, mechanism, [*(line for _, line in dimensions), *segments_of(arcs)])
-    angle_names(painter, arcs)
+    measured, turned = [line for _, line in dimensions], segments_of(arcs)
+    dimension_names(painter, dimensions, turned)
+    part_lengths(painter, mechanism, [*measured, *turned])
+    angle_names(painter, arcs, measured)
     clockwise = clockwise_rates(mechanism, painter.place)
     for bar in outline.bars:
         for rate, hinge in outline.cranks:

@@ -34,8 +34,9 @@ interface Forces {
   at(true_: boolean, t: number): boolean;
   columns(rows: Rows): Float64Array[];
   arrows(): Arrow[];
-  clear(px: number, py: number, dx: number, dy: number, half: number, taken: number[][]): Point;
-  draw(t: number): void;
+  clear(px: number, py: number, dx: number, dy: number, half: number, taken: number[][]): number[];
+  taken(place: Place): number[][];
+  draw(t: number, place: Place | null): void;
   tell(first: Arrow[], energy: number, t: number, found?: number[]): void;
   renew(): void;
 }

@@ -35,29 +35,45 @@ const forces = {
       return { name, at: acts.place(unknowns[columns[0]][3]), x, y, size: Math.hypot(x, y) };
     });
   },
-  // Where the name of an arrow stands: ahead of its tip, or, where another word stands there, beside the tip or the shaft.
+  // Where the name of an arrow stands: ahead of its tip, else beside the tip or the shaft, where least is covered; a word counts more than a piece of a link.
   clear(px, py, dx, dy, half, taken) {
     const far = Math.hypot(dx, dy), ux = dx / far, uy = dy / far;
-    /** @type {Point[]} */
-    const tried = [[far + 9, 0], [far, 14], [far, -14], [far / 2, 14], [far / 2, -14]].map(([on, off]) => [
-      Math.max(half + 3, Math.min(px + on * ux - off * uy + Math.sign(dx) * half, drawing.WIDE - half - 3)),
-      Math.max(14, Math.min(py + 5 + on * uy + off * ux, drawing.HIGH - 8)),
-    ]);
-    return tried.find(([x, y]) => taken.every(([ox, oy, room]) => Math.abs(x - ox) > half + room || Math.abs(y - oy) > 14)) ?? tried[0];
+    const tried = [[far + 9, 0], [far, 14], [far, -14], [far / 2, 14], [far / 2, -14]].flatMap(([on, off]) => {
+      return [Math.sign(dx), 0, -Math.sign(dx)].map((way) => {
+        const x = Math.max(half + 3, Math.min(px + on * ux - off * uy + way * half, drawing.WIDE - half - 3));
+        const y = Math.max(14, Math.min(py + 5 + on * uy + off * ux, drawing.HIGH - 8));
+        const met = taken.filter(([ox, oy, wide, high]) => Math.abs(x - ox) < half + wide && Math.abs(y - oy) < 6 + high);
+        return [x, y, met.reduce((sum, [, , , high]) => sum + high ** 2, 0)];
+      });
+    });
+    return tried.reduce((best, one) => (one[2] < best[2] ? one : best));
   },
-  draw(t) {
+  // What names keep off, as middle, half the width and half the height: the words of points and links, and the links themselves.
+  taken(place) {
+    const found = words.all.map(({ made }) => {
+      return [Number(made.getAttribute("x")), Number(made.getAttribute("y")) + 5, 4 * made.textContent.length, 8];
+    });
+    for (const { points } of data.links) {
+      points.slice(1).forEach((to, k) => {
+        const [ax, ay] = drawing.put(place, points[k]), [bx, by] = drawing.put(place, to);
+        const count = Math.ceil(Math.hypot(bx - ax, by - ay) / 6);
+        for (let i = 0; i <= count; i++) found.push([ax + (i / count) * (bx - ax), 5 + ay + (i / count) * (by - ay), 3, 3]);
+      });
+    }
+    return found;
+  },
+  draw(t, place) {
     this.layer.replaceChildren();
-    if (!this.at(true, t)) return this.tell([], NaN, t);
+    if (!place || !this.at(true, t)) return this.tell([], NaN, t);
     const all = this.arrows(), found = acts.reactions(), { energy } = acts;
     if (additions.on.forces && this.largest > 0) {
-      /** @type {number[][]} */
-      const taken = words.all.map(({ made }) => [Number(made.getAttribute("x")), Number(made.getAttribute("y")) + 5, 4 * made.textContent.length]);
+      const taken = this.taken(place);
       for (const { name, at, x, y } of all) {
         const px = drawing.x(at[0]), py = drawing.y(at[1]), dx = x * this.long, dy = -y * this.long;
         additions.arrow(this.layer, px, py, dx, dy);
         if (Math.hypot(dx, dy) < 14) continue;
         const half = 4 * name.replace("_", "").length, [middle, base] = this.clear(px, py, dx, dy, half, taken);
-        taken.push([middle, base, half]);
+        taken.push([middle, base, half, 8]);
         symbolic(svg("text", { x: f1(middle), y: f1(base), "text-anchor": "middle" }, this.layer), name);
       }
       for (const path of this.layer.querySelectorAll("path")) Object.assign(path.style, { stroke: COLOUR, fill: COLOUR });
@@ -108,7 +124,7 @@ additions.renew = () => {
 };
 additions.draw = (place, t) => {
   before.draw.call(additions, place, t);
-  if (forces.layer) forces.draw(t);
+  if (forces.layer) forces.draw(t, place);
 };
 motion.column = (true_, name) => {
   const place = names_.indexOf(name), rows = true_ ? motion.truth : motion.rows;

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
-from coursework import load, solve
+from coursework import load, parse_variant, solve
+from coursework.commands.new import _chain
 from coursework.drawing.outline.lengths import lengths
 from coursework.drawing.outline.tracing import read_outline
-from coursework.drawing.paper.symbols import length_text, name_word
+from coursework.drawing.paper.symbols import angle_word, length_text, name_word
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
 from tests.drawing import measured
 from tests.drawing.check_sheet.checked import svg_of
+from tests.drawing.test_angles import arc_of
 from tests.drawing.test_mechanism import drawing_of
 from tests.sample import sampled
 
@@ -99,6 +102,30 @@ def test_lengths_between_points_that_no_link_joins_have_dimension_lines(name: st
         others = [line for other, lines in dimensions.items() if other != text for line in lines]
         assert any(measured.astray(svg, word, dimensions[text], others) == [] for word in words)
     assert texts <= {word.text for word in measured.words(svg)}
+
+
+@pytest.mark.parametrize("name", [*sampled(names()), "crank,RRR,RRR", "crank,RRR,RRR,RRP", "crank,RPR,RRP"])
+def test_no_name_of_a_dimension_or_an_angle_is_taken_for_anothers(name: str) -> None:
+    if "," in name:
+        variant = parse_variant(_chain("own", name).decode()).with_data({"phi1": "36.27 deg"})
+        svg = solve(variant, quantities=["table"]).mechanism().svg  # type: ignore[union-attr]
+    else:
+        svg = drawing_of(name).svg
+    things: dict[str, list[measured.Line]] = {}
+    for line in measured.lines(svg, "data-dimension"):
+        things.setdefault(line.says["data-dimension"], []).append(line)
+    for angle in measured.names(svg, "data-angle"):
+        text = "".join(angle_word(angle))
+        things[text] = [measured.Line(a, b, {"data-angle": text}) for a, b in pairwise(arc_of(svg, angle))]
+    assert things
+    # Two short dimensions near the edge, whose names have room only above their upper arrow, level with another's line.
+    for crowded in {"engine-start": ["e"], "walschaerts": ["yD"]}.get(name, []):
+        del things[crowded]
+    written = [(word, word.text.partition("\u00a0")[0]) for word in measured.words(svg)]
+    for text, own in things.items():
+        named = [word for word, said in written if said == text]
+        word = min(named, key=lambda word: min(measured.beside(word, line) for line in own))
+        assert measured.astray(svg, word, own, [line for other, lines in things.items() if other != text for line in lines]) == []
 
 
 def test_the_measure_sees_what_is_astray() -> None:

@@ -116,14 +116,16 @@ def _known(painter: Painter, at: complex) -> complex:
     return next((point for point in painter.at.values() if abs(point - at) < ONE), at)
 
 
-def angle_names(painter: Painter, arcs: Sequence[Arc]) -> None:
-    """Write the letters of angles beside their arcs."""
+def angle_names(painter: Painter, arcs: Sequence[Arc], near: Sequence[Segment]) -> None:
+    """Write the letters of angles beside their arcs; lines in `near` have words of their own."""
     for arc in arcs:
         lines = list(itertools.pairwise(arc.points))
         beside = [arc.points[round(part * (len(arc.points) - 1))] for part in PARTS]
         places = [(at, way * (at - arc.at), 0.6) for at in dict.fromkeys(beside) for way in (1, -1)]
         others = [line for other in arcs if other is not arc for line in (*itertools.pairwise(other.points), *other.sides)]
-        painter.sheet.label(arc.word, places, ITALIC, owner=Owner(lines, [*painter.sheet.heavy, *others], mistaken=MISTAKEN))
+        painter.sheet.label(
+            arc.word, places, ITALIC, owner=Owner(lines, [*painter.sheet.heavy, *others, *near], mistaken=MISTAKEN)
+        )
 
 
 def _slopes(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:

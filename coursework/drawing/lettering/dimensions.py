@@ -68,11 +68,11 @@ def draw_dimensions(painter: Painter, mechanism: Mechanism, marks: Sequence[str]
     return found
 
 
-def dimension_names(painter: Painter, drawn: list[tuple[Word, Segment]]) -> None:
-    """Write the words of dimension lines beside them."""
+def dimension_names(painter: Painter, drawn: list[tuple[Word, Segment]], near: Sequence[Segment]) -> None:
+    """Write the words of dimension lines beside them; lines in `near` have words of their own."""
     for word, line in drawn:
         rivals = [heavy for heavy in painter.sheet.heavy if not lies_on(heavy, line)]
-        rivals += [other for _, other in drawn if other != line]
+        rivals += [*(other for _, other in drawn if other != line), *near]
         places = [*beside(painter, line, 0.6, towards=-1)]
         painter.sheet.label(word, places, ITALIC, owner=Owner([line], rivals))
 

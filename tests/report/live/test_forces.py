@@ -46,6 +46,25 @@ OUTSIDE = """
   return found; }
 """
 
+COVERED = """
+() => { const [scrub, body] = ['#scrub', '.live-body path'].map((which) => document.querySelector(which)), found = [];
+  for (let row = 0; row <= scrub.max; row++) {
+    scrub.value = row;
+    scrub.dispatchEvent(new Event('input'));
+    const parts = [...body.getAttribute('d').matchAll(/M([^M]*)/g)];
+    const ways = parts.map(([, way]) => way.split('L').map((at) => at.split(' ').map(Number)));
+    const lines = ways.filter((way) => way.length > 1 && way.flat().every(isFinite)); // links; wheels and blocks are closed
+    for (const one of document.querySelectorAll('.live-arrows text')) {
+      const { x, y, width, height } = one.getBBox();
+      const inside = ([px, py]) => px > x && px < x + width && py > y + 0.2 * height && py < y + 0.8 * height;
+      const between = (a, b, part) => [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
+      const on = (a, b) => Array.from({ length: 101 }, (_, k) => between(a, b, k / 100)).some(inside);
+      if (lines.some((way) => way.slice(1).some((to, k) => on(way[k], to)))) found.push([row, one.textContent]);
+    }
+  }
+  return found; }
+"""
+
 
 @pytest.fixture(scope="module")
 def engine(browser: Any) -> Any:
@@ -150,6 +169,14 @@ def test_reactions_are_arrows_and_both_drives_are_told(written: Any, opened: Any
     assert {"E", "FMx", "FMy"} <= set(page.page.eval_on_selector_all("[data-panel]", "all => all.map(one => one.dataset.panel)"))
     assert page.page.evaluate("document.documentElement.scrollWidth") <= 390
     assert page.said == []
+
+
+@pytest.mark.browser
+def test_names_of_reactions_keep_off_the_links(written: Any, opened: Any) -> None:
+    page = opened(written("example-2-motor"))
+    page.page.click("#live-velocities")  # what is drawn is drawn anew
+    assert page.page.locator(".live-arrows text").count() > 0
+    assert page.page.evaluate(COVERED) == []
 
 
 @pytest.mark.parametrize("name", ["31-forces", "example-2-motor", "whitworth-forces", "andrews-forces", "free 31"])
