@@ -86,6 +86,8 @@ const patch = (html, later) => {
     const place = document.getElementById("report-style");
     if (place) place.textContent = text;
   }
+  // In another language nothing stays, not even what waits to be looked at.
+  const spoken = document.documentElement.lang === page.documentElement.lang;
   document.documentElement.lang = page.documentElement.lang;
   document.title = page.title;
   // The script reaches into all parts: where it changed none of them stays.
@@ -103,7 +105,7 @@ const patch = (html, later) => {
     const waits = later.includes(name);
     sources.set(name, waits ? "" : source);
     let old = standing.get(name);
-    if (!old || (!waits && (alive || before.get(name) !== source))) {
+    if (!old || !spoken || (!waits && (alive || before.get(name) !== source))) {
       made.push(name);
       const fresh = document.importNode(element, true);
       if (old?.parentElement === parent) old.replaceWith(fresh);
