@@ -103,6 +103,8 @@ def test_what_swings_and_what_turns_with_a_crank_is_said_of_the_data():
     assert str(found["gamma4"]) == "angle from CD to DF"
 
 
-def test_the_title_of_a_new_chain_does_not_repeat_its_name():
+def test_a_new_chain_is_headed_by_its_name_alone_in_every_language():
     file_of("lever")
-    assert coursework.load("mine.toml").title == "crank, RPR"
+    for language, headed in (("en", "Variant mine"), ("ru", "Вариант mine")):
+        call("run", "mine", "--format", "html", "--out", "page", "--language", language)
+        assert f">{headed}</h1>" in Path("page/report.html").read_text(encoding="utf-8")

@@ -16,6 +16,7 @@ from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import derivative, private
 from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.symbolic import local, symbol
+from coursework.equations.reduction.textbook.cramer import Cramer, cramer
 from coursework.equations.reduction.tidying.tidy import as_formula
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import AT_EVENT
@@ -192,8 +193,9 @@ class _Writer(Maker):
         stages = [Stage(self, 0, places, motion.t, motion.coordinates)]
         stages[0].write(range(len(self.rates.blocks)))
         table.text = stages[0].elsewhere
+        pairs = cramer(self.equations, self.reduction, [bool(solution) for solution in self.scene.solutions])
         for index, block in enumerate(self.rates.blocks):
-            self._determinant(stages[0], block, index)
+            self._determinant(stages[0], block, motion.determinants[:, index], pairs[block])
         positions = [[places[name] for name in self.rates.coordinates]]
         found = [slopes[:-1]]
         for stage in range(1, self.scheme.slopes if steps > 1 else 1):
@@ -232,12 +234,13 @@ class _Writer(Maker):
         found.append(made.velocities[:, : len(self.rates.coordinates)])
         return made
 
-    def _determinant(self, stage: Stage, block: int, index: int) -> None:
-        own, table = self.reduction.blocks[block], self.table
-        head, values = f"D{block + 1}", table.motion.determinants[:, index]
+    def _determinant(self, stage: Stage, block: int, values: Array, pair: Cramer | None) -> None:
+        """Write a determinant, of a pair of velocities with the sign of the page."""
+        own, table, head = self.reduction.blocks[block], self.table, f"D{block + 1}"
         if block in stage.matrices:
             table.solved[len(table.columns)] = (stage.matrices[block], own.size)
             table.add(Column(head, "", values))
         else:
             assert own.determinant is not None
-            table.add(Column(head, stage.text(own.determinant), values))
+            shown, sign = (own.determinant, 1) if pair is None else (pair.determinant, pair.sign)
+            table.add(Column(head, stage.text(shown), sign * values))

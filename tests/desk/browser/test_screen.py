@@ -66,12 +66,15 @@ HEADINGS = "[...document.querySelectorAll('h2')].map((one) => one.textContent)"
 CUT = """[...document.querySelectorAll("#desk-bar select, #desk-bar input")].filter((one) => {
     const { font, paddingLeft, paddingRight } = getComputedStyle(one), pen = document.createElement("canvas").getContext("2d");
     pen.font = font;
-    const arrow = one.matches("select") ? 20 : 0, room = one.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight) - arrow;
+    const arrow = one.matches("select") ? 20 : 0;
+    const room = one.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight) - arrow;
     return pen.measureText(arrow ? one.selectedOptions[0].text : one.placeholder).width > room;
 }).map((one) => one.id)"""
 
 
-@pytest.mark.parametrize("language", [pytest.param("uk", marks=pytest.mark.long), "ru", pytest.param("zh", marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    "language", [pytest.param("uk", marks=pytest.mark.long), "ru", pytest.param("zh", marks=pytest.mark.long)]
+)
 def test_another_language_keeps_the_text_and_its_undo(language: str, desk: Callable[..., Any]) -> None:
     one = looked_at(desk)
     before = one.text

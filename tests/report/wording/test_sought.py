@@ -88,7 +88,7 @@ def test_what_drifts_is_told_as_the_student_writes_it(real: ModuleType) -> None:
     assert finding.sentence.startswith("E.y - A.y - r2*sin(phi2) is ")
     shown = real.text_of(real.parts(run, "checks"))
     assert "xE − xA − r2·cos\u202fφ2: largest" in shown
-    assert "hold 1" not in shown
+    assert "1 of [closure]" not in shown
 
 
 @pytest.mark.parametrize(("name", "told"), [("example-5", True), ("example-4", False)])

@@ -289,3 +289,11 @@ def test_a_speed_of_turning_is_in_rad_and_the_sheet_beside_an_exact_table_is_eul
     assert [row[3].value for row in made["Data"].iter_rows() if row[4].value == unit] == [shown_unit]
     (euler,) = [row[0].value for row in made["Read me"].iter_rows() if str(row[0].value).startswith("Euler")]
     assert "exact" not in euler and "the step times its velocity there" in euler
+
+
+def test_the_determinant_of_a_pair_has_the_sign_of_the_page():
+    """The page of variant 31 shows Δ = r1·r2·sin(φ1 − φ2) and divides by it."""
+    sheet = shown(book("31"))["Euler"]
+    heads = {cell.value: cell.column for cell in sheet[1]}
+    phi1, phi2, found = (sheet.cell(2, heads[name]).value for name in ("phi1", "phi2", "D3"))
+    assert found == pytest.approx(0.953 * 0.847 * np.sin(phi1 - phi2), rel=1e-12)

@@ -1,6 +1,7 @@
 """A block of two velocities solved by Cramer's rule, with every determinant shown.
 
-Enters: `VelocityEquations` and their `Reduction`.  Leaves: `Cramer`, in formulas.  Used by `solution.py` and `commands/check.py`.
+Enters: `VelocityEquations` and their `Reduction`.  Leaves: `Cramer`, in formulas.  Used by `solution.py`, `columns.py`
+and `commands/check.py`.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ class Cramer:
     """`coefficients` of the `unknowns` and `right_sides` of both equations; `determinant`; `numerators`, one per unknown.
 
     `put_in` names earlier velocities that were replaced by their formulas, because this makes the right sides shorter.
+    `sign` times the determinant of the block is the one here.
     """
 
     unknowns: tuple[str, str]
@@ -32,6 +34,7 @@ class Cramer:
     determinant: Formula
     numerators: tuple[Formula, Formula]
     put_in: tuple[str, ...]
+    sign: int
 
 
 def cramer(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[bool]) -> tuple[Cramer | None, ...]:
@@ -81,6 +84,7 @@ def _of_two(block: Block, before: dict[str, Expression], order: Order) -> Cramer
         determinant,
         (_factored(numerators[0], order), _factored(numerators[1], order)),
         tuple(known) if shorter else (),
+        signs[0] * signs[1],
     )
 
 

@@ -106,7 +106,9 @@ def test_positions_that_the_drive_cannot_keep_contradict_each_other():
     """With the same combination of two coordinates in both, nothing is left for the drive to move."""
     held = '["R*psi2 - l*phi3", "(R0 - R)*phi1 + R*psi2 - l*phi3"]'
     text = mechanism("epicyclic", ('["(R0 - R)*phi1 + R*psi2", "S.y"]', held), rails=None)
-    with pytest.raises(coursework.InputError, match=r"V320 .*hold 1 and hold 2 .* contradict each other: no velocities satisfy"):
+    with pytest.raises(
+        coursework.InputError, match=r"V320 .*1 of \[closure\] and 2 of .* contradict each other: no velocities satisfy"
+    ):
         confirmed(text)
 
 
