@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 import coursework
+from coursework.desk.answering.mends import mends_of
 from coursework.words.data_folders import folder
 from tests.mechanisms.library import mechanism
 from tests.report.own import SHAPER
@@ -89,3 +92,21 @@ def test_one_velocity_that_two_equations_contradict_is_told_in_the_singular() ->
     text = mechanism("four-bar-loop", ('w1 = "n"', 'w1 = "n"\nw2 = "n"'))
     with pytest.raises(coursework.InputError, match=r"V403 .*1 unknown velocity \(w3\) and 1 independent equation of 2\."):
         assert coursework.solve(coursework.parse_variant(text)).motion
+
+
+@pytest.mark.parametrize(
+    ("name", "point", "written"),
+    [("31", "D", '"(0, 0)"'), ("example-3", "F", '"(xF, yF)"'), ("jansen", "Y", '"(0, 0)"'), ("v105", "O", '"(xO, yO)"')],
+)
+def test_a_forgotten_pivot_is_one_fault_with_the_line_to_add(name: str, point: str, written: str) -> None:
+    right = coursework.load(name).path.read_text(encoding="utf-8")
+    wrong = re.sub(rf"(?m)^{point} += .*\n", "", right, count=1)
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.parse_variant(wrong)
+    (fault,) = caught.value.faults
+    assert str(fault.message).endswith(f"Write its place in [points]: {point} = {written}")
+    (mend,) = mends_of([fault], wrong.split("\n"))
+    assert mend is not None
+    mended = wrong.split("\n")
+    mended[mend["line"] - 1] += mend["text"]
+    assert point in dict(coursework.parse_variant("\n".join(mended)).points)

@@ -15,7 +15,7 @@ from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 
 _ADVICE, _COMMA = "hint.closest", "V106"
-_MISSING, _NOTHING_WRITTEN, _TOO_FEW = "V012", "V072", "V404"
+_MISSING, _NOTHING_WRITTEN, _TOO_FEW, _POINT = "V012", "V072", "V404", "V165"
 _BEGUN = {  # the begin of each section that no file can do without
     "coordinates": '[coordinates]\nphi1 = { start = "0 rad", rate = "w1" }',
     "time": '[time]\nstep = "0.02 s"\nend  = "0.48 s"',
@@ -48,6 +48,8 @@ def mends_of(faults: Sequence[Fault], lines: Sequence[str]) -> list[Mend | None]
 def _mend(fault: Fault, name: str | None, lines: Sequence[str], meant: Sequence[str | None]) -> Mend | None:
     if fault.code in (_MISSING, _NOTHING_WRITTEN, _TOO_FEW):
         return _beginning(fault, lines, meant)
+    if fault.code == _POINT:
+        return _into("[points]", str(fault.message.values["line"]), lines)
     if not 1 <= fault.line <= len(lines):
         return None
     line = lines[fault.line - 1]
@@ -70,6 +72,14 @@ def appended(text: str, lines: Sequence[str]) -> Mend:
     """Return the mend that adds a section at the end."""
     gap = "" if not any(lines) else "\n" if not lines[-1] else "\n\n"
     return _put(len(lines), len(lines[-1]), len(lines[-1]), f"{gap}{text}\n")
+
+
+def _into(head: str, text: str, lines: Sequence[str]) -> Mend:
+    """Return the mend that adds a line to a section, below its head, or the section at the end."""
+    for number, line in enumerate(lines, start=1):
+        if line.startswith(head):
+            return _put(number, len(line), len(line), f"\n{text}")
+    return appended(f"{head}\n{text}", lines)
 
 
 def _put(line: int, begin: int, end: int, text: str) -> Mend:

@@ -25,6 +25,7 @@ from coursework.variant.judging.whole_file import faults_of_the_whole
 from coursework.variant.reading import schema
 from coursework.variant.reading.driven_rates import with_driven_rates
 from coursework.variant.reading.implied_closure import with_implied_closure
+from coursework.variant.reading.missing_points import told_once
 from coursework.variant.reading.names import Names
 from coursework.variant.reading.parts import Parts
 from coursework.variant.reading.sections import (
@@ -115,7 +116,7 @@ def _build(source: Source, name: str, path: Path | None, judge: Judge | None = N
     parts.faults += [slip for slip in slips if slip.line not in told]
     if parts.faults:
         whole = not any(Broken(parts.broken).has(section) for section in ("coordinates", "unknowns", "ask"))
-        raise InputError([*parts.faults, *(judge(variant) if judge and whole else [])])
+        raise InputError([*told_once(parts.faults, parts.names), *(judge(variant) if judge and whole else [])])
     variant = replace(variant, times=parts.times)
     remarks = remarks_on(variant, dimensions, source, parts.grads)
     variant = with_implied_closure(with_driven_rates(variant))

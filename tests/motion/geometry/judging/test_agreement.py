@@ -107,7 +107,7 @@ def test_positions_that_the_drive_cannot_keep_contradict_each_other():
     held = '["R*psi2 - l*phi3", "(R0 - R)*phi1 + R*psi2 - l*phi3"]'
     text = mechanism("epicyclic", ('["(R0 - R)*phi1 + R*psi2", "S.y"]', held), rails=None)
     with pytest.raises(
-        coursework.InputError, match=r"V320 .*1 of \[closure\] and 2 of .* contradict each other: no velocities satisfy"
+        coursework.InputError, match=r"V320 .*no. 1 of \[closure\] and no. 2 of .* contradict each other: no velocities satisfy"
     ):
         confirmed(text)
 
