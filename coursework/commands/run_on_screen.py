@@ -33,8 +33,8 @@ def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     if run.summary:
         tell(run.summary if speaks_english() else run.named_summary)
     tell(f"{title_of(run.variant)}  ({run.variant.name})")
-    if changed := _set_values(run):
-        tell(changed)
+    for line in _set_values(run):
+        tell(line)
     tell(_how_computed(run))
     for line in (*_about_rows(run), *_first_and_last(run), *_why_stopped(run)):
         tell(line)
@@ -53,9 +53,8 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     findings = run.checks if run.asks(CHECKS) else ()
     if findings:
         tell_wrapped(run.named_summary)
-    for line in (_set_values(run), *_about_rows(run)):
-        if line:
-            tell_wrapped(line)
+    for line in (*_set_values(run), *_about_rows(run)):
+        tell_wrapped(line)
     for line in _first_and_last(run):
         tell_wrapped(line, hanging=INDENT)
     for line in _why_stopped(run):
@@ -91,9 +90,10 @@ def _how_computed(run: Run) -> Sentence:
     return say("screen.scheme_step_rows", scheme=run.scheme_title, step=run.motion.step, count=len(run.motion.t))
 
 
-def _set_values(run: Run) -> str:
+def _set_values(run: Run) -> list[str]:
     changed = run.variant.set_values
-    return say("run.set", listed=tuple(_set_value(name, value) for name, value in changed.items())) if changed else ""
+    told = say("run.set", listed=tuple(_set_value(name, value) for name, value in changed.items())) if changed else None
+    return [line for line in (told, run.scene.closed_anew) if line is not None]
 
 
 def _set_value(name: str, value: str) -> Sentence:

@@ -10,12 +10,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar
 
+from coursework.motion.geometry.start import START_TOLERANCE
 from coursework.motion.integration.motion import AT_EVENT, Motion
 from coursework.scene.motion_results import MotionResults
 from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.on_demand import Ledger, Travelling
 from coursework.variant.record.variant import changed
 from coursework.words.errors import visible
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -37,6 +40,19 @@ class Scene(WayToMotion, Travelling):
         """Return the time (s) up to which the motion is known: the end asked for, or shortly before it stops."""
         end = self.variant.time.end
         return end if self.stop is None else min(end, self.stop.time * (1 - AT_EVENT))
+
+    @property
+    def closed_anew(self) -> Sentence | None:
+        """Return a sentence on the starts of the file that other data or starts have moved; None if they moved none."""
+        moved = [
+            say("run.moved", name=c.name, before=c.start_guess, now=now, unit=c.unit)
+            for c, now in zip(self.variant.coordinates, self.start, strict=True)
+            if self.variant.changes
+            and c.start is None
+            and c.start_guess is not None
+            and abs(now - c.start_guess) > START_TOLERANCE
+        ]
+        return say("run.anew", listed=tuple(moved)) if moved else None
 
     def over(self, motion: Motion) -> MotionResults:
         """Return the results of any motion of this scene's mechanism, with a ledger of its own."""

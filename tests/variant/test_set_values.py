@@ -135,3 +135,20 @@ def test_a_file_without_the_section_is_refused():
     inline = 'time = { step = "1 s", end = "2 s" }\n'
     assert rewritten(inline, {("time", "scheme"): "euler"}) == 'time = { scheme = "euler", step = "1 s", end = "2 s" }\n'
     assert rewritten(f'remarks = [\n  "a",\n]\n{inline}quote = "b"', {}, SAID_OF_NUMBERS) == inline, "no empty line is left"
+
+
+def test_starts_that_a_start_has_moved_are_told(tmp_path):
+    """phi1 = 165 deg instead of 2.87 rad moves the three other starts of V105; without it nothing is said."""
+    said = {}
+    for language, degrees in (("en", "165"), ("ru", "165"), ("en", None)):
+        words = ["run", "v105", "--format", "html", "--out", str(tmp_path), "--language", language]
+        called = CliRunner().invoke(main, [*words, *(["--set", f"phi1={degrees}deg"] if degrees else [])])
+        said[language, degrees] = called.output, re.sub("<[^>]*>", "", (tmp_path / "report.html").read_text(encoding="utf-8"))
+    screen, page = said["en", "165"]
+    start = coursework.solve(coursework.load("v105").with_data({"phi1": "165 deg"}), quantities=["table"]).scene.start
+    assert f"The other starts were closed anew: phi2 from 1.2 to {start[1]:.6g} rad, phi3 from 5.57 to " in re.sub(
+        r"\s+", " ", screen
+    )
+    assert f"The other starts were closed anew: φ2 from 1.2 to {start[1]:.6g} rad, φ3 from 5.57 to " in page
+    assert "φ2 было 1,2, стало 1,2012 рад" in said["ru", "165"][1]
+    assert all("closed anew" not in text for text in said["en", None])

@@ -29,6 +29,8 @@ def _set(context: PageContext) -> list[Part]:
         return []
     pairs = [_set_value(context, name, text) for name, text in values.items()]
     told = [context.words("given.set", listed=context.words.listing(pairs))]
+    if anew := context.run.scene.closed_anew:
+        told.append(context.told(anew))
     if context.variant.remarks:
         told.append(context.words("check.QUOTE.set"))
     return [Paragraph(context.lettered(context.words.sentences(told)))]
