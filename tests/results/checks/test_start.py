@@ -46,6 +46,23 @@ def test_a_loop_that_the_file_states_judges_the_start(holds):
     assert "START" in run.summary
 
 
+@pytest.mark.parametrize("decimals", [2, 4, 5])
+def test_a_start_rounded_to_its_digits_is_told_so_and_one_with_another_last_digit_is_wrong(decimals):
+    """The rod is typed with all digits, the rocker with a few: half of its last decimal times its length is allowed."""
+    typed, last = round(ROCKER, decimals), 10.0**-decimals
+    further = typed + math.copysign(last, typed - ROCKER)
+    for value, verdict, summary in (
+        (typed, "COARSE", "as far as the digits of its data go"),
+        (further, "FAIL", "not computed right"),
+    ):
+        run, start = solved(LOOP, float(f"{value:.{decimals}f}"))
+        assert start.verdict == verdict
+        assert summary in run.summary
+    assert f"may open it by {last / 2 * C * max(abs(math.sin(typed)), abs(math.cos(typed))):.2g} m" in str(
+        solved(LOOP, typed)[1].sentence
+    )
+
+
 def test_a_height_that_only_the_start_gives_is_said_to_be_not_judged():
     run, start = solved('["phi3 - phi2", "R.y - S.y"]')
     assert start.verdict == "SKIP"

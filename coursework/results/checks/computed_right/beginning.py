@@ -17,6 +17,8 @@ from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped
 from coursework.system.arrays import Array
+from coursework.variant.formula.units import size_of
+from coursework.variant.record.variant import Coordinate
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -67,7 +69,30 @@ def start_of(given: Closure | None) -> Finding:
     if closed is not None:
         key = "check.START.nearest_held" if abs(given.origin[worst]) > limit else "check.START.nearest"
         sentence = say(key, value=value, start=typed_start(closure.equations.variant, closed, _DIGITS))
+    allowed = _rounding(closure, worst)
+    if value <= allowed:
+        told = joined([sentence, say("check.START.rounded", allowed=allowed)])
+        return Finding("COARSE", told, value, limit, "m", name, 1)
     return Finding("FAIL", sentence, value, limit, "m", name, 1)
+
+
+def _rounding(closure: Closure, worst: int) -> float:
+    """Return how far (m) the rounding of the start values alone may open an equation: each by half of its last decimal.
+
+    What is driven, and a value without decimals, is what the author meant.
+    """
+    variant = closure.equations.variant
+    halves = [0.0 if c.rate in variant.known_rates else _half_a_decimal(c) for c in variant.coordinates]
+    q = closure.start + np.vstack([np.zeros(len(halves)), np.diag(halves)])
+    open_by = gaps(closure, np.zeros(len(q)), q, np.tile(closure.origin, (len(q), 1)))[:, worst]
+    return float(np.abs(open_by[1:] - open_by[0]).sum())
+
+
+def _half_a_decimal(coordinate: Coordinate) -> float:
+    """Return half of the last decimal (rad or m) of a start value as it is typed, 0 if it has none."""
+    number, _, power = coordinate.text.lower().partition("e")
+    _, point, decimals = number.partition(".")
+    return 0.5 * 10.0 ** (int(power or 0) - len(decimals)) * (size_of(coordinate.written) or 1.0) if point else 0.0
 
 
 def _kept(closure: Closure | None) -> Sentence | None:
