@@ -101,12 +101,16 @@ class Run(SceneRun):
         return Findings(super().checks)
 
     @property
-    def accuracy(self) -> Study | None:
-        """Return the study of accuracy against cost, None if it was not asked for."""
+    def accuracy(self) -> Study:
+        """Return the study of accuracy against cost, also if it was not asked for.
+
+        Raises `InputError` where the motion stops or passes a singular position, and for a restricted table.
+        """
         from coursework.takeaway.study import study_of
 
-        study = super().accuracy
-        return None if study is None else study_of(study, self)
+        if self.study is None:
+            raise InputError(say("fault.D039"))
+        return study_of(self.study, self)
 
     @property
     def remarks(self) -> tuple[str, ...]:

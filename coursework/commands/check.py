@@ -99,7 +99,7 @@ def _tell_mobility(run: Run) -> None:
     if drives and mobility.degrees != drives:
         joints = _joints_of_two_names(run)
         way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
-        verdict = way or say("screen.driven_otherwise", drives=drives)
+        verdict = way or say(f"screen.driven_{'missing' if mobility.degrees > drives else 'special'}", drives=drives)
     if not drives or run.variant.motor is not None:
         verdict = say("screen.as_listed")
     tell(say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict))

@@ -269,11 +269,9 @@ class SceneRun:
         return {one.name: shows.of(self.results, self.of(one), written) for one, shows in self._shown(OwnFigure)}
 
     @property
-    def accuracy(self) -> AccuracyStudy | None:
-        """Return the study of accuracy against cost, None if it was not asked for."""
-        if self.timed is not None:
-            return self.timed
-        return self.of(ACCURACY) if self.asks(ACCURACY) else None
+    def study(self) -> AccuracyStudy | None:
+        """Return the study of accuracy against cost, also if it was not asked for; None if it would compare nothing."""
+        return self.of(ACCURACY) if self.timed is None else self.timed
 
     @property
     def graph_check(self) -> GraphCheck | None:

@@ -29,8 +29,7 @@ class Study(AccuracyStudy):
         """Return Axes with the largest error of every method against evaluations, both logarithmic.
 
         >>> import coursework
-        >>> study = coursework.solve("31", quantities=["accuracy"]).accuracy
-        >>> study.plot().get_xlabel()
+        >>> coursework.solve("31", quantities=["table"]).accuracy.plot().get_xlabel()
         'evaluations'
         """
         from coursework.takeaway.plots import plot_study

@@ -42,3 +42,21 @@ def test_the_term_of_an_equation_that_contradicts_is_named_and_others_are_not(tm
         )
         assert "One slip would explain it: sine and cosine are exchanged in cos(phi2)" in told.stderr
         assert "no single slip that would explain it was found" in call(command, "wild").stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        (
+            "gears-and-crank",
+            "= 2, but 1 freedom is driven. The equations determine every velocity, so [links] and [frame] leave out",
+        ),
+        (
+            "parallel-cranks",
+            "= 0, but 1 freedom is driven. The equations determine every velocity: the mechanism moves thanks to its",
+        ),
+    ],
+)
+def test_freedoms_that_do_not_agree_are_told_with_what_to_do(name, told):
+    Path("own.toml").write_text(mechanism(name), encoding="utf-8")
+    assert told in call("check", "own.toml").stdout

@@ -177,7 +177,11 @@ def test_a_hinge_with_two_names_is_told_where_the_freedoms_do_not_agree(ends, tw
         f'{mechanism("four-bar-by-its-points")}[links]\n{links}[frame]\nhinges = ["O", "Q"]\n', encoding="utf-8"
     )
     told = call("check", "own.toml").stdout
-    assert ("R and S are in the same place throughout." in told) == twice == ("but 1 are driven" in told)
+    assert (
+        ("R and S are in the same place throughout." in told)
+        == twice
+        == ("but 1 freedom is driven. The equations determine every velocity, so [links] and [frame] leave out a pair" in told)
+    )
 
 
 def test_what_forces_move_is_not_called_driven_nor_its_motion_refined():

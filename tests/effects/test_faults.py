@@ -114,7 +114,7 @@ def test_links_that_share_no_hinge_are_told_as_that_and_not_as_missing(end, is_l
     text = mechanism("four-bar-by-its-points", ("[ask]", LINKS.replace("END", end)))
     run = coursework.solve(coursework.parse_variant(text, "bad.toml"))
     if is_loose:
-        told = r"V722 bad.toml:\d+ .*leave 3 freedoms where 1 are driven.* R and S lie in one place, or almost, at the start: if"
+        told = r"V722 bad.toml:\d+ .*leave 3 freedoms where 1 is driven.* R and S lie in one place, or almost, at the start: if"
         with pytest.raises(coursework.InputError, match=told):
             _ = run.results.forces
     else:

@@ -73,3 +73,12 @@ def test_the_study_falls_with_the_order_of_each_scheme():
     euler = drawn["explicit Euler"]
     slope = np.polyfit(*np.log(euler[euler[:, 1] < 0.05]).T, 1)[0]
     assert -1.1 < slope < -0.9
+
+
+def test_the_study_of_accuracy_is_plotted_unasked_or_says_why_not():
+    found = coursework.solve("31", quantities=["table"])
+    assert len(found.accuracy.plot().lines) > 5
+    stopped = coursework.solve(coursework.load("31").with_data({"alpha": 0.02}), quantities=["table"])
+    for run in (stopped, coursework.solve("31", quantities=["phi3"])):
+        with pytest.raises(coursework.InputError, match="D039 a study of accuracy needs the whole motion and all columns"):
+            run.accuracy.plot()

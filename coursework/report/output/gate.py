@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coursework.results.checks.result import Finding
-from coursework.scene.quantities import CHECKS, PLOTS
+from coursework.scene.quantities import ACCURACY, CHECKS, PLOTS
 from coursework.scene.scene_run import SceneRun
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -84,7 +84,7 @@ def _blocks(run: SceneRun, pages: bool) -> Iterator[Block]:
         if table.blanks and np.isnan(rows).any() and _lost_force(run) is None:  # empty is what is not unique
             rows = np.where(np.isnan(rows), 0.0, rows)
         yield Block(table.names, rows, name)
-    study = run.accuracy if pages or run.timed is not None else None
+    study = run.study if (pages and run.asks(ACCURACY)) or run.timed is not None else None
     if study is not None:
         rows = np.array([[row.max_error, row.end_error] for row in study.rows if not row.failed]).reshape(-1, 2)
         yield Block(("max_error", "end_error"), rows, "accuracy")

@@ -99,8 +99,8 @@ class StudyResults(Results):
 
     def tables(self) -> Iterable[tuple[str, str]]:
         """Return the study as CSV."""
-        assert self.run.accuracy is not None
-        return [("accuracy.csv", study_csv(self.run.accuracy))]
+        assert self.run.study is not None
+        return [("accuracy.csv", study_csv(self.run.study))]
 
     def record(self) -> dict[str, Any]:
         """Return the variant that was studied, the versions and the scheme."""

@@ -25,7 +25,7 @@ ERROR_DIGITS = 3  # significant digits of an error
 
 def accuracy(context: PageContext) -> list[Part]:
     """Return cost and error of each method, in a figure, a table and sentences."""
-    study = context.run.accuracy
+    study = context.run.study
     if study is None:
         return []
     first, *others = [context.rich(begun(context.told(sentence))) for sentence in study.sentences] or [[]]
