@@ -1,6 +1,6 @@
 """The distance of a table from the exact motion, in numbers that several places of a page quote.
 
-Enters: a `PageContext` whose run asks for checks.  Leaves: `Split`, `LargestError`, `LocalError`.
+Enters: a `PageContext` whose run asks for checks.  Leaves: `Split`, `LocalError`, sentences.
 Used by `answer.py`, `results.py`, `conclusion.py`, `structure.py`, `tangent.py`.
 For an exact table, the scheme's rows that stand beside it are judged.
 """
@@ -16,32 +16,12 @@ from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, title_of
 from coursework.report.text.page_context import PageContext
 from coursework.results.checks.close_to_motion.period import Split, mismatch
 from coursework.results.checks.close_to_motion.rows import off_row
-from coursework.results.checks.evidence import Evidence
+from coursework.results.checks.evidence import LIMIT, Evidence, worst
+from coursework.results.checks.result import percent
 from coursework.system.frozen import frozen
 
 SEEN = 1e-9  # parts of the scale of a column: a smaller error is not mentioned
-ALIKE = 1e-4  # parts of the largest error: errors that differ by less are equal in the digits shown
 ON_THE_CURVE = 1e-12  # limit of `share` for one step: a smaller gap is only round-off
-
-
-@frozen
-class LargestError:
-    """The largest error of the coordinates of one unit: `value` (SI) of `column` in `row` (from 1), made by `scheme`."""
-
-    scheme: str
-    column: str
-    unit: str
-    value: float
-    row: int
-
-    def told(self, context: PageContext) -> dict[str, str]:
-        """Return the words of the error that fill the gaps of a sentence."""
-        amount = context.with_unit(context.numbers.scalar(self.value, 3), self.unit)
-        if self.unit == "rad":
-            degrees = context.with_unit(context.numbers.scalar(math.degrees(self.value), 2), "°")
-            amount = context.words("result.angle", amount=amount, degrees=degrees)
-        symbol = context.lettering(self.column)
-        return {"amount": amount, "symbol": symbol, "row": str(self.row)}
 
 
 @frozen
@@ -91,40 +71,26 @@ def unreturned(context: PageContext) -> list[Split]:
     return [split for split in splits(context) if context.numbers.without_noise(split.total, split.first)]
 
 
-def largest_errors(context: PageContext) -> list[LargestError]:
-    """Return for each unit the largest error of its coordinates, without errors below `SEEN`.
-
-    If several errors are equal in the digits shown, the first coordinate and its first row are named, as in the laboratory.
-    """
-    found = evidence(context)
-    if not found.compared or found.exact is None or len(found.motion.t) > found.compared:
-        return []
-    scheme = SCHEMES.get(found.motion.scheme)
-    title = context.told(_title(context, scheme is None or context.run.tableau is not None))
-    sizes = np.abs(found.errors) * found.scales
-    seen = [
-        place
-        for place, name in enumerate(found.names)
-        if name in found.motion.coordinate_names and np.max(sizes[:, place]) > SEEN * found.scales[place]
-    ]
-    told = []
-    for unit in dict.fromkeys(found.unit(found.names[place]) for place in seen):
-        places = [place for place in seen if found.unit(found.names[place]) == unit]
-        largest = float(np.max(sizes[:, places]))
-        alike = sizes[:, places] >= (1 - ALIKE) * largest
-        first = int(np.argmax(alike.any(axis=0)))
-        told.append(LargestError(title, found.names[places[first]], unit, largest, int(np.argmax(alike[:, first])) + 1))
-    return told
-
-
 def largest_error_sentence(context: PageContext) -> str:
-    """Return the sentence on the scheme's largest error for each unit, angles also in degrees; "" if there is none to report."""
-    errors, say = largest_errors(context), context.words
-    if not errors:
+    """Return the sentence on the scheme's largest error, measured as the verdict measures it; "" if there is none to report."""
+    found, say, numbers = evidence(context), context.words, context.numbers
+    if not found.compared or found.exact is None or len(found.motion.t) > found.compared or not found.names:
         return ""
-    listed = say("join.semicolon").join(say("result.where", **error.told(context)) for error in errors)
+    shares = np.abs(found.errors)
+    row, place = worst(shares)
+    share, name, unit = float(shares[row, place]), found.names[place], found.unit(found.names[place])
+    if share <= SEEN:
+        return ""
+    off, scale = share * found.scale[name], context.with_unit(numbers.scalar(found.scale[name], 2), unit)
+    amount = context.with_unit(numbers.scalar(off, 3), unit)
+    if unit == "rad":
+        degrees = context.with_unit(numbers.scalar(math.degrees(off), 2), "°")
+        amount = say("result.angle", amount=amount, degrees=degrees)
     is_beside = context.run.tableau is None  # the table is exact: no scheme has made its rows
-    return say("result.error_beside" if is_beside else "result.error", scheme=errors[0].scheme, errors=listed)
+    title = context.told(_title(context, SCHEMES.get(found.motion.scheme) is None or not is_beside))
+    part = context.told(percent(share, LIMIT))
+    where = say("result.where", amount=amount, symbol=context.lettering(name), row=row + 1, share=part, scale=scale)
+    return say("result.error_beside" if is_beside else "result.error", scheme=title, errors=where)
 
 
 def _title(context: PageContext, own: bool) -> str:
