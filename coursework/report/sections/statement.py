@@ -24,6 +24,7 @@ from coursework.variant.record.held import followed
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
+WHOLE = 12  # rows of data that are kept on one page; more begin beside the box with the result, below the figure
 MEASURED = 8  # most digits of a measured datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 GAP = "\ue002"  # marks the place in a sentence where a text of the file goes; it occurs in no text
@@ -226,7 +227,7 @@ def _data(context: PageContext) -> Table:
     rows: list[list[Cell]] = [[head, means, value, unit] for (head, means, (_, unit)), value in zip(listed, values, strict=True)]
     heads = ("quantity", "meaning", "written", "unit")
     columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in heads]
-    return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
+    return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"), whole=len(rows) <= WHOLE)
 
 
 def _between(context: PageContext, measured: str, how: str) -> Runs:

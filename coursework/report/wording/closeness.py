@@ -81,7 +81,7 @@ def largest_error_sentence(context: PageContext) -> str:
     share, name, unit = float(shares[row, place]), found.names[place], found.unit(found.names[place])
     if share <= SEEN:
         return ""
-    off, scale = share * found.scale[name], context.with_unit(numbers.scalar(found.scale[name], 2), unit)
+    off = share * found.scale[name]
     amount = context.with_unit(numbers.scalar(off, 3), unit)
     if unit == "rad":
         degrees = context.with_unit(numbers.scalar(math.degrees(off), 2), "°")
@@ -89,7 +89,7 @@ def largest_error_sentence(context: PageContext) -> str:
     is_beside = context.run.tableau is None  # the table is exact: no scheme has made its rows
     title = context.told(_title(context, SCHEMES.get(found.motion.scheme) is None or not is_beside))
     part = context.told(percent(share, LIMIT))
-    where = say("result.where", amount=amount, symbol=context.lettering(name), row=row + 1, share=part, scale=scale)
+    where = say("result.where", amount=amount, symbol=context.lettering(name), row=row + 1, share=part)
     return say("result.error_beside" if is_beside else "result.error", scheme=title, errors=where)
 
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from functools import cache
 
+import pymupdf
 import pytest
 
 from coursework import parse_variant, solve
+from coursework.commands.new import _chain
 from coursework.report.pages import build_model, render_pdf
 from tests.drawing.test_clearest import SHAPER
 from tests.drawing.test_turns import FIVE_BAR
@@ -41,4 +43,12 @@ def test_what_belongs_to_a_turned_drawing_fills_an_upright_page_with_others(name
 @pytest.mark.long
 def test_steps_of_a_plan_begin_no_page_of_their_own_before_a_turned_sheet() -> None:
     run = solve(parse_variant(STEPHENSON), quantities=["table", "plots", "checks", "graph_check"])
+    assert min(filled(render_pdf(build_model(run)))[:-1]) >= HALF
+
+
+def test_many_data_leave_the_result_on_the_first_page() -> None:
+    """A table of thirty data does not fit below the figure: it begins there and goes on."""
+    run = solve(parse_variant(_chain("own", "crank,RRR,RRR,RRR,RRP").decode()), quantities=["table", "checks"])
+    pages = [page.get_text() for page in pymupdf.open(stream=render_pdf(build_model(run)))]
+    assert ["Result: The table" in text.replace("\n", " ") for text in pages[:2]] == [True, False]
     assert min(filled(render_pdf(build_model(run)))[:-1]) >= HALF

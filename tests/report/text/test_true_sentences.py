@@ -48,7 +48,7 @@ def test_a_page_of_exact_rows_does_not_begin_with_the_error_of_a_scheme(real: Mo
     assert "The rows are the motion itself." in page
     assert "For comparison: explicit Euler with the same step would be off by up to " in page
     beside = shaper.distance_to_exact
-    assert f", row {beside.row}, {100 * beside.share:.1f} % of its scale of " in page, "the error that the command line tells"
+    assert f", row {beside.row}, {100 * beside.share:.1f} % of its scale." in page, "the error that the command line tells"
 
 
 def test_a_crank_at_constant_speed_does_not_oscillate(real: ModuleType, shaper: Any) -> None:
