@@ -35,7 +35,8 @@ const forces = {
       return { name, at: acts.place(unknowns[columns[0]][3]), x, y, size: Math.hypot(x, y) };
     });
   },
-  // Where the name of an arrow stands: ahead of its tip, else beside the tip or the shaft, where least is covered; a word counts more than a piece of a link.
+  // Where the name of an arrow stands: ahead of its tip, else beside the tip or the shaft, where least is covered.
+  // A word counts more than a piece of a link.
   clear(px, py, dx, dy, half, taken) {
     const far = Math.hypot(dx, dy), ux = dx / far, uy = dy / far;
     const tried = [[far + 9, 0], [far, 14], [far, -14], [far / 2, 14], [far / 2, -14]].flatMap(([on, off]) => {
