@@ -61,7 +61,7 @@ def check_dynamics(e: Evidence, finer: Callable[[int], Evidence]) -> tuple[Findi
 
 def _judged(e: Evidence) -> list[Finding]:
     found = [check.finding(e) for check in CHECKS]
-    return [one for one in found if one.code != "START" or one.verdict == "FAIL"]  # alone it shows no table to be right
+    return [one for one in found if one.code != "START" or one.verdict in {"FAIL", "COARSE"}]  # alone it shows no table to be right
 
 
 def _advised(e: Evidence, findings: list[Finding], suffices: Callable[[int], bool]) -> tuple[Finding, ...]:
