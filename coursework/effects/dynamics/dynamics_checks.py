@@ -56,17 +56,23 @@ class Evidence:
 
 def check_dynamics(e: Evidence, finer: Callable[[int], Evidence]) -> tuple[Finding, ...]:
     """Return the findings of all checks; `finer` gives the evidence of a run with a step so many times shorter."""
-    return _advised(e, _judged(e), lambda parts: not any(one.verdict == "COARSE" for one in _judged(finer(parts))))
+    return _advised(e, _judged(e), lambda parts: not any(map(_is_coarse, _judged(finer(parts)))))
+
+
+def _is_coarse(finding: Finding) -> bool:
+    return finding.verdict == "COARSE" and finding.code != "START"  # no step gives a start more digits
 
 
 def _judged(e: Evidence) -> list[Finding]:
     found = [check.finding(e) for check in CHECKS]
-    return [one for one in found if one.code != "START" or one.verdict in {"FAIL", "COARSE"}]  # alone it shows no table to be right
+    return [
+        one for one in found if one.code != "START" or one.verdict in {"FAIL", "COARSE"}
+    ]  # alone it shows no table to be right
 
 
 def _advised(e: Evidence, findings: list[Finding], suffices: Callable[[int], bool]) -> tuple[Finding, ...]:
     """Return the findings, with advice on the step in the worst of them; if STABLE is coarse, it gives its own advice."""
-    coarse = {one.value or 0.0: place for place, one in enumerate(findings) if one.verdict == "COARSE"}
+    coarse = {one.value or 0.0: place for place, one in enumerate(findings) if _is_coarse(one)}
     if coarse and e.scheme is not None and findings[-1].verdict != "COARSE":
         share = max(coarse)
         found = findings[coarse[share]]
