@@ -38,7 +38,7 @@ def test_work_stays_in_the_browser_goes_out_and_comes_back(desk: Callable[..., A
     page.click("#desk-forget")
     page.click("dialog .main")
     page.wait_for_selector("#desk-welcome:not([hidden])")  # the page is loaded anew
-    assert page.evaluate("Object.keys(localStorage).every(key => !/work|draft/.test(key))")
+    assert page.evaluate("Object.keys(localStorage).every(key => !/[.](work|draft)/.test(key))")
     assert one.text == ""
     page.click("#desk-take")
     page.set_input_files("#desk-open", {"name": "all.zip", "mimeType": "application/zip", "buffer": packed})
