@@ -99,6 +99,8 @@ def _ending(edge: Edge, run: coursework.Run) -> list[str]:
         return ["begins open"]
     if stop is None:
         return ["goes on beyond its dead point"] if edge.apart < -1e-9 else []
+    if edge.until is not None and abs(stop.time - edge.until) < 1e-9 * edge.until:
+        return []
     if edge.ends is not None and abs(stop.time - edge.ends) < 1e-5 * run.end + 3 * abs(edge.apart) ** 0.5 * run.end:
         return []
     if abs(edge.apart) <= HOLDS["passing"]:  # of the crank; of the longest link the limit is 1e-9

@@ -219,6 +219,10 @@ def _widths(part: parts.Table, width: float) -> list[float]:
     room, letter = SMALL if many else USUAL
     found = [room + letter * longest for longest in letters]
     found = [min(wide, MOST * width) if one.words else wide for one, wide in zip(part.columns, found, strict=True)]
+    # Words may go on below, numbers may not: where there is too little room, columns of words have less, down to a half.
+    words = sum(wide for one, wide in zip(part.columns, found, strict=True) if one.words)
+    kept = 1 - min(max(sum(found) - width, 0.0) / words, 0.5) if words else 1.0
+    found = [wide * kept if one.words else wide for one, wide in zip(part.columns, found, strict=True)]
     return [wide / (sum(found) if many else max(sum(found), width)) for wide in found]
 
 

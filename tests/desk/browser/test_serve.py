@@ -37,8 +37,8 @@ def test_work_stays_in_the_browser_goes_out_and_comes_back(desk: Callable[..., A
     page.keyboard.press("Escape")
     page.click("#desk-forget")
     page.click("dialog .main")
-    page.wait_for_function("Object.keys(localStorage).every(key => !/work|draft/.test(key))")  # the page is loaded anew meanwhile
-    page.wait_for_selector("#desk-welcome:not([hidden])")
+    page.wait_for_selector("#desk-welcome:not([hidden])")  # the page is loaded anew
+    assert page.evaluate("Object.keys(localStorage).every(key => !/[.](work|draft)/.test(key))")
     assert one.text == ""
     page.click("#desk-take")
     page.set_input_files("#desk-open", {"name": "all.zip", "mimeType": "application/zip", "buffer": packed})

@@ -67,6 +67,7 @@ def signs(formula):
         ("\\frac{1}{2}", "½"),
         ("\\frac{1}", ""),
         ("dω/dt", "ω"),
+        ("dv/dt", "v"),
     ):
         formula = formula.replace(command, sign)
     formula = COMMANDS.sub("", formula)

@@ -14,7 +14,8 @@ from coursework.variant.record.variant import Variant
 # What a hurried hand writes instead: two units of other dimensions for each.
 OTHERS = {
     "m": ("m/s", "rad"), "rad": ("m", "rad/s"), "s": ("m", "1/s"), "1/s": ("s", "m/s"), "m/s": ("m", "rpm"),
-    "m/s^2": ("m/s", "m"), "1/s^2": ("1/s", "m/s^2"),
+    "m/s^2": ("m/s", "m"), "1/s^2": ("1/s", "m/s^2"), "N": ("kg", "N*m"),
+    "kg": ("m", "N"), "N*m": ("N", "m"), "N*s/m": ("N", "N*m"), "N*m*s": ("N*m", "N"),
 }  # fmt: skip
 
 

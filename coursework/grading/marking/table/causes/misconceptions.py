@@ -117,6 +117,7 @@ def explanations(
     by_key = np.asarray(cells.marks == KEY)
     stands = share_of(by_key & spoken, spoken)  # in a steady drive, rows in wrong places still follow Euler's rules
     key_share = stands if elsewhere else euler_share
+    as_handed_in = share_of((explained | by_key) & spoken, spoken)  # in a table made anew, what stood right stays right
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
@@ -130,7 +131,8 @@ def explanations(
             continue
         put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
         share, against = share_of(holds, says), key_share if claim.is_whole else euler_share
-        against = stands if claim.code == ROWS_SHIFTED else against
+        if claim.student is not None:
+            against = stands if claim.code == ROWS_SHIFTED else max(against, as_handed_in)
         known = named.get(claim.code)
         is_told = claim.code != OWN and claim.code not in hidden
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:
