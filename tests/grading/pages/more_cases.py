@@ -198,6 +198,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "missing-term": files(equations=(*EQUATIONS[:3], "r3*w3*sin(phi3) - r2*w2*cos(phi2) = 0")),
         "many-lines": files(equations=tuple(f"w1 = {k}*w2" for k in range(9))),
         "rounded-data": files(equations=(EQUATIONS[0].replace("2*r3*w3", "0.9145*w3"), *EQUATIONS[1:])),
+        "number-copied": files(equations=(EQUATIONS[0].replace("r3", "0.557"), *EQUATIONS[1:])),
         "by-place": {"table.csv": "\n".join(numbers).encode()},
         "wrong-drive": files(equations=("VMy = V1*cos(p*t + alpha)", *EQUATIONS)),
         "prose": files(equations=(*EQUATIONS, "w2 = how r2 turns?")),
