@@ -6,6 +6,7 @@ Each is (files, the variant's bytes, decisions, why a person must look).
 from __future__ import annotations
 
 import re
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -199,6 +200,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "many-lines": files(equations=tuple(f"w1 = {k}*w2" for k in range(9))),
         "rounded-data": files(equations=(EQUATIONS[0].replace("2*r3*w3", "0.9145*w3"), *EQUATIONS[1:])),
         "number-copied": files(equations=(EQUATIONS[0].replace("r3", "0.557"), *EQUATIONS[1:])),
+        "other-sign": files(students.table(printed=partial(velocities, alpha=-4.35))),
         "by-place": {"table.csv": "\n".join(numbers).encode()},
         "wrong-drive": files(equations=("VMy = V1*cos(p*t + alpha)", *EQUATIONS)),
         "prose": files(equations=(*EQUATIONS, "w2 = how r2 turns?")),

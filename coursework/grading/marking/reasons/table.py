@@ -17,6 +17,7 @@ from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
 from coursework.grading.marking.table.causes.misconceptions import OTHER_STEPS, ROWS_SHIFTED, Misconception
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows, repeated_rows
+from coursework.grading.marking.table.causes.other_data import OTHER_SIGN
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import euler_steps
@@ -142,7 +143,8 @@ def _told(code: str, because: Mapping[str, str], names: tuple[str, ...] = ()) ->
         return say("feedback.misconception.positions_shifted", names=names)
     if code.startswith(_DATUM) and names:
         known = {"value": float(names[0]), "unit": names[1]}
-        return say("feedback.misconception.datum_value", name=quoted(code.removeprefix(_DATUM)), **known)
+        key = "datum_sign" if OTHER_SIGN in names else "datum_value"
+        return say(f"feedback.misconception.{key}", name=quoted(code.removeprefix(_DATUM)), **known)
     if code == OTHER_STEP and names:
         return say("feedback.misconception.other_step_value", value=float(names[0]))
     if len(names) > 1 and code.startswith(_SEVERAL):

@@ -35,6 +35,7 @@ _PARTLY = 0.8
 # Causes of a table made from other numbers than the task's: one, as found or as the rubric declares it; two that were exchanged.
 _DATA, _SWAPPED = (DATUM, "confusion_"), "swap_"
 _DIGITS_OFF = 0.05  # a datum that is off by less has digits wrong: no slip in an equation does the same
+_SIGN = "sign_"  # one sign, of a velocity as of a datum or in an equation, is a single slip
 _NO_SLIPS = (_SWAPPED, "variant_", OWN, "other_drive")
 
 
@@ -87,6 +88,8 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
         ratio = _ratio(key, fit)
         is_number = ratio > 0 if ratio is not None else fit.code.startswith((*_DATA, _SWAPPED))
         is_near = ratio is not None and abs(ratio - 1) < _DIGITS_OFF
+        if fit.beyond_euler and ((ratio is not None and not ratio > 0) or fit.code.startswith(_SIGN)):
+            worth = max(worth, rubric.own_equations_floor)
         if fit.beyond_euler and (fit.share >= least or is_near) and fit.share > copied and is_number:
             worth = max(worth, _of_data(rubric, fit))
         if fit.share < copied or not (fit.beyond_euler or worth <= rubric.misconception_floor):

@@ -55,6 +55,22 @@ def test_a_slip_in_a_datum_costs_the_same_small_or_large(name, part):
     assert marked.earned.cause == f"datum_{name}"
 
 
+@pytest.mark.parametrize("number", [0, 2])
+def test_a_datum_with_the_other_sign_costs_what_a_wrong_sign_costs_and_is_named_with_it(number):
+    """Half of the table, as for a sign in an equation or of the whole drive: it was a wrong method's 0.4 for some data."""
+    desk, sentences = variants()[number], {}
+    for name in ("V1", "alpha", "p"):
+        points, marked = desk.marked(Machine(desk.variant, data={name: -desk.variant.values[name]}).table())
+        assert (points, marked.earned.worth) == (30, 0.5), name
+        sentences[name] = " ".join(one.text for one in table_reasons(desk.key, marked, Rubric(), points, 60.0))
+    assert "the drive has the other sign" in sentences.pop("V1")  # it is the same table
+    for name, told in sentences.items():
+        given = next(one for one in desk.variant.given if one.name == name)
+        assert (
+            f"the datum {name} was taken with the other sign: the velocities follow with {-given.value:.4g} {given.unit}" in told
+        )
+
+
 @pytest.mark.parametrize(("part", "told"), [(1.000008, False), (1.000012, True)])
 def test_a_value_is_another_from_a_hundred_thousandth_on(part, told):
     desk = variants()[0]

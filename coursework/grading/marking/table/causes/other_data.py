@@ -34,6 +34,7 @@ _LIKE_KEY = 0.5
 _IN_PLACE = 0.9
 _TURN = 2 * np.pi
 SLIPPED = "point_slipped"
+OTHER_SIGN = "other sign"  # behind the value and unit of a datum that has it
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
 _ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-5
@@ -63,6 +64,8 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     by_code = {f"{DATUM}{datum.name}": datum for datum in given}
     for (code, data), found in zip(tried, sets, strict=True):
         shown = _shown(by_code[code], *data.values()) if code in by_code else ()
+        if shown and [*data.values()] == [-by_code[code].value]:
+            shown = (*shown, OTHER_SIGN)
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found, shown)
     for datum, value in [(one, value) for one, read in _values_read_off(printed) for value in _as_typed(one, read)]:
         at = partial(printed.key.velocities_at, data={datum.name: value})
