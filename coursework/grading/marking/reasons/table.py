@@ -107,7 +107,8 @@ def _causes(
     named, earned = marked.misconception, marked.earned
     if named:
         share = str(int(100 * named.share + 1e-9))  # rounded down: 100 means the whole table
-        told = say("feedback.misconception.share", share=share)
+        is_counted = earned.rule == "cells"  # else the sum tells a percentage of its own, of the cells that count
+        told = say("feedback.misconception.share", share=share) if is_counted else say("feedback.misconception.most")
         own = own_line if named.code.startswith(_EQUATION) and len(named.names) < 2 else ""
         yield Reason("table", "cause", joined([told, _told(named.code, because, named.names), own]))
         for code in named.ties:
