@@ -137,9 +137,11 @@ def whole_turns(column: GridColumn, values: Sequence[float], moves: Sequence[flo
 
     The number is the same in all rows, except in rows that agree with the key as printed.  If the angle is kept within one turn,
     the number changes at each jump, provided that this brings the angle to the key: a wild motion jumps, too.  There `moves`
-    tell the turns: the steps (rad) to the next row that the printed velocities make, if there are any.
+    tell the turns: the steps (rad) to the next row that the printed velocities make, if there are any.  A column that stands
+    still where the key moves has no turns, however near it is to one.
     """
-    if column.unit != "rad" or not _apart(column, values):
+    stands = not any(filter(math.isfinite, _increments(values))) and any(filter(math.isfinite, _increments(column.values)))
+    if column.unit != "rad" or stands or not _apart(column, values):
         return ()
     jumps = turns_of_jumps(values)
     if any(jumps):

@@ -10,7 +10,7 @@ from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.table.columns import Places, find_columns
 from coursework.grading.reading.table.headers import read_head
 from coursework.grading.reading.table.layout import Layout
-from coursework.grading.reading.table.units import units_of_columns
+from coursework.grading.reading.table.units import units_of_columns, whole_turns
 
 UNITS = {"phi1": "rad", "phi2": "rad", "w1": "1/s", "w2": "1/s"}
 TIMES = "0 0.1 0.2 0.3"
@@ -180,3 +180,11 @@ def test_a_velocity_that_only_looks_converted_keeps_the_unit_of_its_head():
     grid = Grid(0.02, 5, (GridColumn("q", "rad", [0.0, 0.2, 0.4, 0.6, 0.8], "w"), GridColumn("w", "1/s", [10.0] * 5)))
     own = {"q": [9.549297 * 0.2 * k for k in range(5)], "w": [95.49297] * 5}
     assert units_of_columns(grid, {"q": "rad", "w": "1/s"}, own) == {"q": "rad", "w": "1/s"}
+
+
+@pytest.mark.parametrize(("key", "own", "turns"), [
+    ((5.57, 5.6, 5.7, 5.8), (0.0,) * 4, ()),  # near a turn, but it is no motion
+    ((5.57, 5.6, 5.7, 5.8), (-0.7132, -0.6832, -0.5832, -0.4832), (-1,) * 4), ((5.57,) * 4, (-0.7132,) * 4, (-1,) * 4),
+])  # fmt: skip
+def test_a_column_that_stands_still_has_no_whole_turns(key, own, turns):
+    assert whole_turns(GridColumn("phi3", "rad", key), own) == turns
