@@ -223,6 +223,8 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         **{code.replace("_", "-"): files(made(MACHINE)) for code, made in MIXED.items()},
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
         "point-slipped": files(np.hstack([10 * RIGHT[:, :3], RIGHT[:, 3:]])),
+        "one-column-slipped": files(RIGHT * np.where(np.arange(7) == 4, 10, 1)),
+        "one-column-a-row-early": files(np.hstack([RIGHT[:, :3], RIGHT[[*range(1, 25), 24], 3:4], RIGHT[:, 4:]])),
         "rows-from-the-last-on": files(RIGHT[::-1]),
         "no-velocities": files(np.hstack([RIGHT[:, :3], 0 * RIGHT[:, 3:]])),
         "angles-a-row-late": files(np.hstack([RIGHT[[0, *range(24)], :3], RIGHT[:, 3:]])),

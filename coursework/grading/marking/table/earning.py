@@ -16,7 +16,7 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
 from coursework.grading.marking.table.causes.hypotheses import NO_VELOCITIES, PI_ROUNDED, RADIAN_MODE
 from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
-from coursework.grading.marking.table.causes.other_data import DATUM
+from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, DATUM
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import Fit
@@ -131,7 +131,7 @@ def _worth(rubric: Rubric, fit: Fit) -> float:
     """Return the worth of a cell that a misconception explains: for a single slip it is more than for a wrong method.
 
     An angle counted from another axis is a start that is not the task's, and so are starts (`fit.names`) in degrees from which
-    all else was made in radians, whatever the unit in the head of the columns.
+    all else was made in radians, whatever the unit in the head of the columns. One column ten times too large costs as much.
     Work with rounded velocities or a rounded π is Euler's, worked out coarser: what a few digits less in print would hide costs
     little.
     """
@@ -141,7 +141,7 @@ def _worth(rubric: Rubric, fit: Fit) -> float:
         return ROUNDED
     if fit.code == RADIAN_MODE and len(fit.names) > 1:
         return rubric.start_floor_several
-    if fit.code.startswith(causes.ORIGIN) or (fit.code == RADIAN_MODE and fit.names):
+    if fit.code.startswith((causes.ORIGIN, COLUMN_SLIPPED)) or (fit.code == RADIAN_MODE and fit.names):
         return rubric.start_floor
     return rubric.own_equations_floor if fit.code.startswith(_SLIPS) else rubric.misconception_floor
 

@@ -140,8 +140,8 @@ def whole_turns(column: GridColumn, values: Sequence[float], moves: Sequence[flo
     tell the turns: the steps (rad) to the next row that the printed velocities make, if there are any.  A column that stands
     still where the key moves has no turns, however near it is to one.
     """
-    stands = not any(filter(math.isfinite, _increments(values))) and any(filter(math.isfinite, _increments(column.values)))
-    if column.unit != "rad" or stands or not _apart(column, values):
+    own, right = (any(abs(step) > 0 for step in _increments(numbers)) for numbers in (values, column.values))
+    if column.unit != "rad" or (right and not own) or not _apart(column, values):
         return ()
     jumps = turns_of_jumps(values)
     if any(jumps):

@@ -187,3 +187,24 @@ def test_all_starts_that_are_not_the_tasks_are_told_where_they_explain_a_part():
     (part, starts) = told[0].split(": ")
     assert part == "Part of the table follows from one thing" and len(told) == 1
     assert starts == "the table was made from start values of phi1, phi2 and phi3 other than the task's."
+
+
+@pytest.mark.parametrize("factor", [10, 0.1])
+def test_a_column_ten_times_too_large_is_told_as_that_and_costs_the_same_in_every_column(factor):
+    """A velocity so large was told as a wrong datum, an angle as nothing; the steps show that it is only printed so."""
+    desk = variants()[0]
+    for place, name in enumerate(desk.key.names):
+        table = desk.machine.table()
+        table[:, place] *= factor
+        points, marked = desk.marked(table, digits=5)
+        assert (points, codes(marked)[0]) == (57, f"column_slipped_{name}")
+    carried = Machine(desk.variant, data={"r1": 0.1 * desk.variant.values["r1"]}).table()
+    assert codes(desk.marked(carried)[1])[0] == "datum_r1"
+
+
+def test_a_column_one_row_early_is_told_as_that():
+    desk = variants()[2]
+    table = desk.machine.table()
+    table[:-1, desk.machine.m] = table[1:, desk.machine.m].copy()
+    _, marked = desk.marked(table)
+    assert codes(marked)[0] == f"row_below_{desk.key.velocities[0]}"

@@ -282,4 +282,5 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
         alone = np.where(np.arange(m + len(key.velocities)) == m + place, 1.0, np.nan)
         claim = printed.claim(f"sign_{name}", None, (-found * alone[m:], tolerance))
         yield replace(claim, table=partial(np.multiply, key.table, np.where(np.isnan(alone), 1.0, -1.0)))
-        yield printed.claim(f"row_above_{name}", None, (shifted(found, 1) * alone[m:], shifted(tolerance, 1)))
+        for code, by in (("row_above", 1), ("row_below", -1)):
+            yield printed.claim(f"{code}_{name}", None, (shifted(found, by) * alone[m:], shifted(tolerance, by)))

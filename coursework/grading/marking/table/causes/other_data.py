@@ -33,7 +33,7 @@ _LIKE_KEY = 0.5
 # From this part of the angles, or of the velocities, on, they stand where they belong.
 _IN_PLACE = 0.9
 _TURN = 2 * np.pi
-SLIPPED = "point_slipped"
+SLIPPED, COLUMN_SLIPPED = "point_slipped", "column_slipped_"
 OTHER_SIGN = "other sign"  # behind the value and unit of a datum that has it
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
@@ -186,16 +186,21 @@ def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
 
 
 def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:
-    """Yield the claims that the coordinates, or all columns, were printed ten times too large or too small: the starts tell."""
-    student, m = printed.student, printed.m
-    for factor, width in product((10.0, 0.1), (m, len(printed.key.names))):
-        values, units = student.values + _TURN * _taken_off(student), student.units.copy()
-        values[:, m:] = student.values[:, m:]
-        values[:, :width], units[:, :width] = values[:, :width] / factor, units[:, :width] / factor
-        if alike(printed.key, replace(student, values=values, units=units), printed.key.table)[0, :m].all():
-            yield _as_euler(
-                SLIPPED if width == m else f"each_{SLIPPED}", _kept(printed, printed.of_task, StudentTable(values, units))
-            )
+    """Yield the claims that the coordinates, all columns, or one of them, were printed ten times too large or too small.
+
+    The starts tell it of several columns, most of its cells of one.
+    """
+    student, m, names = printed.student, printed.m, printed.key.names
+    there = student.values + _TURN * np.hstack([_taken_off(student)[:, :m], np.zeros((len(student.values), len(names) - m))])
+    off = [place for place in range(len(names)) if printed.of_task[:, place].mean() <= _LIKE_KEY]
+    sets: list[tuple[str, Sequence[int]]] = [(SLIPPED, range(m)), (f"each_{SLIPPED}", range(len(names)))]
+    sets += [(f"{COLUMN_SLIPPED}{names[place]}", [place]) for place in off]
+    for factor, (code, places) in product((10.0, 0.1), sets):
+        values, units = student.values.copy(), student.units.copy()
+        values[:, places], units[:, places] = there[:, places] / factor, units[:, places] / factor
+        right = alike(printed.key, replace(student, values=values, units=units), printed.key.table)
+        if right[:, places].mean() > _LIKE_KEY if code.startswith(COLUMN_SLIPPED) else right[0, :m].all():
+            yield _as_euler(code, _kept(printed, printed.of_task, StudentTable(values, units)))
 
 
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
