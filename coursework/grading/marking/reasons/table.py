@@ -115,7 +115,8 @@ def _causes(
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code, because)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
         partly = say(f"feedback.misconception.{'partly' if named is None else 'also'}")
-        yield Reason("table", "cause", joined([partly, _told(earned.cause, because, starts if earned.rule == "start" else ())]))
+        names = starts if earned.cause.startswith("start_") else ()
+        yield Reason("table", "cause", joined([partly, _told(earned.cause, because, names)]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and found.wrong > _MANY * found.cells:
         if isinstance(own_line, Sentence) and own_line.key == _RIGHT_LINE:
             yield Reason("table", "cause", own_line)

@@ -58,8 +58,8 @@ def _by_start(
     """Yield what a faultless table from another start earns; nothing if the start is that of another variant."""
     if own is not None and not any(_is_row(key, cells, table) for table in others.values()):
         explained = table_points(key, own.cells, rubric.carried).share
-        worth = rubric.start_floor if len(own.names) == 1 else rubric.start_floor_several
-        yield _earned("start", points, explained, worth, f"start_{own.names[0]}")
+        worth = rubric.start_floor if len(own.names) < 2 else rubric.start_floor_several
+        yield _earned("start", points, explained, worth, own.cause)
 
 
 def _is_row(key: Key, cells: Cells, table: Array) -> bool:
