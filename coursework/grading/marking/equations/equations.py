@@ -242,7 +242,7 @@ class Judge:
 
     def _with_own_number(self, line: EquationLine) -> EquationMark | None:
         """Return the mark of a line as right if only a number or a law of the drive in it is not the task's, else None."""
-        for own in own_numbers(line.difference, self.key.variant, self.off_closure, ROUNDED):
+        for own in own_numbers(line.difference, self.key, self.off_closure, ROUNDED):
             if self._tells(own.tree):
                 told = Hint("datum", 1, own.written, term=own.meant)
                 return EquationMark(replace(line, tree=own.tree, others=()), self._verdict(own.tree), told)

@@ -11,13 +11,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from coursework.grading.marking.equations.linear import linear
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
-from coursework.grading.marking.equations.probe import Probe
+from coursework.grading.marking.equations.probe import Probe, with_data
+from coursework.grading.marking.key.key import Key
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, constant, mapped, named, spelled
 from coursework.variant.record.variant import Variant
 
+_OTHER = 1.1  # part of a datum's value for which a line is tried, too
 _SAME = 1e-9  # relative difference up to which two numbers, or two laws up to a factor, are the same
 
 
@@ -30,15 +33,22 @@ class OwnNumber:
     tree: Formula
 
 
-def own_numbers(tree: Formula, variant: Variant, probe: Probe, near: float) -> Iterator[OwnNumber]:
-    """Yield the ways to put one datum or law of the task into a line that leave at most `near` of its terms at each point."""
+def own_numbers(tree: Formula, key: Key, probe: Probe, near: float) -> Iterator[OwnNumber]:
+    """Yield the ways to put one datum or law of the task into a line that leave at most `near` of its terms at each point.
+
+    A line with a datum must be right for a mechanism with any other value of it, too: a factor may equal a datum by chance.
+    """
+    variant = key.variant
     try:
         told = {one.name: f"{one.name} = {one.text} {one.unit}".rstrip() for one in variant.given}
         told |= {law.name: f"{law.name} = {spelled(law.formula)}" for law in variant.drive if law.formula is not None}
         allowed = near * (float(np.median(real(size_of(tree, probe.names), probe.count))) or 1.0)
         for part, name in _in_place_of(tree, variant, probe):
             mended = _with(tree, part, named(name))
-            if np.all(np.abs(real(value_of(mended, probe.names), probe.count)) <= allowed):
+            if not np.all(np.abs(real(value_of(mended, probe.names), probe.count)) <= allowed):
+                continue
+            other = {name: _OTHER * variant.values[name]} if name in variant.values else {}
+            if not other or linear(mended, with_data(key, probe, other)).is_near(near):
                 yield OwnNumber(spelled(part), told[name], mended)
     except NoValue:
         return

@@ -49,6 +49,7 @@ def test_a_number_or_a_law_that_is_not_the_tasks_is_named_and_costs_nothing(text
     LETTERS.replace("r1*", "0.5*r1*"), LETTERS.replace(LAW, f"(-{LAW})"), LETTERS.replace(LAW, f"2*{LAW}"),
     LETTERS.replace("0 - a", f"{LAW} - a"),  # the law of the other direction
     numbers(LETTERS, r1=1.2, r2=0.7),  # two numbers in one line
+    "2*VMx + 2*a*w3*sin(phi3) + 2*r2*w2*sin(phi2) + 3*r1*w1*sin(phi1) = 0",  # V1 is 2 m/s by chance
 ])  # fmt: skip
 def test_a_slip_of_form_stays_one_whatever_stands_for_the_data(text):
     found = marked(text)

@@ -20,7 +20,7 @@ from coursework.grading.marking.table.causes.other_data import (
     other_columns,
     other_data,
     other_tables,
-    point_slipped,
+    printed_otherwise,
     shifted_rows,
 )
 from coursework.grading.marking.table.causes.other_drive import other_drive
@@ -62,7 +62,7 @@ def claims(
         yield replace(printed.claim("clockwise"), student=back)
     if printed.closely:
         yield from shifted_rows(printed)
-        yield from point_slipped(printed)
+        yield from printed_otherwise(printed)
     families: list[Family] = [
         _schemes, _shifted_rows, _steps, partial(_velocities, apart=() if back is None else ("sign_drive",)),
         partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns, other_drive,
@@ -282,5 +282,4 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
         alone = np.where(np.arange(m + len(key.velocities)) == m + place, 1.0, np.nan)
         claim = printed.claim(f"sign_{name}", None, (-found * alone[m:], tolerance))
         yield replace(claim, table=partial(np.multiply, key.table, np.where(np.isnan(alone), 1.0, -1.0)))
-        for code, by in (("row_above", 1), ("row_below", -1)):
-            yield printed.claim(f"{code}_{name}", None, (shifted(found, by) * alone[m:], shifted(tolerance, by)))
+        yield printed.claim(f"row_above_{name}", None, (shifted(found, 1) * alone[m:], shifted(tolerance, 1)))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import combinations, cycle, islice, product
+from itertools import combinations, cycle, islice
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from coursework.grading.marking.table.causes.shifted import in_order, put_back
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed, near
 from coursework.system.angles import whole_turns
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, shifted
 from coursework.variant.formula.units import size_of
 from coursework.variant.judging.lengths import is_refused
 from coursework.variant.record.entries import Given
@@ -185,8 +185,9 @@ def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
         yield replace(_as_euler(code, student, names), is_read_off=in_place)
 
 
-def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:
-    """Yield the claims that the coordinates, all columns, or one of them, were printed ten times too large or too small.
+def printed_otherwise(printed: TableUnderTest) -> Iterator[Claim]:
+    """Yield the claims that the coordinates, all columns, or one of them, were printed ten times too large or too small, or that
+    one velocity stands a row too early.
 
     The starts tell it of several columns, most of its cells of one.
     """
@@ -195,11 +196,14 @@ def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:
     off = [place for place in range(len(names)) if printed.of_task[:, place].mean() <= _LIKE_KEY]
     sets: list[tuple[str, Sequence[int]]] = [(SLIPPED, range(m)), (f"each_{SLIPPED}", range(len(names)))]
     sets += [(f"{COLUMN_SLIPPED}{names[place]}", [place]) for place in off]
-    for factor, (code, places) in product((10.0, 0.1), sets):
+    tried = [(code, places, there[:, places] / by, student.units[:, places] / by) for by in (10, 0.1) for code, places in sets]
+    above = shifted(there, 1), shifted(student.units, 1)
+    tried += [(f"row_below_{names[place]}", [place], above[0][:, [place]], above[1][:, [place]]) for place in off if place >= m]
+    for code, places, numbers, last in tried:
         values, units = student.values.copy(), student.units.copy()
-        values[:, places], units[:, places] = there[:, places] / factor, units[:, places] / factor
+        values[:, places], units[:, places] = numbers, last
         right = alike(printed.key, replace(student, values=values, units=units), printed.key.table)
-        if right[:, places].mean() > _LIKE_KEY if code.startswith(COLUMN_SLIPPED) else right[0, :m].all():
+        if right[0, :m].all() if len(places) > 1 else right[:, places].mean() > _LIKE_KEY:
             yield _as_euler(code, _kept(printed, printed.of_task, StudentTable(values, units)))
 
 

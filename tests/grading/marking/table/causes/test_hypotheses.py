@@ -96,13 +96,6 @@ def above(place):
     return found
 
 
-def below(place):
-    found = table()
-    found[:-1, place] = found[1:, place].copy()
-    found[-1, place] = np.nan
-    return found
-
-
 MADE = {
     **{code: students.MISCONCEPTIONS[code] for code in (
         "heun", "midpoint", "rk4", "step_ahead", "step_behind", "row_before", "in_place", "time_ahead", "time_behind",
@@ -112,15 +105,9 @@ MADE = {
     "degree_steps": lambda: table(lambda t, q: H * DEGREE * slopes(t, q)), "new_phi": new_angles,
     **{f"sign_w{k}": lambda k=k: signed(2 + k) for k in (1, 2, 3, 4)},
     **{f"row_above_w{k}": lambda k=k: above(2 + k) for k in (1, 2, 3, 4)},
-    **{f"row_below_w{k}": lambda k=k: below(2 + k) for k in (1, 2, 3, 4)},
     "omega_late": students.late, "omega_early": early,
 }  # fmt: skip
-SILENT = {
-    "omega_late",
-    "omega_early",
-    "new_phi",
-    *(f"row_{way}_w{k}" for way in ("above", "below") for k in (1, 2, 3, 4)),
-}  # make no table of their own
+SILENT = {"omega_late", "omega_early", "new_phi", *(f"row_above_w{k}" for k in (1, 2, 3, 4))}  # make no table of their own
 
 
 def families(under):
@@ -146,7 +133,7 @@ def test_a_slip_is_expected_as_it_is_made(key, code):
     claim = claims[0]  # of a scheme the one with the times of its stages
     count, share = asked(claim, np.round(values, 6))
     if code not in {"time_ahead", "time_behind"}:  # of them nothing is said of the steps
-        assert count >= 23 * (1 if code.startswith(("sign", "row_above", "row_below")) else 3)
+        assert count >= 23 * (1 if code.startswith(("sign", "row_above")) else 3)
     assert share >= (0.9 if code == "backward" else 0.98)  # of some rows repetition finds no end
     right = asked(claim, np.round(table(), 6))[1]
     assert right < 0.75
