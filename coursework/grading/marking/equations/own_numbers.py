@@ -8,6 +8,7 @@ of its own loses nothing in the others. A number for another datum is a wrong le
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, constant, mapped, named, spelled
 from coursework.variant.record.variant import Variant
 
+_LONGEST, _MOST = 150, 200  # nodes of a line that is examined, and numbers tried in place of others
 _OTHER = 1.1  # part of a datum's value for which a line is tried, too
 _SAME = 1e-9  # relative difference up to which two numbers, or two laws up to a factor, are the same
 
@@ -39,11 +41,13 @@ def own_numbers(tree: Formula, key: Key, probe: Probe, near: float) -> Iterator[
     A line with a datum must be right for a mechanism with any other value of it, too: a factor may equal a datum by chance.
     """
     variant = key.variant
+    if any(islice(tree.walk(), _LONGEST, None)):
+        return
     try:
         told = {one.name: f"{one.name} = {one.text} {one.unit}".rstrip() for one in variant.given}
         told |= {law.name: f"{law.name} = {spelled(law.formula)}" for law in variant.drive if law.formula is not None}
         allowed = near * (float(np.median(real(size_of(tree, probe.names), probe.count))) or 1.0)
-        for part, name in _in_place_of(tree, variant, probe):
+        for part, name in islice(_in_place_of(tree, variant, probe), _MOST):
             mended = _with(tree, part, named(name))
             if not np.all(np.abs(real(value_of(mended, probe.names), probe.count)) <= allowed):
                 continue
@@ -66,7 +70,7 @@ def _in_place_of(tree: Formula, variant: Variant, probe: Probe) -> Iterator[tupl
         if {*part.names()} <= {"pi"}:
             if part.op != "number" and (part.op == "name" or constant(part) is not None):
                 continue  # 2*0.7 is a factor and a length
-            value = float(value_of(part, probe.names))
+            value = float(real(value_of(part, probe.names), 1)[0])
             taken = {si for _, other, si in numbers if abs(value - other) <= _SAME * abs(other)}
             yield from ((part, name) for name, other, si in numbers if value * other > 0 and si not in taken | units)
         elif "t" in part.names():

@@ -54,3 +54,13 @@ def test_a_number_or_a_law_that_is_not_the_tasks_is_named_and_costs_nothing(text
 def test_a_slip_of_form_stays_one_whatever_stands_for_the_data(text):
     found = marked(text)
     assert found.share < 1 and not any(note.code == "data_differ" for note in found.notes)
+
+
+@pytest.mark.parametrize("text", [
+    "VMx + (1.2, 3.4)*w1 = 0", "VMx + 2 @ 3*w1 = u", "VMx + w1/0 = 0", "VMx + w1*log(-1) + sin((1, 2)) = 0",
+    "VMx + " + " + ".join(f"{k}.5*w1*sin({k}.7*t)" for k in range(60)) + " = 0",
+])  # fmt: skip
+def test_numbers_that_are_none_and_lines_that_never_end_are_no_copies(text):
+    """Vectors, no value at all, and more numbers than are tried."""
+    found = marked(text)
+    assert found.share == 0 and not found.notes
