@@ -88,7 +88,7 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
         ratio = _ratio(key, fit)
         is_number = ratio > 0 if ratio is not None else fit.code.startswith((*_DATA, _SWAPPED))
         is_near = ratio is not None and abs(ratio - 1) < _DIGITS_OFF
-        if fit.beyond_euler and ((ratio is not None and not ratio > 0) or fit.code.startswith(_SIGN)):
+        if fit.beyond_euler and ((ratio is not None and ratio < 0) or fit.code.startswith(_SIGN)):
             worth = max(worth, rubric.own_equations_floor)
         if fit.beyond_euler and (fit.share >= least or is_near) and fit.share > copied and is_number:
             worth = max(worth, _of_data(rubric, fit))
