@@ -17,6 +17,7 @@ from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.blank import empty_table
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key.key import Key
+from coursework.grading.marking.questions import questions
 from coursework.grading.marking.rubric import Rubric, rounded_points
 from coursework.grading.marking.student_table import is_the_key, student_of, with_given
 from coursework.grading.marking.table.by_rows import marked, points_of
@@ -24,8 +25,8 @@ from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned
 from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
-from coursework.grading.marking.table.causes.other_data import SLIPPED
-from coursework.grading.marking.table.causes.whole import as_made, fewer_decimals, only_coarse, untold_points
+from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, SLIPPED
+from coursework.grading.marking.table.causes.whole import as_made, fewer_decimals, untold_points
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.cut_off import with_the_rest
 from coursework.grading.marking.table.earning import best_rule
@@ -190,16 +191,12 @@ class Marker:
         }
         judged = verdicts(self.key, table, equations)
         status, reason, notes = self._status(work, shares)
-        if status == "graded" and table and self.rubric.weights["table"] and (asked := table.open_question(self.key.names)):
+        if status == "graded" and (asked := next(questions(self.key, self.rubric.weights, table, equations), None)):
             status, reason = "needs-review", asked
-        if status == "graded" and table and self.rubric.weights["table"] and (count := only_coarse(self.key, table.cells)):
-            status, reason = "needs-review", say("reading.review.few_decimals", count=count, least=self.key.least_decimals)
-        if status == "graded" and equations is not None and self.rubric.weights["equations"] and (unread := equations.unread):
-            line = unread.line
-            key = "unread_place" if line.place else "unread_line"
-            status, reason = "needs-review", say(f"reading.review.{key}", line=line.line, place=line.where, text=line.text[:80])
         clockwise = (note("clockwise"),) if back or (equations and equations.turned) else ()
-        slipped = table and table.misconception and table.misconception.code.endswith(SLIPPED)
+        slipped = (
+            table and table.misconception and table.misconception.code.startswith((SLIPPED, f"each_{SLIPPED}", COLUMN_SLIPPED))
+        )
         read = [one for one in work.notes if not slipped or one.code != "turns"]  # numbers ten times too large are no turns
         notes = (*read, *clockwise, *(equations.notes if equations else ()), *self._notes(table), *notes)
         if status == "graded" and notes:

@@ -6,6 +6,7 @@ Each is (files, the variant's bytes, decisions, why a person must look).
 from __future__ import annotations
 
 import re
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -198,6 +199,8 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "missing-term": files(equations=(*EQUATIONS[:3], "r3*w3*sin(phi3) - r2*w2*cos(phi2) = 0")),
         "many-lines": files(equations=tuple(f"w1 = {k}*w2" for k in range(9))),
         "rounded-data": files(equations=(EQUATIONS[0].replace("2*r3*w3", "0.9145*w3"), *EQUATIONS[1:])),
+        "number-copied": files(equations=(EQUATIONS[0].replace("r3", "0.557"), *EQUATIONS[1:])),
+        "other-sign": files(students.table(printed=partial(velocities, alpha=-4.35))),
         "by-place": {"table.csv": "\n".join(numbers).encode()},
         "wrong-drive": files(equations=("VMy = V1*cos(p*t + alpha)", *EQUATIONS)),
         "prose": files(equations=(*EQUATIONS, "w2 = how r2 turns?")),
@@ -220,6 +223,8 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         **{code.replace("_", "-"): files(made(MACHINE)) for code, made in MIXED.items()},
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
         "point-slipped": files(np.hstack([10 * RIGHT[:, :3], RIGHT[:, 3:]])),
+        "one-column-slipped": files(RIGHT * np.where(np.arange(7) == 4, 10, 1)),
+        "one-column-a-row-early": files(np.hstack([RIGHT[:, :3], RIGHT[[*range(1, 25), 24], 3:4], RIGHT[:, 4:]])),
         "rows-from-the-last-on": files(RIGHT[::-1]),
         "no-velocities": files(np.hstack([RIGHT[:, :3], 0 * RIGHT[:, 3:]])),
         "angles-a-row-late": files(np.hstack([RIGHT[[0, *range(24)], :3], RIGHT[:, 3:]])),

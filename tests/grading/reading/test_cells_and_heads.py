@@ -71,7 +71,7 @@ def test_a_head_and_its_unit(head: str, parts: tuple[str, str]) -> None:
     ("unit", "head", "meant"), [("1/s", "deg", "deg/s"), ("1/s", "rad", "1/s"), ("rad", "deg", "deg"), ("m", "mm", "mm")]
 )
 def test_the_unit_that_a_head_says_counts(unit: str, head: str, meant: str) -> None:
-    assert unit_of_column(SimpleNamespace(unit=unit, values=[1.0, 2.0]), head, [1.0, 2.0]) == meant
+    assert unit_of_column(SimpleNamespace(unit=unit, values=[1.0, 2.0]), head, [5.0, 10.0]) == meant
 
 
 def test_pictures_are_known_by_their_first_bytes() -> None:

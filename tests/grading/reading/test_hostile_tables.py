@@ -177,9 +177,9 @@ def test_units_from_the_header_and_from_the_numbers() -> None:
     assert codes(degrees) == ["degrees", "turns"]
     assert abs(column(degrees, "phi1")[5] - GRID.columns[0].values[5]) < 1e-4
     nothing = read(csv([[row[0], row[1], "0.0000", *row[3:]] for row in ROWS]))  # 3.37 rad away: no whole turn
-    assert column(nothing, "phi2")[0] != 0 and codes(nothing) == []
+    assert column(nothing, "phi2")[0] == 0 and codes(nothing) == []
     said = "\n".join(";".join(row) for row in [["t", "phi1, deg", *HEAD[2:]], *ROWS]).encode()
-    assert read(said).column("phi1").unit == "deg"  # type: ignore[union-attr]
+    assert read(said).column("phi1").unit == "rad"  # type: ignore[union-attr]  # the numbers are radians, whatever is above
     milliseconds = [[f"{1000 * float(row[0]):g}", *row[1:]] for row in ROWS]
     assert all(read(csv(milliseconds)).rows_present)
 
@@ -201,6 +201,9 @@ def test_formulas_without_values() -> None:
     few[10][7] = "f:B3*2"
     table = read(workbook({"1": [heads, *few]}), "t.xlsx")
     assert table.column("w4").flags[10] == "formula"  # type: ignore[union-attr]
+    assert "of w4 hold formulas" in table.unsure  # type: ignore[union-attr]
+    few = [["f:A1+0.02" if place == 0 and k else text for place, text in enumerate(row)] for k, row in enumerate(few)]
+    assert "of t and w4 hold formulas" in read(workbook({"1": [heads, *few]}), "t.xlsx").unsure  # type: ignore[union-attr]
     error = [[f"n:{text}" for text in row] for row in ROWS]
     error[10][7] = "e:#DIV/0!"
     assert read(workbook({"1": [heads, *error]}), "t.xlsx").column("w4").flags[10] == "error"  # type: ignore[union-attr]

@@ -6,6 +6,7 @@ Used by `equations.py`.  An edit changes one place; the values of all other node
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
@@ -15,7 +16,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.numbers import NoValue, combined, computed
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, named, number, replaced
+from coursework.variant.formula.tree import Formula, named, number, replaced, spelled
 
 Kind = Literal["sign", "function", "name", "factor"]
 _LIKELIEST = ("sign", "function", "removed", "name", "factor")
@@ -156,3 +157,12 @@ def unlikeliness(tree: Formula, edit: Edit, *, is_new_sign: bool) -> tuple[int, 
     after = [node.op for node in applied(tree, edit).walk()] if edit.kind == "factor" else []
     kind = "removed" if after and len(after) < sum(1 for _ in tree.walk()) else edit.kind
     return _LIKELIEST.index(kind), is_new_sign, after.count("name"), len(after), edit.column
+
+
+_BEGINS_MINUS = re.compile(r"^\(-([\w.]+)\)(?=[*/])")
+
+
+def written(tree: Formula) -> str:
+    """Return `left - right` written as an equation, with -r1*w1 at the beginning of a side as people write it."""
+    sides = tree.args if tree.op == "-" and len(tree.args) == 2 else (tree, number(0))
+    return " = ".join(_BEGINS_MINUS.sub(r"-\1", spelled(side)) for side in sides)

@@ -7,27 +7,28 @@ order, sides and solved forms need no care.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain
 from typing import Any, Literal
 
 import numpy as np
 
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
-from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness
+from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness, written
 from coursework.grading.marking.equations.lacks import lack_of, law_of
 from coursework.grading.marking.equations.linear import Linear, differing, is_one_slip, linear, rank, says_more
 from coursework.grading.marking.equations.meant_together import as_lists_or_minus, as_others_of_their_kind
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.other_forms import with_other_sign, without_ratios
+from coursework.grading.marking.equations.own_numbers import own_numbers
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
 from coursework.grading.marking.key.key import Key
 from coursework.grading.reading.student_work import EquationLine
 from coursework.grading.reading.submission import Note, note
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, number, spelled
+from coursework.variant.formula.tree import Formula, spelled
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -46,7 +47,7 @@ class Hint:
     `column` is that of the line as handed in, which a document or a cell may show otherwise; `term` is what stands there.
     """
 
-    kind: Literal["sign", "function", "name", "factor", "repaired", "reader"]
+    kind: Literal["sign", "function", "name", "factor", "datum", "repaired", "reader"]
     column: int
     text: str
     others: int = 0
@@ -112,11 +113,13 @@ class EquationMarks:
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """Return notes for a person: how many lines were completed in order to read them, and which have rounded numbers."""
+        """Return notes for a person: how many lines were completed in order to read them, which numbers are not the task's."""
         guessed = sum(mark.line.guessed and mark.verdict != "unreadable" for mark in self.marks)
+        own = {(mark.hint.text, mark.hint.term) for mark in self.marks if mark.hint and mark.hint.kind == "datum"}
         rounded = [str(mark.line.line) for mark in self.marks if mark.verdict == "rounded"]
         return (
             *([note("repaired", number=guessed)] if guessed else []),
+            *(note("data_differ", "own_number", written=written, meant=meant) for written, meant in sorted(own)),
             *([note("rounded", lines=joined(rounded, "join.comma"))] if rounded else []),
         )
 
@@ -223,20 +226,27 @@ class Judge:
         """Return the mark of a line in the first of its readings that is right; if none is, in the first one."""
         line = without_ratios(line, self.key.variant.sought)
         if line.others and (line.tree is None or not self._tells(line.tree)):
-            for other in line.others:
-                if self._tells(other.tree):
-                    line = line.read_as(other, others=(), guessed=True)
-                    break
+            right = (line.read_as(other, others=(), guessed=True) for other in line.others if self._tells(other.tree))
+            line = next(right, line)
         if line.tree is None:
-            column = (line.fault.column if line.fault else 0) or 1  # a fault of a whole file or key has no column
-            message = line.fault.message if line.fault else ""
-            return EquationMark(line, "unreadable", Hint("reader", column, message, fault=line.fault))
+            fault = line.fault  # that of a whole file or key has no column
+            reader = Hint("reader", fault.column or 1, fault.message, fault=fault) if fault else Hint("reader", 1, "")
+            return EquationMark(line, "unreadable", reader)
         verdict = self._verdict(line.tree)
         if verdict == "wrong":
-            told = ((one, slip) for one in (line, *map(line.read_as, line.others)) if (slip := self._slip(one.difference, one)))
-            return EquationMark(*next(((one, verdict, slip) for one, slip in told), (line, verdict, None)))
+            meant = (line, *map(line.read_as, line.others))
+            told = (EquationMark(one, verdict, slip) for one in meant if (slip := self._slip(one.difference, one)))
+            return next(chain(filter(None, map(self._with_own_number, meant)), told), EquationMark(line, verdict))
         repaired = Hint("repaired", 1, line.repaired) if line.repaired else None
         return EquationMark(line, verdict, repaired)
+
+    def _with_own_number(self, line: EquationLine) -> EquationMark | None:
+        """Return the mark of a line as right if only a number or a law of the drive in it is not the task's, else None."""
+        for own in own_numbers(line.difference, self.key, self.off_closure, ROUNDED):
+            if self._tells(own.tree):
+                told = Hint("datum", 1, own.written, term=own.meant)
+                return EquationMark(replace(line, tree=own.tree, others=()), self._verdict(own.tree), told)
+        return None
 
     def _tells(self, tree: Formula) -> bool:
         """Return whether an equation is right and depends on the velocities."""
@@ -258,12 +268,11 @@ class Judge:
     def _slip(self, tree: Formula, line: EquationLine) -> Hint | None:
         """Return the likeliest single edit that makes a line right as a hint, with the number of others; None if none does."""
         read = line.repaired or line.text
-        found = self.slips(tree, read)
-        if not found:
+        if not (found := self.slips(tree, read)):
             return None
         best = found[0]
         column = column_as_handed_in(line.text, read, best.column, is_sign=best.kind == "sign")
-        return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1, term=spelled(term_of(tree, best)))
+        return Hint(best.kind, column, written(applied(tree, best)), len(found) - 1, term=spelled(term_of(tree, best)))
 
     def slips(self, tree: Formula, read: str) -> list[Edit]:
         """Return all single edits that make a wrong line right, the likeliest first; `read` is the text of the line as read."""
@@ -289,12 +298,3 @@ class Judge:
 
 def _trees(marks: Sequence[EquationMark]) -> list[Formula]:
     return [mark.line.difference for mark in marks]
-
-
-_BEGINS_MINUS = re.compile(r"^\(-([\w.]+)\)(?=[*/])")
-
-
-def _written(tree: Formula) -> str:
-    """Return `left - right` written as an equation, with -r1*w1 at the beginning of a side as people write it."""
-    sides = tree.args if tree.op == "-" and len(tree.args) == 2 else (tree, number(0))
-    return " = ".join(_BEGINS_MINUS.sub(r"-\1", spelled(side)) for side in sides)

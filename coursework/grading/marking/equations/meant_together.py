@@ -1,7 +1,7 @@
 """Lines that are meant alike: a dash before all marks a list or is a minus; F(1) = … or cells =… are all residuals, or none.
 
-Enters: lines, each with its possible readings, or their marks.  Leaves: the lines as they may be meant together.
-Used by `equations.py`.
+Enters: lines, each with its possible readings, or their marks.  Leaves: the lines as they may be meant together, and files of
+which not all can be meant.  Used by `equations.py`, `questions.py`.
 """
 
 from __future__ import annotations
@@ -101,3 +101,15 @@ def _stem(line: EquationLine) -> str:
 
 def _vanishes(text: str) -> bool:
     return text.endswith("= 0") or text.startswith("0 = ")
+
+
+def contradicting(verdicts: Sequence[tuple[str, str]], needed: int) -> tuple[str, ...]:
+    """Return the files that each hold as many lines as equations are needed, if only some of them are right throughout.
+
+    `verdicts` has the file of each line and its verdict. Which of the files is meant, a person decides.
+    """
+    wrong: dict[str, list[bool]] = {}
+    for file, verdict in verdicts:
+        wrong.setdefault(file, []).append(verdict == "wrong")
+    whole = {file: any(lines) for file, lines in wrong.items() if len(lines) >= needed}
+    return tuple(whole) if len({*whole.values()}) > 1 else ()

@@ -86,16 +86,25 @@ def exact_probe(key: Key) -> Probe:
     return _probe(key, key.t[rows], key.exact[rows, :m], key.exact[rows, m:])
 
 
-def _probe(key: Key, t: Array, q: Array, u: Array) -> Probe:
+def with_data(key: Key, probe: Probe, data: Mapping[str, float]) -> Probe:
+    """Return the probe of the same positions for a mechanism of which some data are other ones."""
+    t, q = probe.names["t"], np.column_stack([probe.names[name] for name in key.coordinates])
+    return _probe(key, t, q, key.velocities_at(t, q, data), data)
+
+
+def _probe(key: Key, t: Array, q: Array, u: Array, data: Mapping[str, float] | None = None) -> Probe:
     sought = key.variant.sought
     places = [key.velocities.index(name) for name in sought]
-    names = names_at(key, t, q) | dict(zip(key.velocities, u.T, strict=True))
+    names = names_at(key, t, q, data) | dict(zip(key.velocities, u.T, strict=True))
     return Probe(names, sought, u[:, places])
 
 
-def names_at(key: Key, t: Array, q: Array) -> dict[str, Any]:
-    """Return the values of all names except the unknown velocities at times (n,) and positions (n, m); points are complex."""
-    names: dict[str, Any] = {"t": t, "pi": np.pi, **key.variant.values}
+def names_at(key: Key, t: Array, q: Array, data: Mapping[str, float] | None = None) -> dict[str, Any]:
+    """Return the values of all names except the unknown velocities at times (n,) and positions (n, m); points are complex.
+
+    `data` replaces some of the variant's.
+    """
+    names: dict[str, Any] = {"t": t, "pi": np.pi, **key.variant.values, **(data or {})}
     names |= dict(zip(key.coordinates, q.T, strict=True))
     for law in (*key.variant.functions, *key.variant.drive):
         names[law.name] = _law(law, names)

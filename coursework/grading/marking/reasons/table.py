@@ -17,6 +17,7 @@ from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
 from coursework.grading.marking.table.causes.misconceptions import OTHER_STEPS, ROWS_SHIFTED, Misconception
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows, repeated_rows
+from coursework.grading.marking.table.causes.other_data import OTHER_SIGN
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.marking.verdicts import euler_steps
@@ -106,14 +107,16 @@ def _causes(
     named, earned = marked.misconception, marked.earned
     if named:
         share = str(int(100 * named.share + 1e-9))  # rounded down: 100 means the whole table
-        told = say("feedback.misconception.share", share=share)
+        is_counted = earned.rule == "cells"  # else the sum tells a percentage of its own, of the cells that count
+        told = say("feedback.misconception.share", share=share) if is_counted else say("feedback.misconception.most")
         own = own_line if named.code.startswith(_EQUATION) and len(named.names) < 2 else ""
         yield Reason("table", "cause", joined([told, _told(named.code, because, named.names), own]))
         for code in named.ties:
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), _told(code, because)]))
     if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
         partly = say(f"feedback.misconception.{'partly' if named is None else 'also'}")
-        yield Reason("table", "cause", joined([partly, _told(earned.cause, because, starts if earned.rule == "start" else ())]))
+        names = starts if earned.cause.startswith("start_") else ()
+        yield Reason("table", "cause", joined([partly, _told(earned.cause, because, names)]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and found.wrong > _MANY * found.cells:
         if isinstance(own_line, Sentence) and own_line.key == _RIGHT_LINE:
             yield Reason("table", "cause", own_line)
@@ -142,7 +145,8 @@ def _told(code: str, because: Mapping[str, str], names: tuple[str, ...] = ()) ->
         return say("feedback.misconception.positions_shifted", names=names)
     if code.startswith(_DATUM) and names:
         known = {"value": float(names[0]), "unit": names[1]}
-        return say("feedback.misconception.datum_value", name=quoted(code.removeprefix(_DATUM)), **known)
+        key = "datum_sign" if OTHER_SIGN in names else "datum_value"
+        return say(f"feedback.misconception.{key}", name=quoted(code.removeprefix(_DATUM)), **known)
     if code == OTHER_STEP and names:
         return say("feedback.misconception.other_step_value", value=float(names[0]))
     if len(names) > 1 and code.startswith(_SEVERAL):

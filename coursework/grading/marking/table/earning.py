@@ -16,7 +16,7 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
 from coursework.grading.marking.table.causes.hypotheses import NO_VELOCITIES, PI_ROUNDED, RADIAN_MODE
 from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
-from coursework.grading.marking.table.causes.other_data import DATUM
+from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, DATUM
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import Fit
@@ -35,6 +35,7 @@ _PARTLY = 0.8
 # Causes of a table made from other numbers than the task's: one, as found or as the rubric declares it; two that were exchanged.
 _DATA, _SWAPPED = (DATUM, "confusion_"), "swap_"
 _DIGITS_OFF = 0.05  # a datum that is off by less has digits wrong: no slip in an equation does the same
+_SIGN = "sign_"  # one sign, of a velocity as of a datum or in an equation, is a single slip
 _NO_SLIPS = (_SWAPPED, "variant_", OWN, "other_drive")
 
 
@@ -57,8 +58,8 @@ def _by_start(
     """Yield what a faultless table from another start earns; nothing if the start is that of another variant."""
     if own is not None and not any(_is_row(key, cells, table) for table in others.values()):
         explained = table_points(key, own.cells, rubric.carried).share
-        worth = rubric.start_floor if len(own.names) == 1 else rubric.start_floor_several
-        yield _earned("start", points, explained, worth, f"start_{own.names[0]}")
+        worth = rubric.start_floor if len(own.names) < 2 else rubric.start_floor_several
+        yield _earned("start", points, explained, worth, own.cause)
 
 
 def _is_row(key: Key, cells: Cells, table: Array) -> bool:
@@ -87,6 +88,8 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
         ratio = _ratio(key, fit)
         is_number = ratio > 0 if ratio is not None else fit.code.startswith((*_DATA, _SWAPPED))
         is_near = ratio is not None and abs(ratio - 1) < _DIGITS_OFF
+        if fit.beyond_euler and ((ratio is not None and ratio < 0) or fit.code.startswith(_SIGN)):
+            worth = max(worth, rubric.own_equations_floor)
         if fit.beyond_euler and (fit.share >= least or is_near) and fit.share > copied and is_number:
             worth = max(worth, _of_data(rubric, fit))
         if fit.share < copied or not (fit.beyond_euler or worth <= rubric.misconception_floor):
@@ -128,7 +131,7 @@ def _worth(rubric: Rubric, fit: Fit) -> float:
     """Return the worth of a cell that a misconception explains: for a single slip it is more than for a wrong method.
 
     An angle counted from another axis is a start that is not the task's, and so are starts (`fit.names`) in degrees from which
-    all else was made in radians, whatever the unit in the head of the columns.
+    all else was made in radians, whatever the unit in the head of the columns. One column ten times too large costs as much.
     Work with rounded velocities or a rounded π is Euler's, worked out coarser: what a few digits less in print would hide costs
     little.
     """
@@ -138,7 +141,7 @@ def _worth(rubric: Rubric, fit: Fit) -> float:
         return ROUNDED
     if fit.code == RADIAN_MODE and len(fit.names) > 1:
         return rubric.start_floor_several
-    if fit.code.startswith(causes.ORIGIN) or (fit.code == RADIAN_MODE and fit.names):
+    if fit.code.startswith((causes.ORIGIN, COLUMN_SLIPPED)) or (fit.code == RADIAN_MODE and fit.names):
         return rubric.start_floor
     return rubric.own_equations_floor if fit.code.startswith(_SLIPS) else rubric.misconception_floor
 

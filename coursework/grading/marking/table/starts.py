@@ -13,6 +13,7 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.guesses import agreed
 from coursework.grading.marking.table.cells import GIVEN, Cells, mark_cells
+from coursework.grading.marking.table.closed_starts import one_number
 from coursework.grading.marking.table.ways import HALF, KEY, STEP, STEP_TRUE, StudentTable, as_printed, near, own_ways
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -26,10 +27,19 @@ _DECIMALS = range(1, 9)
 
 @frozen
 class OwnStart:
-    """A table marked as if the task began at its start: its `cells`, and the `names` of the starts that are not the task's."""
+    """A table marked as if the task began at its start: its `cells`, and the `names` of the starts that are not the task's.
+
+    Starts that the geometry gives are not named if they follow from another start or from a `datum` with another value.
+    """
 
     cells: Cells
     names: tuple[str, ...]
+    datum: str = ""
+
+    @property
+    def cause(self) -> str:
+        """Return the code of the cause."""
+        return f"datum_{self.datum}" if self.datum else f"start_{self.names[0]}"
 
 
 def begins_elsewhere(key: Key, cells: Cells) -> bool:
@@ -60,7 +70,11 @@ def own_start(key: Key, cells: Cells) -> OwnStart | None:
         return None
     start, made = max(found, key=lambda one: int((one[1].marks == KEY).sum()))
     task = key.table[0, : len(start)]
-    return OwnStart(made, tuple(key.coordinates[place] for place in np.flatnonzero(start != task).tolist()))
+    names = tuple(key.coordinates[place] for place in np.flatnonzero(start != task).tolist())
+    one = one_number(key, start, 2 * to_print) if len(names) > 1 else ""
+    if one and one not in names:
+        return OwnStart(made, (), one)
+    return OwnStart(made, (one,) if one else names)
 
 
 def _starts(key: Key, cells: Cells) -> list[Array]:

@@ -74,7 +74,10 @@ def _table(part: Part, grid: Grid) -> Table:
     rows = place_rows(layout, places, grid)
     other = _in_order(part, grid, places, rows) if rows.off_grid else None
     if any(row is not None for row in rows.of_grid):
-        unsure = say("reading.trouble.two_rows", row=rows.twice) if rows.twice else None
+        found = {name: [row[place.at].flag for row in layout.body] for name, place in places.places.items() if name != INDEX}
+        empty = tuple(name for name, flags in found.items() if "formula" in flags)
+        unsure = say("reading.trouble.formulas_in", names=empty, cells=uncomputed) if empty else None
+        unsure = say("reading.trouble.two_rows", row=rows.twice) if rows.twice else unsure
         return replace(_placed(part, grid, places, rows), in_order=other, unsure=unsure)
     if other is None or len(layout.body) != grid.rows:
         raise unreadable("no_rows", step=grid.step, rows=grid.rows)

@@ -27,9 +27,10 @@ _MOVED, _TURNED = 1 / 6, 1 / 2  # of a turn: an angle's most motion per row; a g
 def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, Sequence[float]]) -> dict[str, str]:
     """Return the unit of each column handed in, by name; `values` have one number for each row of the grid, NaN if missing.
 
-    The head or the key determines the unit.  If a column is too wrong for that, a velocity's unit follows from the steps made
-    with it, and any other column has the unit of most columns of its kind: nobody prints one angle in degrees and the next in
-    radians.  If no column of a kind has a unit, as with exchanged columns, all their numbers together determine it.
+    The head or the key determines the unit; a head that the numbers contradict is only a slip.  If a column is too wrong for
+    that, a velocity's unit follows from the steps made with it, and any other column has the unit of most columns of its kind:
+    nobody prints one angle in degrees and the next in radians.  If no column of a kind has a unit, as with exchanged columns,
+    all their numbers together determine it.
     """
     there = [column for column in grid.columns if column.name in values]
     found = {column.name: unit_of_column(column, heads[column.name], values[column.name]) for column in there}
@@ -49,6 +50,14 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
     for column in in_doubt if "rad" in found.values() else ():
         if found[column.rate] in {"1/s", None}:
             found[column.name] = _alike(_ratios(*reversed(moved_with(column))), {"rad": 1.0}, _WIDTH) or "deg"
+    for column in there:  # velocities under another unit's head: both the key and the steps made with them tell so
+        if (rate := named.get(column.rate)) and heads[rate.name]:
+            of_key, moved = (
+                _ratios(rate.values, values[rate.name]),
+                _ratios(*moved_with(column, factor_of(column, found[column.name] or ""))),
+            )
+            told = _alike(of_key, PRINTED.get(rate.unit, {}), _AS_BEGUN)
+            found[rate.name] = told if told and _alike(moved, {told: factor_of(rate, told)}, _WIDTH) else found[rate.name]
     turning = [column for column in there if column.unit == "1/s"]
     for unit in {column.unit: None for column in there if column not in turning}:
         settle(unit)
@@ -93,14 +102,14 @@ def _is_about(sizes: Sequence[float], factor: float) -> bool:
 def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> str | None:
     """Return the unit of a column from its head or the key, None if neither determines it."""
     known = PRINTED.get(column.unit, {column.unit: 1.0})
-    if head in known:
-        return head
+    first = values[0] / column.values[0] if column.unit == "rad" and column.values[0] else math.nan
+    begins = [first] if math.isfinite(first) else []
+    if head in known:  # unless the start value, or most of an angle, is printed in another unit
+        return _alike(begins or _ratios(column.values, values), known if column.unit == "rad" else {}, _AS_BEGUN) or head
     if column.unit == "1/s" and head in {"deg", "rad"}:
         return {"deg": "deg/s", "rad": "1/s"}[head]
     # A column that starts with the task's start value in some unit has that unit; a wrong table may later differ by any factor.
     # Velocities are not judged by their start: a factor of 57 may also come from a calculator set to degrees.
-    first = values[0] / column.values[0] if column.unit == "rad" and column.values[0] else math.nan
-    begins = [first] if math.isfinite(first) else []
     # Only a position may be counted from elsewhere; a velocity whose first row is wild differs by that in every row.
     increments = _ratios(_increments(column.values), _increments(values)) if column.rate else []
     seen = ((_ratios(column.values, values), _WIDTH), (begins, _AS_BEGUN), (increments, _WIDTH))
@@ -128,9 +137,11 @@ def whole_turns(column: GridColumn, values: Sequence[float], moves: Sequence[flo
 
     The number is the same in all rows, except in rows that agree with the key as printed.  If the angle is kept within one turn,
     the number changes at each jump, provided that this brings the angle to the key: a wild motion jumps, too.  There `moves`
-    tell the turns: the steps (rad) to the next row that the printed velocities make, if there are any.
+    tell the turns: the steps (rad) to the next row that the printed velocities make, if there are any.  A column that stands
+    still where the key moves has no turns, however near it is to one.
     """
-    if column.unit != "rad" or not _apart(column, values):
+    own, right = (any(abs(step) > 0 for step in _increments(numbers)) for numbers in (values, column.values))
+    if column.unit != "rad" or (right and not own) or not _apart(column, values):
         return ()
     jumps = turns_of_jumps(values)
     if any(jumps):

@@ -56,7 +56,7 @@ class Desk:
         grade = self.handed(*args, **kwargs)
         return grade.part("table")[0], grade.table
 
-    def handed(self, table, equations="right", times=None, with_time=True, digits=4):
+    def handed(self, table, equations="right", times=None, with_time=True, digits=4, more=None):
         times = np.arange(len(table)) * self.machine.h if times is None else times
         lines = [";".join([*(["t"] if with_time else []), *self.key.names])]
         for t, row in zip(times, table, strict=True):
@@ -66,6 +66,7 @@ class Desk:
         if equations is not None:
             texts = right | (equations if isinstance(equations, dict) else {})
             files.append(submitted_file("equations.txt", "\n".join(texts.values()).encode()))
+        files += [submitted_file(name, text.encode()) for name, text in (more or {}).items()]
         return self.marker.grade(read_submission(Submission("a", None, tuple(files)), self.expected))
 
     def heads(self, *names):

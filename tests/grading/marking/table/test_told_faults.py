@@ -55,6 +55,22 @@ def test_a_slip_in_a_datum_costs_the_same_small_or_large(name, part):
     assert marked.earned.cause == f"datum_{name}"
 
 
+@pytest.mark.parametrize("number", [0, 2])
+def test_a_datum_with_the_other_sign_costs_what_a_wrong_sign_costs_and_is_named_with_it(number):
+    """Half of the table, as for a sign in an equation or of the whole drive: it was a wrong method's 0.4 for some data."""
+    desk, sentences = variants()[number], {}
+    for name in ("V1", "alpha", "p"):
+        points, marked = desk.marked(Machine(desk.variant, data={name: -desk.variant.values[name]}).table())
+        assert (points, marked.earned.worth) == (30, 0.5), name
+        sentences[name] = " ".join(one.text for one in table_reasons(desk.key, marked, Rubric(), points, 60.0))
+    assert "the drive has the other sign" in sentences.pop("V1")  # it is the same table
+    for name, told in sentences.items():
+        given = next(one for one in desk.variant.given if one.name == name)
+        assert (
+            f"the datum {name} was taken with the other sign: the velocities follow with {-given.value:.4g} {given.unit}" in told
+        )
+
+
 @pytest.mark.parametrize(("part", "told"), [(1.000008, False), (1.000012, True)])
 def test_a_value_is_another_from_a_hundred_thousandth_on(part, told):
     desk = variants()[0]
@@ -171,3 +187,24 @@ def test_all_starts_that_are_not_the_tasks_are_told_where_they_explain_a_part():
     (part, starts) = told[0].split(": ")
     assert part == "Part of the table follows from one thing" and len(told) == 1
     assert starts == "the table was made from start values of phi1, phi2 and phi3 other than the task's."
+
+
+@pytest.mark.parametrize("factor", [10, 0.1])
+def test_a_column_ten_times_too_large_is_told_as_that_and_costs_the_same_in_every_column(factor):
+    """A velocity so large was told as a wrong datum, an angle as nothing; the steps show that it is only printed so."""
+    desk = variants()[0]
+    for place, name in enumerate(desk.key.names):
+        table = desk.machine.table()
+        table[:, place] *= factor
+        points, marked = desk.marked(table, digits=5)
+        assert (points, codes(marked)[0]) == (57, f"column_slipped_{name}")
+    carried = Machine(desk.variant, data={"r1": 0.1 * desk.variant.values["r1"]}).table()
+    assert codes(desk.marked(carried)[1])[0] == "datum_r1"
+
+
+def test_a_column_one_row_early_is_told_as_that():
+    desk = variants()[2]
+    table = desk.machine.table()
+    table[:-1, desk.machine.m] = table[1:, desk.machine.m].copy()
+    _, marked = desk.marked(table)
+    assert codes(marked)[0] == f"row_below_{desk.key.velocities[0]}"

@@ -10,7 +10,7 @@ from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.table.columns import Places, find_columns
 from coursework.grading.reading.table.headers import read_head
 from coursework.grading.reading.table.layout import Layout
-from coursework.grading.reading.table.units import units_of_columns
+from coursework.grading.reading.table.units import units_of_columns, whole_turns
 
 UNITS = {"phi1": "rad", "phi2": "rad", "w1": "1/s", "w2": "1/s"}
 TIMES = "0 0.1 0.2 0.3"
@@ -155,3 +155,36 @@ def test_a_sliding_speed_that_is_wild_in_the_first_row_alone_keeps_its_unit():
     speeds = (1.0, 1.4, 2.75, 2.7, 2.8)
     grid = Grid(0.1, 5, (GridColumn("u", "m/s", speeds),), ())
     assert units_of_columns(grid, {"u": ""}, {"u": [-175.0, 0.13, 0.44, 0.93, 1.75]})["u"] == "m/s"
+
+
+RATE = [4.0 - 0.3 * k for k in range(5)]
+
+
+@pytest.mark.parametrize(("heads", "factors", "units"), [
+    (("rad", "1/s"), (57.29578, 1.0), ("deg", "1/s")), (("deg", "1/s"), (1.0, 1.0), ("rad", "1/s")),
+    (("rad", "1/s"), (57.29578, 57.29578), ("deg", "deg/s")), (("rad", "1/s"), (1.0, 9.549297), ("rad", "rpm")),
+    (("rad", "1/s"), (10.0, 1.0), ("rad", "1/s")),  # another number is no unit
+])  # fmt: skip
+def test_a_head_that_the_numbers_contradict_is_only_a_slip(heads, factors, units):
+    """The steps are made with the velocities; a label alone cost 26 of 60 points."""
+    angle = [1.4]
+    for rate in RATE[:-1]:
+        angle.append(angle[-1] + 0.02 * rate)
+    grid = Grid(0.02, 5, (GridColumn("q", "rad", angle, "w"), GridColumn("w", "1/s", RATE)))
+    own = {"q": [factors[0] * value for value in angle], "w": [factors[1] * value for value in RATE]}
+    assert tuple(units_of_columns(grid, dict(zip("qw", heads, strict=True)), own).values()) == units
+
+
+def test_a_velocity_that_only_looks_converted_keeps_the_unit_of_its_head():
+    """A crank turning 9.55 times too fast, as the angles do: its speed was taken in revolutions per minute."""
+    grid = Grid(0.02, 5, (GridColumn("q", "rad", [0.0, 0.2, 0.4, 0.6, 0.8], "w"), GridColumn("w", "1/s", [10.0] * 5)))
+    own = {"q": [9.549297 * 0.2 * k for k in range(5)], "w": [95.49297] * 5}
+    assert units_of_columns(grid, {"q": "rad", "w": "1/s"}, own) == {"q": "rad", "w": "1/s"}
+
+
+@pytest.mark.parametrize(("key", "own", "turns"), [
+    ((5.57, 5.6, 5.7, 5.8), (0.0,) * 4, ()),  # near a turn, but it is no motion
+    ((5.57, 5.6, 5.7, 5.8), (-0.7132, -0.6832, -0.5832, -0.4832), (-1,) * 4), ((5.57,) * 4, (-0.7132,) * 4, (-1,) * 4),
+])  # fmt: skip
+def test_a_column_that_stands_still_has_no_whole_turns(key, own, turns):
+    assert whole_turns(GridColumn("phi3", "rad", key), own) == turns

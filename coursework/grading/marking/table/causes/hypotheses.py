@@ -20,7 +20,7 @@ from coursework.grading.marking.table.causes.other_data import (
     other_columns,
     other_data,
     other_tables,
-    point_slipped,
+    printed_otherwise,
     shifted_rows,
 )
 from coursework.grading.marking.table.causes.other_drive import other_drive
@@ -62,7 +62,7 @@ def claims(
         yield replace(printed.claim("clockwise"), student=back)
     if printed.closely:
         yield from shifted_rows(printed)
-        yield from point_slipped(printed)
+        yield from printed_otherwise(printed)
     families: list[Family] = [
         _schemes, _shifted_rows, _steps, partial(_velocities, apart=() if back is None else ("sign_drive",)),
         partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns, other_drive,

@@ -172,7 +172,7 @@ def explanations(
     if began:
         share = share_of(*euler_cells(key, began.cells))
         if share >= NAMED and share > key_share + BETTER:
-            named[f"start_{began.names[0]}"] = share, key_share, began.names
+            named[began.cause] = share, key_share, began.names
     found = tuple(fits.values())
     if not named:
         return Found(None, found, began, untold)

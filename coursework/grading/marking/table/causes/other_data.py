@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import combinations, cycle, islice, product
+from itertools import combinations, cycle, islice
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from coursework.grading.marking.table.causes.shifted import in_order, put_back
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed, near
 from coursework.system.angles import whole_turns
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, shifted
 from coursework.variant.formula.units import size_of
 from coursework.variant.judging.lengths import is_refused
 from coursework.variant.record.entries import Given
@@ -33,7 +33,8 @@ _LIKE_KEY = 0.5
 # From this part of the angles, or of the velocities, on, they stand where they belong.
 _IN_PLACE = 0.9
 _TURN = 2 * np.pi
-SLIPPED = "point_slipped"
+SLIPPED, COLUMN_SLIPPED = "point_slipped", "column_slipped_"
+OTHER_SIGN = "other sign"  # behind the value and unit of a datum that has it
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
 _ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-5
@@ -63,6 +64,8 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     by_code = {f"{DATUM}{datum.name}": datum for datum in given}
     for (code, data), found in zip(tried, sets, strict=True):
         shown = _shown(by_code[code], *data.values()) if code in by_code else ()
+        if shown and [*data.values()] == [-by_code[code].value]:
+            shown = (*shown, OTHER_SIGN)
         yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found, shown)
     for datum, value in [(one, value) for one, read in _values_read_off(printed) for value in _as_typed(one, read)]:
         at = partial(printed.key.velocities_at, data={datum.name: value})
@@ -182,17 +185,26 @@ def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
         yield replace(_as_euler(code, student, names), is_read_off=in_place)
 
 
-def point_slipped(printed: TableUnderTest) -> Iterator[Claim]:
-    """Yield the claims that the coordinates, or all columns, were printed ten times too large or too small: the starts tell."""
-    student, m = printed.student, printed.m
-    for factor, width in product((10.0, 0.1), (m, len(printed.key.names))):
-        values, units = student.values + _TURN * _taken_off(student), student.units.copy()
-        values[:, m:] = student.values[:, m:]
-        values[:, :width], units[:, :width] = values[:, :width] / factor, units[:, :width] / factor
-        if alike(printed.key, replace(student, values=values, units=units), printed.key.table)[0, :m].all():
-            yield _as_euler(
-                SLIPPED if width == m else f"each_{SLIPPED}", _kept(printed, printed.of_task, StudentTable(values, units))
-            )
+def printed_otherwise(printed: TableUnderTest) -> Iterator[Claim]:
+    """Yield the claims that the coordinates, all columns, or one of them, were printed ten times too large or too small, or that
+    one velocity stands a row too early.
+
+    The starts tell it of several columns, most of its cells of one.
+    """
+    student, m, names = printed.student, printed.m, printed.key.names
+    there = student.values + _TURN * np.hstack([_taken_off(student)[:, :m], np.zeros((len(student.values), len(names) - m))])
+    off = [place for place in range(len(names)) if printed.of_task[:, place].mean() <= _LIKE_KEY]
+    sets: list[tuple[str, Sequence[int]]] = [(SLIPPED, range(m)), (f"each_{SLIPPED}", range(len(names)))]
+    sets += [(f"{COLUMN_SLIPPED}{names[place]}", [place]) for place in off]
+    tried = [(code, places, there[:, places] / by, student.units[:, places] / by) for by in (10, 0.1) for code, places in sets]
+    above = shifted(there, 1), shifted(student.units, 1)
+    tried += [(f"row_below_{names[place]}", [place], above[0][:, [place]], above[1][:, [place]]) for place in off if place >= m]
+    for code, places, numbers, last in tried:
+        values, units = student.values.copy(), student.units.copy()
+        values[:, places], units[:, places] = numbers, last
+        right = alike(printed.key, replace(student, values=values, units=units), printed.key.table)
+        if right[0, :m].all() if len(places) > 1 else right[:, places].mean() > _LIKE_KEY:
+            yield _as_euler(code, _kept(printed, printed.of_task, StudentTable(values, units)))
 
 
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:

@@ -1,6 +1,6 @@
 """A table printed with few digits that is, as a whole, what one cause makes: it is restored with all digits of that cause.
 
-Enters: marked cells, the claims.  Leaves: `AsMade`.  Used by `grade.py`.
+Enters: marked cells, the claims.  Leaves: `AsMade`.  Used by `grade.py`, `questions.py`.
 With few digits each step may be within Euler's tolerance, although the whole table was made by another rule.
 The points are then computed with all digits, so that the same fault costs the same with any number of digits.
 """

@@ -1,0 +1,66 @@
+"""A number or a law of the drive that is not the task's costs the equations nothing, as with letters; a slip of form does."""
+
+import re
+
+import pytest
+
+import coursework
+from coursework.grading.marking.equations.equations import Judge
+from coursework.grading.marking.key.key import key_of
+from coursework.grading.reading.equations.lines import read_lines
+from coursework.grading.reading.expected import Expected
+from tests.grading.reading.notations import PLAIN
+
+KEY = key_of(coursework.load("v102"))
+JUDGE = Judge(KEY)
+LAW = "V1*sin(p*t + alpha)"
+LETTERS = PLAIN["v102"].replace("VMx", LAW).replace("VMy", "0")
+
+
+def numbers(text, **copied):
+    """The text with data put in, some of them `copied` wrongly."""
+    for name, value in {**KEY.variant.values, **copied}.items():
+        text = re.sub(rf"\b{name}\b", f"{value:g}", text)
+    return text
+
+
+def marked(text):
+    return JUDGE.mark(read_lines(text, "equations.txt", Expected(KEY.grid, KEY.variant)).equations)
+
+
+@pytest.mark.parametrize(("text", "told"), [
+    *((numbers(LETTERS, **{name: x + 0.1}), f"{x + 0.1:g}|{name} = {x:g}") for name, x in KEY.variant.values.items()),
+    (LETTERS.replace(LAW, "V1*cos(p*t + alpha)"), f"V1*cos(p*t + alpha)|VMx = {LAW}"),
+    (numbers(LETTERS.replace("t +", "t -")), f"2*sin(10.47*t - 4.96)|VMx = {LAW}"),
+    (LETTERS.replace("p*t", "2*pi*5*t"), "2*pi*5|p = 10.47"),
+])  # fmt: skip
+def test_a_number_or_a_law_that_is_not_the_tasks_is_named_and_costs_nothing(text, told):
+    found = marked(text)
+    assert (found.share, found.wrong) == (1, ())
+    (note,) = (str(one.text) for one in found.notes if one.code == "data_differ")
+    assert all(part in note for part in told.split("|"))
+    hints = {(mark.hint.text, mark.hint.term.split(" = ")[0]) for mark in found.marks if mark.hint and mark.hint.kind == "datum"}
+    assert hints == {(told.split("|")[0], told.split("|")[1].split(" = ")[0])}
+
+
+@pytest.mark.parametrize("text", [
+    numbers(LETTERS, r1=KEY.variant.values["r2"]),  # another length of the mechanism
+    numbers(LETTERS.replace("+ r1", "- r1")), numbers(LETTERS.replace("r1*", "2*r1*")),
+    LETTERS.replace("r1*", "0.5*r1*"), LETTERS.replace(LAW, f"(-{LAW})"), LETTERS.replace(LAW, f"2*{LAW}"),
+    LETTERS.replace("0 - a", f"{LAW} - a"),  # the law of the other direction
+    numbers(LETTERS, r1=1.2, r2=0.7),  # two numbers in one line
+    "2*VMx + 2*a*w3*sin(phi3) + 2*r2*w2*sin(phi2) + 3*r1*w1*sin(phi1) = 0",  # V1 is 2 m/s by chance
+])  # fmt: skip
+def test_a_slip_of_form_stays_one_whatever_stands_for_the_data(text):
+    found = marked(text)
+    assert found.share < 1 and not any(note.code == "data_differ" for note in found.notes)
+
+
+@pytest.mark.parametrize("text", [
+    "VMx + (1.2, 3.4)*w1 = 0", "VMx + 2 @ 3*w1 = u", "VMx + w1/0 = 0", "VMx + w1*log(-1) + sin((1, 2)) = 0",
+    "VMx + " + " + ".join(f"{k}.5*w1*sin({k}.7*t)" for k in range(60)) + " = 0",
+])  # fmt: skip
+def test_numbers_that_are_none_and_lines_that_never_end_are_no_copies(text):
+    """Vectors, no value at all, and more numbers than are tried."""
+    found = marked(text)
+    assert found.share == 0 and not found.notes
