@@ -34,7 +34,7 @@ def client(tmp_path: Path):
 def test_the_page_is_the_report_of_run(client):
     answer = client.post("/api/page", json={"text": TEXT, "name": "31"})
     run = solve(parse_variant(TEXT, "31"))
-    results = Results(run)
+    results = Results(run, live=True)
     results.compute(pages=True)
     found = answer.json()
     assert (answer.status_code, found["faults"]) == (200, [])
