@@ -114,7 +114,10 @@ def test_links_that_share_no_hinge_are_told_as_that_and_not_as_missing(end, is_l
     text = mechanism("four-bar-by-its-points", ("[ask]", LINKS.replace("END", end)))
     run = coursework.solve(coursework.parse_variant(text, "bad.toml"))
     if is_loose:
-        told = r"V722 bad.toml:\d+ .*leave 3 freedoms where 1 are driven.* R and S lie in one place, or almost, at the start: if"
+        line = text.splitlines().index('1 = { points = ["O", "P"], rate = "w1" }') + 1
+        told = (
+            rf"V722 bad.toml:{line} .*leave 3 freedoms where 1 are driven.* R and S lie in one place, or almost, at the start: if"
+        )
         with pytest.raises(coursework.InputError, match=told):
             _ = run.results.forces
     else:
