@@ -135,3 +135,11 @@ def test_a_file_without_the_section_is_refused():
     inline = 'time = { step = "1 s", end = "2 s" }\n'
     assert rewritten(inline, {("time", "scheme"): "euler"}) == 'time = { scheme = "euler", step = "1 s", end = "2 s" }\n'
     assert rewritten(f'remarks = [\n  "a",\n]\n{inline}quote = "b"', {}, SAID_OF_NUMBERS) == inline, "no empty line is left"
+
+
+@pytest.mark.parametrize(("text", "most"), [("{}=1", 40), ("{}", 60)])
+def test_what_nobody_can_set_is_quoted_as_far_as_a_line_has_room(text: str, most: int) -> None:
+    for length in (most, most + 1):
+        with pytest.raises(coursework.InputError) as caught:
+            with_set(coursework.load("31"), (text.format("x" * length),), None)
+        assert max(map(len, re.findall("x+", str(caught.value)))) == most
