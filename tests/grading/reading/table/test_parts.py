@@ -41,7 +41,7 @@ def test_parentheses_are_a_minus_where_no_minus_stands_and_several_rows_have_the
 
 
 @pytest.mark.parametrize(("one", "other", "whole"), [
-    (("a.csv", "utf-8", "tab", "xy", "A"), ("b.csv", "utf-8", "tab", "yz", "B"), ("a.csv + b.csv", "utf-8", "tab", "xyz", "A + B")),
+    (("a.x", "utf-8", "tab", "xy", "A"), ("b.x", "utf-8", "tab", "yz", "B"), ("a.x + b.x", "utf-8", "tab", "xyz", "A + B")),
     (("a", "utf-8", ";", "x", "A"), ("a", "cp1251", "tab", "", "A"), ("a", "utf-8 + cp1251", "cells", "x", "A")),
     (("a + b", "utf-8", ";", "", None), ("b", "utf-8", ";", "zx", "B"), ("a + b", "utf-8", ";", "zx", None)),
     (("a", "utf-8", ";", "xx", "A"), ("ab", "utf-8", ";", "x", None), ("a + ab", "utf-8", ";", "xx", "A")),
