@@ -18,7 +18,7 @@ KEYED: Any = SimpleNamespace(
 
 
 def cells(marks: list[int], wrong: list[bool]) -> Any:
-    """Row 1 says 1.5 and 4, the task's; row 2 was stepped from 1 and 4: 1.2 and 3.6. The rates printed in row 1 are the task's."""
+    """Row 1 says 1.5 and 4, the task's; row 2 was stepped from 1 and 4: 1.2 and 3.6. The rates in row 1 are the task's."""
     values = np.array([[1.5, 4.0, 3.0, -4.0], [1.2, 3.6, 2.4, -3.6], [1.44, 3.24, 2.88, -3.24]])
     units = np.array([[0.01, 0.01, 0.02, 0.03], [0.001, 0.002, 0.01, 0.01], [0.01, 0.01, 0.01, 0.01]])
     return SimpleNamespace(
