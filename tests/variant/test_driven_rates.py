@@ -51,7 +51,15 @@ closure = "P = B + c @ gamma"
 AS_DRIVES = '[drive]\nwa = "n1"\nwd = "-2*n1*(1 + t/T)"\n'
 DRIVEN = coursework.parse_variant(FIVE_BAR + AS_DRIVES)
 PRECEDING = "n1 = wa", "wa - n1 = 0", "2*n1 - 2*wa = 0", "-wa = -n1", "wa/n1 = 1", "L*wa + d*n1 = L*n1 + d*n1"
-MORE = "wa + wa = 2*n1", "wa - n1 + 0*wd = 0", "0*wd + wa = n1", "L*wa - d*wa = (L - d)*n1", "3*(wa - n1)/L = 0"
+MORE = (
+    "wa + wa = 2*n1",
+    "wa - n1 + 0*wd = 0",
+    "0*wd + wa = n1",
+    "L*wa - d*wa = (L - d)*n1",
+    "3*(wa - n1)/L = 0",
+    "2*(wa + n1) = 4*n1",
+    "-3*(n1 - 2*wa)/L = 3*n1/L",
+)
 
 
 def written(*equations, text=FIVE_BAR):
