@@ -63,19 +63,19 @@ def test_a_datum_of_the_name_n_is_that_datum():
 
 def test_a_run_tells_what_is_set(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    result = CliRunner().invoke(main, ["run", "31", "--set", "p=12", "--check-row", "6", "--format", "csv,html", "--out", "o"])
+    few = ["run", "31", "--quantities", "table", "--out", "o", "--format"]
+    result = CliRunner().invoke(main, [*few, "csv,html", "--set", "p=12", "--check-row", "6"])
     assert result.exit_code == 0, result.output
     assert "Changed from the file: p = 12 1/s and check_row = 6 (N = 4)" in result.output
     assert json.loads((tmp_path / "o" / "run.json").read_text(encoding="utf-8"))["set"] == {"p": "12 1/s", "check_row": "6"}
     page = (tmp_path / "o" / "report.html").read_text(encoding="utf-8")
     assert "Changed from the file" in page and re.search("check_row = 6.{1,40}N.{1,20}4", page)
     for row, told in ((3, "check_row = 3 (N = 1)"), (2, "check_row = 2")):  # the guide counts from 1
-        call = CliRunner().invoke(main, ["run", "31", "--check-row", str(row), "--format", "csv,html", "--out", "o"])
+        call = CliRunner().invoke(main, [*few, "csv,html", "--check-row", str(row)])
         page = re.sub(r"<[^>]*>|\s|&nbsp;", "", (tmp_path / "o" / "report.html").read_text(encoding="utf-8"))
         assert f"Changed from the file: {told}" in call.output
         assert (told.replace(" ", "") in page, "check_row=2(N=0)" in page) == (True, False)
-    usual = CliRunner().invoke(main, ["run", "31", "--format", "csv", "--out", "u", "--step", "0.01"])
-    assert usual.exit_code == 0
+    assert CliRunner().invoke(main, [*few, "csv", "--step", "0.01", "--out", "u"]).exit_code == 0
     assert json.loads((tmp_path / "u" / "run.json").read_text(encoding="utf-8"))["set"] == {}
 
 
