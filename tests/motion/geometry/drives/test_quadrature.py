@@ -121,14 +121,8 @@ def test_the_scenes_that_were_wrong_by_two_radians(kind, scheme):
     assert (accuracy.verdict != "PASS") or (whole and share <= 0.05), accuracy.sentence
     assert scheme != "euler" or accuracy.verdict != "PASS"
     assert run.status() in {0, 1}
-
-
-def test_a_switch_in_a_tenth_of_a_millisecond_is_no_fault():
-    """exp(5000) is infinite and 1/(1 + infinity) is 0, as IEEE has it: before, the file ended in a traceback."""
-    law = Law("switch", "a/(1 + exp(-(t - t0)/T))", {"a": "3 rad/s", "t0": "0.50437 s", "T": "1e-4 s"}, lambda t: t)
-    run = coursework.solve(parse_variant(four_bar(law, scheme="euler")))
-    assert run.table["w1"].iloc[0] == 0.0
-    assert run.table["w1"].iloc[-1] == 3.0
+    if kind == "switch":  # exp(5000) is infinite and 1/(1 + infinity) is 0, as IEEE has it: before, the file ended in a traceback
+        assert (run.table["w1"].iloc[0], run.table["w1"].iloc[-1]) == (0.0, 3.0)
 
 
 @pytest.mark.parametrize(("low", "high", "half"), [(1.0, 3.0, 0.5), (-2.0, 0.5, 0.25), (4.0, 4.0, 1.0)])
