@@ -145,8 +145,8 @@ def clean(text: str, longest: int = LONGEST, *, breaks: bool = True) -> str:
     Words of more than 24 characters get places to break (U+200B), so that none runs off the page; without `breaks` they do not,
     which is for a text that also enters a file where it is searched.
     """
-    if len(text) < _SHORT and text.isascii() and text.isprintable() and "  " not in text:
-        return text.strip()[:longest]  # the case of nearly every table cell
+    if len(text) < _SHORT and len(text) <= longest and text.isascii() and text.isprintable() and "  " not in text:
+        return text.strip()  # the case of nearly every table cell
     joined = unicodedata.normalize("NFC", text[: 4 * longest])
     if is_chinese(joined):
         joined = made_for(joined, _LINE_END).sub("", joined)

@@ -11,7 +11,6 @@ from types import SimpleNamespace
 import pytest
 
 from coursework import load, parse_variant, solve
-from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.lengths import lengths
 from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.tracing import read_outline
@@ -224,22 +223,6 @@ def test_bars_of_a_position_equation_are_links(closure: str, joint: str) -> None
     assert {joint, "r₂", "r₃"} <= {word.text for word in measured.words(drawing.svg)}
     assert measured.overlaps(drawing.svg) == []
     assert all(run.figures().values())
-
-
-@pytest.mark.parametrize("above", [1, -1])
-def test_a_rack_lies_beyond_its_contact_seen_from_the_gear(above):
-    """The line of its rail runs along x through the contact; the gear stands above it, or below."""
-    rail = SimpleNamespace(rider="K", base="O", toward="X", at="O", rolls=False)
-    outline = SimpleNamespace(
-        rails=[rail],
-        wheels=[SimpleNamespace(centre="C", contact="P")],
-        bars=[SimpleNamespace(link="5", corners=("K",))],
-        tracks=[],
-    )
-    places = {"O": 0j, "X": 1 + 0j, "K": 0.5 + 0j, "P": 2 + 0j, "C": 2 + 0.3j * above}
-    (rack,) = racks(outline, places)
-    assert (rack.link, rack.contact, rack.side) == ("5", "P", -above)
-    assert racks(outline, places | {"P": 2 + 0.1j}) == []
 
 
 def test_the_scale_of_an_enlargement_is_as_round_as_that_of_a_reduction():

@@ -114,7 +114,10 @@ def test_links_that_share_no_hinge_are_told_as_that_and_not_as_missing(end, is_l
     text = mechanism("four-bar-by-its-points", ("[ask]", LINKS.replace("END", end)))
     run = coursework.solve(coursework.parse_variant(text, "bad.toml"))
     if is_loose:
-        told = r"V722 bad.toml:\d+ .*leave 3 freedoms where 1 is driven.* R and S lie in one place, or almost, at the start: if"
+        line = text.splitlines().index('1 = { points = ["O", "P"], rate = "w1" }') + 1
+        told = (
+            rf"V722 bad.toml:{line} .*leave 3 freedoms where 1 is driven.* R and S lie in one place, or almost, at the start: if"
+        )
         with pytest.raises(coursework.InputError, match=told):
             _ = run.results.forces
     else:
@@ -223,3 +226,16 @@ def test_a_rate_that_neither_a_motor_frees_nor_anything_ties_is_named():
 def test_a_crank_that_a_motor_does_not_free_is_to_be_freed():
     with pytest.raises(coursework.InputError, match=r'V747 .*group 1: nothing turns its crank.*Add "w1" to rates in'):
         coursework.parse_variant(mechanism("example-2-motor", ('rates = ["w1"]', 'rates = ["w2"]')))
+
+
+@pytest.mark.parametrize(("kind", "more"), [("spring", 'stiffness = "50 N/m", free = "1 m"'), ("damper", 'damping = "3 N*s/m"')])
+@pytest.mark.parametrize("place", [0, 1])
+def test_an_end_that_is_no_point_is_told_at_its_own_place(kind, more, place):
+    ends = ['"A"', '"A"']
+    ends[place] = '"Z"'
+    text = mechanism(
+        "falling-arm", ("[forces]", f"[forces]\nk1 = {{ {kind} = [{','.join(ends)}], {more} }}".replace(",", ",\n", 1))
+    )
+    line = next(number for number, one in enumerate(text.splitlines(), 1) if '"Z"' in one)
+    with pytest.raises(coursework.InputError, match=rf"V059 bad.toml:{line}:\d+ .*k1\.{kind}\.{place + 1}:"):
+        coursework.parse_variant(text, "bad.toml")

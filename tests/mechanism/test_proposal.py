@@ -4,7 +4,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from coursework.mechanism.proposal import proposed
+import coursework
+from coursework.mechanism.proposal import loose_arms, proposed
 from coursework.variant.formula.reader import parse
 from coursework.variant.reading.reader import parse_variant
 from tests.mechanisms.library import mechanism
@@ -62,3 +63,15 @@ def test_a_rack_is_not_proposed_as_what_turns(other, link):
     said = f'E = "(x, 0)"\nF = "{other}"\n[links]\n5 = {{ points = ["E", "F"] }}\n[[group]]'
     text = mechanism("driven-slider", ("[time]", '[unknowns]\nom = "1/s"\n[time]'), ("[[group]]", said))
     assert f'of = "link {link}"' in str(proposed(parse_variant(text), "om"))
+
+
+def test_an_arm_that_nothing_ties_is_told_by_the_one_length_that_it_has():
+    """Of the wiper the rockers DB (80 mm) and GE (75 mm) are positions of other links; two data of one length tell nothing."""
+    text = mechanism("windshield-wiper")
+    read = parse_variant(text, "own")
+    start = coursework.solve(read, quantities=["table"]).scene.start
+    arms = [(one.link, one.begin, one.end, one.length, one.angle) for one in loose_arms(read, start)]
+    assert arms == [("3", "D", "B", "r3", "phi3"), ("5", "G", "E", "r5", "phi5")]
+    for more, links in (('k = "80 mm"', ["5"]), ('k = "90 mm"', ["3", "5"]), ('k = "0.08 m/s"', ["3", "5"])):
+        found = loose_arms(parse_variant(text.replace("[given]", f"[given]\n{more}"), "own"), start)
+        assert [one.link for one in found] == links, more

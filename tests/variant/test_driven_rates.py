@@ -1,5 +1,6 @@
 """A constraint that only gives a rate is a drive: the same page as with the line in [drive], whatever way it is written."""
 
+import math
 import re
 
 import pytest
@@ -7,6 +8,7 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.commands.cli import main
+from coursework.variant.record.no_value import known_value
 
 FIVE_BAR = """
 format = 1
@@ -51,11 +53,28 @@ closure = "P = B + c @ gamma"
 AS_DRIVES = '[drive]\nwa = "n1"\nwd = "-2*n1*(1 + t/T)"\n'
 DRIVEN = coursework.parse_variant(FIVE_BAR + AS_DRIVES)
 PRECEDING = "n1 = wa", "wa - n1 = 0", "2*n1 - 2*wa = 0", "-wa = -n1", "wa/n1 = 1", "L*wa + d*n1 = L*n1 + d*n1"
-MORE = "wa + wa = 2*n1", "wa - n1 + 0*wd = 0", "0*wd + wa = n1", "L*wa - d*wa = (L - d)*n1", "3*(wa - n1)/L = 0"
+MORE = (
+    "wa + wa = 2*n1",
+    "wa - n1 + 0*wd = 0",
+    "0*wd + wa = n1",
+    "L*wa - d*wa = (L - d)*n1",
+    "3*(wa - n1)/L = 0",
+    "2*(wa + n1) = 4*n1",
+    "-3*(n1 - 2*wa)/L = 3*n1/L",
+)
 
 
 def written(*equations, text=FIVE_BAR):
     return coursework.parse_variant(text + "".join(f'[[constraint]]\nequation = "{one}"\n' for one in equations))
+
+
+@pytest.mark.parametrize("equation", ["wa = n1", *PRECEDING, *MORE])
+def test_the_law_that_a_constraint_gives_has_the_value_of_the_drive(equation):
+    found = written(equation, "0 = wd/2 + n1*(1 + t/T)")
+    for time in (0.0, 0.3):
+        values = {**found.values, "t": time, "pi": math.pi}
+        laws = {law.name: known_value(law.formula, values) for law in found.drive}
+        assert laws == {"wa": pytest.approx(3 * math.pi), "wd": pytest.approx(-6 * math.pi * (1 + time))}
 
 
 @pytest.mark.long

@@ -2,12 +2,14 @@
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from click.testing import CliRunner
 
 from coursework.api import make_run
 from coursework.commands.cli import main
+from coursework.variant.judging.plausibility import _nearer
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.data_folders import folder
 from tests.mechanisms.library import mechanism
@@ -278,3 +280,13 @@ def test_data_of_a_place_are_told_with_the_point_that_they_place() -> None:
         f'write {one} = "(x{one}, y{one})" in [points].'
         for one in "DG"
     ]
+
+
+@pytest.mark.parametrize(("text", "unit", "better"), [
+    ("800", "m", "mm"), ("80", "m", "cm"), ("0.8", "mm", "m"), ("0.8", "cm", "m"), ("-80", "m", "cm"), ("−80", "мм", "см"),
+    ("800", "м", "мм"), ("0.8", "", ""), ("0.8", "m", ""), ("23900", "m", "mm"), ("24100", "m", ""),
+    ("0.0267", "mm", "m"), ("0.0266", "mm", ""), ("800", "km", "mm"),
+])  # fmt: skip
+def test_a_unit_is_advised_that_brings_a_number_within_thirty_times_the_usual_length(text: str, unit: str, better: str) -> None:
+    """The usual length is 0.8 m; 24 m and 2.67 cm are thirty times as long and as short."""
+    assert _nearer(SimpleNamespace(text=text, unit=unit), SimpleNamespace(value=-0.8)) == better

@@ -63,19 +63,19 @@ def test_a_datum_of_the_name_n_is_that_datum():
 
 def test_a_run_tells_what_is_set(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    result = CliRunner().invoke(main, ["run", "31", "--set", "p=12", "--check-row", "6", "--format", "csv,html", "--out", "o"])
+    few = ["run", "31", "--quantities", "table", "--out", "o", "--format"]
+    result = CliRunner().invoke(main, [*few, "csv,html", "--set", "p=12", "--check-row", "6"])
     assert result.exit_code == 0, result.output
     assert "Changed from the file: p = 12 1/s and check_row = 6 (N = 4)" in result.output
     assert json.loads((tmp_path / "o" / "run.json").read_text(encoding="utf-8"))["set"] == {"p": "12 1/s", "check_row": "6"}
     page = (tmp_path / "o" / "report.html").read_text(encoding="utf-8")
     assert "Changed from the file" in page and re.search("check_row = 6.{1,40}N.{1,20}4", page)
     for row, told in ((3, "check_row = 3 (N = 1)"), (2, "check_row = 2")):  # the guide counts from 1
-        call = CliRunner().invoke(main, ["run", "31", "--check-row", str(row), "--format", "csv,html", "--out", "o"])
+        call = CliRunner().invoke(main, [*few, "csv,html", "--check-row", str(row)])
         page = re.sub(r"<[^>]*>|\s|&nbsp;", "", (tmp_path / "o" / "report.html").read_text(encoding="utf-8"))
         assert f"Changed from the file: {told}" in call.output
         assert (told.replace(" ", "") in page, "check_row=2(N=0)" in page) == (True, False)
-    usual = CliRunner().invoke(main, ["run", "31", "--format", "csv", "--out", "u", "--step", "0.01"])
-    assert usual.exit_code == 0
+    assert CliRunner().invoke(main, [*few, "csv", "--step", "0.01", "--out", "u"]).exit_code == 0
     assert json.loads((tmp_path / "u" / "run.json").read_text(encoding="utf-8"))["set"] == {}
 
 
@@ -152,3 +152,11 @@ def test_starts_that_a_start_has_moved_are_told(tmp_path):
     assert f"The other starts were closed anew: φ2 from 1.2 to {start[1]:.6g} rad, φ3 from 5.57 to " in page
     assert "φ2 было 1,2, стало 1,2012 рад" in said["ru", "165"][1]
     assert all("closed anew" not in text for text in said["en", None])
+
+
+@pytest.mark.parametrize(("text", "most"), [("{}=1", 40), ("{}", 60)])
+def test_what_nobody_can_set_is_quoted_as_far_as_a_line_has_room(text: str, most: int) -> None:
+    for length in (most, most + 1):
+        with pytest.raises(coursework.InputError) as caught:
+            with_set(coursework.load("31"), (text.format("x" * length),), None)
+        assert max(map(len, re.findall("x+", str(caught.value)))) == most

@@ -21,3 +21,9 @@ def test_what_is_longer_ends_in_an_ellipsis_and_fills_its_place(longest):
 
 def test_no_space_stands_before_the_ellipsis():
     assert clean("φ φ φ φ", 5) == "φ φ…"
+
+
+@pytest.mark.parametrize("count", range(14, 26))
+def test_a_short_word_of_plain_letters_that_is_cut_says_so_too(count: int) -> None:
+    """Such a word needs nothing else done to it; one of 17 to 23 letters lost its end unseen in a cell of 16."""
+    assert clean("x" * count, 16) == ("x" * count if count <= 16 else "x" * 15 + "…")

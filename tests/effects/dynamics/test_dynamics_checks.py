@@ -1,12 +1,14 @@
 """What is judged of a motion under forces: places as well as rates, energy only where the rows show the work."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import coursework
-from coursework.effects.dynamics.dynamics_checks import _areas
+from coursework.effects.dynamics.dynamics_checks import _accuracy, _areas
+from coursework.words.sentences import say
 from tests.effects.dynamics.test_dynamics import pushed
 from tests.effects.test_rubbing import UNRUBBED
 from tests.hard.scenes import check
@@ -78,3 +80,13 @@ def test_the_energy_of_a_pendulum_in_a_field_that_leans_is_that_of_its_weight():
     by_hand = 4 * 0.6**2 / 6 * w**2 - 4 * 0.3 * (1.5 * np.cos(phi) - 9.5 * np.sin(phi))
     assert np.ptp(w) > 1 and np.ptp(by_hand) < 1e-12
     assert run.scene.energy_of(run.motion) == pytest.approx(by_hand, abs=1e-12)
+
+
+@pytest.mark.parametrize(("own", "exact", "told"), [
+    (1, 1, "check.no_row"), (0, 0, "check.no_row"), (1, 5, "check.no_row"), (2, 1, "check.unknown"), (5, 0, "check.unknown"),
+])  # fmt: skip
+def test_of_fewer_than_two_rows_in_common_it_is_told_whose_are_lacking(own, exact, told):
+    """Rows that the motion itself does not reach are not known to be right; of a single row nothing is said."""
+    rows = [SimpleNamespace(rows=SimpleNamespace(count=count)) for count in (own, exact)]
+    found = _accuracy(SimpleNamespace(scheme="euler", own=rows[0], exact=rows[1]))
+    assert (found.verdict, found.sentence) == ("SKIP", say(told))

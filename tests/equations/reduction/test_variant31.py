@@ -142,6 +142,7 @@ def test_redundant_equations_are_named_and_not_used(text, run):
     more = solved(with_more(*MORE, text=text))
     assert more.reduction.used == ("11", "12", "16", "18")
     assert more.reduction.unused == tuple(MORE)
+    assert {one.name: one.used for one in more.equations} == dict.fromkeys(more.reduction.used, True) | dict.fromkeys(MORE, False)
     assert more.reduction.notes == tuple(
         f"Equation {name} says the same as {same}; it is not needed and only checked." for name, (_, same) in MORE.items()
     )

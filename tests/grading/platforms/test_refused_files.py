@@ -75,3 +75,11 @@ def test_a_student_of_canvas_is_found_by_a_key_else_by_a_name_that_is_the_only_o
     )
     assert gradebook(text.encode(), "f").students == (2, 3, 4, 5, 6)
     assert gradebook(text.encode(), "f").record_of(keys, name) == record
+
+
+@pytest.mark.parametrize("line", ["{},table,3", "ada,{},3", "ada,table,{}"])
+def test_of_a_cell_that_cannot_be_used_eighty_letters_are_quoted(line):
+    for length in (79, 80, 81):
+        with pytest.raises(InputError) as caught:
+            overrides(("id,check,points\n" + line.format("x" * length)).encode(), "overrides.csv")
+        assert "x" * min(length, 80) in str(caught.value) and "x" * 81 not in str(caught.value)

@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from coursework.mechanism.groups import GROUPS
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 from tests.sources import PACKAGE, files, strings
 
 # A second name for the dyad RRP, whose dead point means something else; the tool has never heard of it.
@@ -81,3 +82,20 @@ def test_no_kind_is_named_outside_its_file(kind):
     told = {"mechanism/groups/__init__.py", "procedures.py", "takeaway/workbook/dyads.py"}
     told |= {path for path in naming if path.startswith("takeaway/foreign/")}
     assert naming - told == {home, "variant/record/vocabulary.py"}
+
+
+# How many points a group hangs on, lengths, guides, coordinates and how many of these are angles: Artobolevsky's classes.
+COUNTS = {
+    "crank": (1, (1,), 0, 1, 1), "RRR": (2, (2,), 0, 2, 2), "RRP": (1, (1,), 1, 2, 1),
+    "RPR": (2, (0, 1), 0, 2, 1), "RPP": (1, (0,), 1, 2, 0), "PRP": (0, (0,), 2, 2, 0),
+}  # fmt: skip
+
+
+def test_each_kind_takes_as_many_points_lengths_and_guides_as_its_links_have() -> None:
+    found = {name: (one.points, one.lengths, one.guides, one.coordinates, one.angles) for name, one in GROUP_SHAPES.items()}
+    assert found == COUNTS
+    assert {kind.name: kind.shape for kind in GROUPS} == GROUP_SHAPES
+    assert [name for name, one in GROUP_SHAPES.items() if one.driven] == ["crank"]
+    assert {name: {*one.modes} for name, one in GROUP_SHAPES.items()} == {
+        name: {1, -1} if name in {"RRR", "RRP", "RPR"} else set() for name in COUNTS
+    }

@@ -9,6 +9,7 @@ import math
 import numpy as np
 import pytest
 
+from coursework.motion.integration.passage import FLANKS, Passage, State
 from coursework.report.output.gate import pass_gate
 from coursework.report.pages import build_model
 from coursework.report.pages.html import render_html
@@ -124,3 +125,20 @@ def test_a_passage_at_a_break_of_the_drive_is_told_and_not_guessed(time, passed)
     else:
         assert run.stop.kind == "change point"
         assert "removable" in run.stop.sentence
+
+
+@pytest.mark.parametrize(("time", "flank"), [(0.002, 1e-4), (1.0, 0.01), (500.0, 2.0)])
+def test_between_the_flanks_the_motion_is_known_to_the_ninth_power_and_the_point_to_a_billionth(time, flank):
+    """Five states with their rates determine ten coefficients; two coordinates, one of them the other's mirror image."""
+    way = np.polynomial.Polynomial([0.3, -1.0, 0.5, 2.0, -0.7, 0.1, 0.9, -0.4, 0.2, 0.6])
+
+    def state(x):
+        places, slope = way(x), way.deriv()(x) / flank
+        return State(time + x * flank, np.array([places, -places]), {"u": slope, "v": -slope, "other": 9.0})
+
+    passage = Passage(0, state(0.0), tuple(map(state, FLANKS)), flank, ("u", "v"))
+    x = np.linspace(-2, 2, 17)
+    found = passage.positions(time + x * flank)
+    assert found == pytest.approx(np.column_stack([way(x), -way(x)]), abs=1e-7)
+    near = time * (1 + np.array([0.0, 0.9e-9, -0.9e-9, 1.1e-9, -1.1e-9]))
+    assert passage.is_at(near).tolist() == [True, True, True, False, False]

@@ -1,8 +1,13 @@
 """Where a long product with a sum at its end is parted into the terms of that sum."""
 
+import itertools
+import re
+
 import pytest
 
+from coursework.report.formulas.display import math_equation
 from coursework.report.formulas.svg import LONG, _opened
+from coursework.variant.formula.reader import parse
 
 END = "e sin phi_2 " + "a" * LONG
 
@@ -17,3 +22,26 @@ END = "e sin phi_2 " + "a" * LONG
 )
 def test_a_sum_in_parentheses_of_its_own_is_parted_at_its_signs(piece, parts):
     assert [*map(str.rstrip, _opened(piece))] == parts
+
+
+def width_of(piece):
+    """Letters and brackets count one, signs three with their spaces: what fits the line of a printed page is 64 of these."""
+    return sum(
+        3 if sign in {"+", "-", "="} else len(sign.strip("()")) for sign in piece.replace("quad", "").replace("&", "").split()
+    )
+
+
+@pytest.mark.parametrize("form", ["%s", "k*(%s)"])
+def test_each_line_of_a_long_equation_is_as_full_as_it_may_be(form):
+    """Lines after the first are indented by four letters; the bracket at the end needs room, too."""
+    folded = 0
+    for begin, last in itertools.product(((17, 17), (9, 14, 17, 12, 16, 17)), (*range(1, 20, 2), *range(25, 34, 2))):
+        total = "+".join("*".join("abcde"[place % 5] for place in range(count)) for count in (*begin, last))
+        lines = math_equation(parse("v"), parse(form % total.replace("+", "-", 1))).split(" \\ ")
+        folded += len(lines) > 1
+        for place, line in enumerate(lines):
+            assert width_of(line) <= 64 - 4 * (place > 0)
+        for place, (line, following) in enumerate(itertools.pairwise(lines)):
+            first, *_ = re.split(r" (?=[+-] )", following.replace("& quad ", ""))
+            assert width_of(line) + width_of(first) > 64 - 4 * (place > 0)
+    assert 10 < folded < 28  # a product of 61 to 64 letters, which stays whole, is left out

@@ -123,3 +123,11 @@ def test_a_dozen_remarks_are_told_and_the_number_of_the_others(count: int) -> No
     shown = ["".join(piece.get("t", "") for piece in note.text) for note in notes]
     assert "Remark 12." in shown[11]
     assert count == 12 or shown[12] == "Further remarks in run.json: 1."
+
+
+@pytest.mark.parametrize(("value", "text"), [
+    (0.375, "0.38"), (0.3749999999996, "0.38"), (-0.3749999999996, "−0.38"), (0.374999999994, "0.37"), (0.37499, "0.37"),
+    (0.625, "0.62"), (0.6250000000004, "0.62"), (0.625000000006, "0.63"),
+])  # fmt: skip
+def test_numbers_that_differ_beyond_the_twelfth_digit_are_written_alike_at_a_half(value: float, text: str) -> None:
+    assert N.fixed(value, 2) == text

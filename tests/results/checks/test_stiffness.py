@@ -23,7 +23,7 @@ def test_what_swings_faster_than_it_dies_out_does_not_die_out(matrix, rate):
 
 @pytest.mark.parametrize(
     ("slopes", "turned", "is_slow"),
-    [([1, 1.4, 1.4], 0.9, True), ([1, 1.4, 1.4], 1.1, False), ([2, 2.9, 2], 0.1, True), ([2, 3.1, 2], 0.1, False)],
+    [([1, 1.4, 1.4], 0.99, True), ([1, 1.4, 1.4], 1.01, False), ([2, 2.99, 2], 0.1, True), ([2, 3.01, 2], 0.1, False)],
 )
 def test_a_slow_motion_changes_by_less_than_half_its_rate_and_a_radian_from_row_to_row(slopes, turned, is_slow):
     motion = SimpleNamespace(

@@ -5,8 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from coursework.equations.reduction.symbolic import TIME
 from coursework.scene.model import watch
-from coursework.scene.model.watch import Watch, sure_to_move
+from coursework.scene.model.watch import Watch, frequencies, sure_to_move
 
 
 def test_what_is_known_of_a_determinant_after_four_looks():
@@ -55,3 +56,18 @@ def test_a_way_that_is_a_cubic_has_no_error(monkeypatch):
     sure_to_move(model, (), np.zeros((1, 1)), 1.0, 100)
     assert told["moved"] == pytest.approx([1 - 0.99**3], rel=1e-5)
     assert told["error"] == pytest.approx([0.0], abs=1e-6)
+
+
+def test_the_fastest_change_in_a_drive_is_that_of_each_set_at_any_time():
+    """The arguments p t, of which the slope is p, and a t² - 8 t, whose slope 2 a t - 8 is fastest at one end or the other."""
+    a, p = np.array([1.0, 3.0, 0.5]), np.array([2.0, -9.0, 1.0])
+    of_time, constant = SimpleNamespace(free_symbols={TIME}), SimpleNamespace(free_symbols=set())
+    model = SimpleNamespace(
+        coordinates=("q",),
+        compiled=lambda slopes: lambda t, q, a, p: [2 * a * t - 8 if TIME in one.free_symbols else p for one in slopes],
+    )
+    for slopes, fastest in (
+        ((), [0, 0, 0]), ((constant,), [2, 9, 1]), ((of_time,), [8, 22, 8]), ((of_time, constant), [8, 22, 8]),
+        ((constant, of_time), [8, 22, 8]),
+    ):  # fmt: skip
+        assert frequencies(model, slopes, (a, p), 3, 5.0).tolist() == fastest

@@ -41,7 +41,9 @@ def taken(folder, given, content=None):
         (folder / given).write_bytes(content)
     called = call("new", "own", "--from", given)
     assert called.exit_code == 0, called.output
-    return coursework.solve(coursework.load(folder / "own.toml"))
+    variant = coursework.load(folder / "own.toml")
+    assert all(bool(group.mode) == (group.kind != "crank") for group in variant.groups)  # a crank has one position
+    return coursework.solve(variant)
 
 
 def of(run, point, what="position"):

@@ -5,6 +5,8 @@ import json
 import pytest
 
 from coursework.takeaway.foreign import linkage, pmks, pmks_plus, pylinkage
+from coursework.takeaway.foreign.groups import Chain
+from coursework.takeaway.foreign.scheme import Scheme, Slider
 from coursework.words.sentences import say
 from tests.takeaway.foreign.files import (
     FOUR_BAR,
@@ -42,3 +44,22 @@ def test_what_has_no_counterpart_is_named(read, content, names):
     said = str(say("foreign.left_out", what="…")).split("…")
     told = [str(remark) for remark in read(content).remarks if str(remark).startswith(said[0]) and str(remark).endswith(said[1])]
     assert sorted(one.removeprefix(said[0]).removesuffix(said[1]) for one in told) == sorted(names)
+
+
+SLOTS = {
+    "on a joint that nothing reaches": ({"E": Slider(8 + 0j, 0.0)}, ["E"]),
+    "on a fixed joint": ({"A": Slider(0j, 0.0)}, ["E", "A"]),
+    "on the joint of a dyad": ({"C": Slider(4 + 1j, 0.0)}, ["E"]),
+    "of a link that nothing reaches": ({"B": Slider(8 + 0j, 0.0, 2)}, ["E", "B"]),
+    "two of them": ({"A": Slider(0j, 0.0), "E": Slider(8 + 0j, 0.0)}, ["E", "A"]),
+}
+
+
+@pytest.mark.parametrize("case", SLOTS)
+def test_what_no_group_takes_up_is_lost_once(case):
+    """A crank AB, a rod BC that a slider may guide, and a link of one joint E that hangs on nothing."""
+    sliders, lost = SLOTS[case]
+    joints = {"A": 0j, "B": 1 + 1j, "C": 4 + 1j, "E": 8 + 0j}
+    links = (("A", "B"), ("B", "C"), ("E",))
+    made = Chain(Scheme("PMKS", "", joints, frozenset("A"), links, sliders, "A", 0, 1.0, ()))
+    assert made.lost == (lost if "C" in sliders else ["C", *lost])

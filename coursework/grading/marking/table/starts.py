@@ -88,7 +88,7 @@ def _starts(key: Key, cells: Cells) -> list[Array]:
             other = np.abs(start - task) > np.where(is_printed, HALF, 1.0) * (units + key.told_to)
             found.append(np.where(other, np.where(is_printed, start, _as_typed(start, units)), task))
             start = found[-1]
-            found += [np.where(np.arange(m) == place, start, task) for place in np.flatnonzero(other) if other.sum() > 1]
+            found += [np.where(np.arange(m) == place, start, task) for place in np.flatnonzero(other)]
     return [start for start in np.unique(found, axis=0) if (start != task).any()]
 
 

@@ -84,7 +84,7 @@ def _spanned(rows: list[list[str]], most_columns: int) -> list[list[str]]:
     for row in rows:
         cells: list[str] = []
         for text in (*row, None):
-            while (at := len(cells)) in below and (text is not None or at < most_columns):
+            while (at := len(cells)) in below:  # which has no column beyond the last
                 left, above = below.pop(at)
                 cells.append(above)
                 if left > 1:

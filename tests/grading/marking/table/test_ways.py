@@ -26,6 +26,7 @@ def coarse_of(off, gap=1.0, unit=1e-6):
 @pytest.mark.parametrize(("middle", "rung", "decimals"), [
     (0.0, 0, None), (USUAL, 0, None), (USUAL * 1.001, 1, None), (USUAL * 1.25**3, 3, 6), (USUAL * 1.25**3 * 1.001, 4, 6),
     (0.449 * ALLOWED, 2, None), (0.451 * ALLOWED, 2, 6), (USUAL * 1.25**11, 11, 5), (-USUAL * 1.25**3, 3, 6),
+    (USUAL * 1.25 ** (3 + 0.95e-6), 3, 6), (USUAL * 1.25 ** (3 + 1.05e-6), 4, 6),
 ])  # fmt: skip
 def test_the_floor_of_coarse_work_goes_in_rungs_above_what_the_digits_allow(middle, rung, decimals):
     floor, told = coarse_of(np.full(9, middle))

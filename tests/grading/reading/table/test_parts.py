@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.limits import Refused
-from coursework.grading.reading.table.parts import _decimal_mark, _with_minus
+from coursework.grading.reading.table.layout import Layout
+from coursework.grading.reading.table.parts import Origin, Part, _decimal_mark, _whole, _with_minus
 
 
 @pytest.mark.parametrize(("cells", "separator", "mark"), [
@@ -35,3 +38,18 @@ def test_the_mark_that_most_cells_can_only_have(cells: str, separator: str, mark
 def test_parentheses_are_a_minus_where_no_minus_stands_and_several_rows_have_them(rows: str, shown: str) -> None:
     made = _with_minus([[Cell(text) for text in row.split()] for row in rows.split("|")])
     assert "|".join(" ".join(cell.text for cell in row) for row in made) == shown
+
+
+@pytest.mark.parametrize(("one", "other", "whole"), [
+    (("a.x", "utf-8", "tab", "xy", "A"), ("b.x", "utf-8", "tab", "yz", "B"), ("a.x + b.x", "utf-8", "tab", "xyz", "A + B")),
+    (("a", "utf-8", ";", "x", "A"), ("a", "cp1251", "tab", "", "A"), ("a", "utf-8 + cp1251", "cells", "x", "A")),
+    (("a + b", "utf-8", ";", "", None), ("b", "utf-8", ";", "zx", "B"), ("a + b", "utf-8", ";", "zx", None)),
+    (("a", "utf-8", ";", "xx", "A"), ("ab", "utf-8", ";", "x", None), ("a + ab", "utf-8", ";", "xx", "A")),
+])  # fmt: skip
+def test_two_parts_of_a_table_are_told_with_what_each_has_of_its_own(one: Any, other: Any, whole: Any) -> None:
+    layout = Layout((), False, (), False, ".")
+    first, second = (
+        Part(layout, Origin(file, coded, sign, tuple(notes)), sheet) for file, coded, sign, notes, sheet in (one, other)
+    )
+    made = _whole(first, second, (), ())
+    assert (made.origin.file, made.origin.encoding, made.origin.separator, "".join(made.origin.notes), made.sheet) == whole

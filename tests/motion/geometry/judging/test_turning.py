@@ -62,6 +62,13 @@ def test_other_data_of_one_template_are_judged_too():
         closure(text, ("k = 1", "k = 2"), ("1.5448169061004255", "0.77240845305021275"))
 
 
+def test_a_wheel_that_carries_a_point_turns_as_that_point_does():
+    """The rate of the wheel of variant 31 is an unknown, without an angle of its own: alone it follows from rolling only."""
+    wheel = 'contact = "P", rate = "w4" }', 'contact = "P", points = ["E"], rate = "w4" }'
+    with pytest.raises(coursework.InputError, match=r"V309 .*link 4 turns at"):
+        closure(mechanism("31", wheel, ('P = "C', 'E = "C + r3/4 @ phi1"\nP = "C')))
+
+
 def test_points_in_one_place_do_not_tell_how_their_link_turns():
     assert closure(CLOCKWISE, ("[links]", 'E = "C + 0*(C - D)"\n[links]\n9 = { points = ["C", "E"], rate = "w2" }')) is not None
 

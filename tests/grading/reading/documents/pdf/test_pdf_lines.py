@@ -68,6 +68,7 @@ def test_a_smaller_letter_beside_another_is_its_power_or_index(size: float, high
     ([("x", 0, 10), ("n", 4, 7)], "xn"),
     ([("x", 0, 10), ("12", 4, 7)], "x^12"), ([("x", 0, 10), ("2", -2, 7), ("3", 4, 7)], "x2^3"),
     ([("a", 0, 10), ("1", 0, 7)], "a1"),
+    ([("x", 0, 10), ("−12345", 4, 7)], "x^−12345"), ([("x", 0, 10), ("abcdef", -2, 7)], "xabcdef"),
 ])  # fmt: skip
 def test_names_with_indices_and_powers_are_words(parts: list[tuple[str, float, float]], found: str) -> None:
     left, given = 0.0, list[Letter]()
