@@ -17,7 +17,7 @@ from coursework.system.processes.budget import Budget
 from coursework.words.data_folders import folder
 from tests.benchmarks import test_march as march
 from tests.benchmarks.timer import ROUNDS, ratio, spent
-from tests.desk.server import Server, running
+from tests.desk.serving.server import Server, running
 
 # A page against 20 000 Euler steps of variant 31 by a loop written by hand: about 25 ms on a calm core.
 MOST = {"31": 6.8, "jansen": 20.0}  # 3.6 and 12.2 measured; 5.8 where neighbours hold the caches: the loop fits into them

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from tests.desk.server import running
+from tests.desk.serving.server import running
 
 PATIENCE = 60_000  # ms: a machine may be busy; no test says how long anything takes
 VIEW = "document.querySelector('#desk-text .cm-content').cmTile.view"

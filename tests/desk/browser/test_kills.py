@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from tests.desk.browser.conftest import Desk
-from tests.desk.server import running
+from tests.desk.serving.server import running
 
 pytestmark = [pytest.mark.browser, pytest.mark.long]
 TYPED = "# what nobody has saved yet"

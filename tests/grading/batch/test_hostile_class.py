@@ -21,7 +21,7 @@ from coursework.commands.cli import main
 from tests.grading.batch.classroom import EQUATIONS, NAMES, hand_in
 from tests.grading.batch.classroom import csv as table_csv
 from tests.grading.marking import students
-from tests.grading.reading.dialects import archive, workbook
+from tests.grading.reading.table.dialects import archive, workbook
 
 RIGHT = students.table()
 GOOD = table_csv(RIGHT)

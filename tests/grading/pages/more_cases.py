@@ -26,7 +26,7 @@ from tests.grading.marking.machines import Machine
 from tests.grading.marking.students import DATA, START, H, velocities
 from tests.grading.marking.table.causes.test_mixed_up import MIXED, of_rows_above, with_rounded_pi, with_sines_exchanged
 from tests.grading.pages.truths import RIGHT, cases, files
-from tests.grading.reading.notations import PLAIN
+from tests.grading.reading.equations.notation.notations import PLAIN
 
 RUBRIC = """[parts]
 answers = 20

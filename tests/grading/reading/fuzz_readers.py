@@ -23,7 +23,7 @@ from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.system.processes.plain_lines import plain_of, record_of
-from tests.grading.reading.dialects import DIALECTS, STYLES, archive, written
+from tests.grading.reading.table.dialects import DIALECTS, STYLES, archive, written
 from tests.grading.scenes import expected, times
 
 SLOWEST = 5.0  # seconds of processor time for one case, far beyond the fraction of one that is usual

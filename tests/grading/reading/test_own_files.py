@@ -11,7 +11,7 @@ from coursework.grading.reading.documents.read_document import lines_of_document
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
 from tests.grading.batch.classroom import EQUATIONS
-from tests.grading.reading.misread import HEAD, ROWS
+from tests.grading.reading.table.misread import HEAD, ROWS
 from tests.grading.scenes import expected
 
 

@@ -8,7 +8,7 @@ from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.variant.formula.tree import spelled
-from tests.grading.reading.dialects import DIALECTS, archive, written
+from tests.grading.reading.table.dialects import DIALECTS, archive, written
 from tests.grading.scenes import expected, times
 
 GRID = expected().grid

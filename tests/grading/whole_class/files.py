@@ -9,8 +9,8 @@ import html
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from tests.grading.reading.dialects import DIALECTS, archive
 from tests.grading.reading.documents.papers import MAKERS, Rows
+from tests.grading.reading.table.dialects import DIALECTS, archive
 
 # Notations with signs of their own for the end of a line or a cell stand in plain files only.
 WITH_LATEX = ("by pandoc", "opendocument", "rtf", "markdown", "pdf", "notebook")

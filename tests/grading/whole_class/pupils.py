@@ -16,8 +16,8 @@ import numpy as np
 
 import coursework
 from tests.grading.marking.machines import Machine
-from tests.grading.reading.notations import NOTATIONS, PLAIN
-from tests.grading.reading.written_work import FORMS
+from tests.grading.reading.equations.notation.notations import NOTATIONS, PLAIN
+from tests.grading.reading.equations.notation.written_work import FORMS
 from tests.grading.scenes import variant_of
 from tests.grading.whole_class.files import CHEAP, FREE, KINDS, Work
 from tests.grading.whole_class.tables import Make, faults, is_a_table, slips_of_equations

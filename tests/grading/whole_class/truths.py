@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from tests.grading.marking.machines import Machine
-from tests.grading.reading.notations import PLAIN
+from tests.grading.reading.equations.notation.notations import PLAIN
 from tests.grading.whole_class.graded import Seen
 from tests.grading.whole_class.pupils import DIGITS, Pupil, Truth
 from tests.grading.whole_class.sentences import Said, Values, of_page, sentences

@@ -13,7 +13,7 @@ from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import Poses, read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.report.graphs.moving_picture import Shape, draw_ground
-from tests.drawing.test_mechanism import run_of
+from tests.drawing.outline.test_mechanism import run_of
 
 SIZE, FRAME = 0.5, 2
 BLOCK, BESIDE, STROKE = 0.03 * SIZE, 0.018 * SIZE, 0.016 * SIZE  # m: half a block along and across its guide, a stroke of ground

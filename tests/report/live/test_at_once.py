@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from tests.conftest import installed_browser
-from tests.drawing.test_clearest import SHAPER
+from tests.drawing.outline.test_clearest import SHAPER
 
 pytestmark = pytest.mark.browser
 DRAWN = """[...document.querySelectorAll("#live-panels [data-panel]")].map((one) =>

@@ -18,7 +18,7 @@ from coursework.scene.motion_results import given_constants
 from tests.mechanisms.library import mechanism
 from tests.sample import first
 from tests.solved import solved
-from tests.variant.test_with_data import LEVER
+from tests.variant.record.test_with_data import LEVER
 
 pytestmark = pytest.mark.browser
 PHASE = 0.1168893  # s: where variant 31 with alpha = 0.02 stops, from the closed form of its driven point

@@ -10,8 +10,8 @@ import pytest
 from coursework import parse_variant, solve
 from coursework.commands.new import _chain
 from coursework.report.pages import build_model, render_pdf
-from tests.drawing.test_clearest import SHAPER
-from tests.drawing.test_turns import FIVE_BAR
+from tests.drawing.lettering.test_turns import FIVE_BAR
+from tests.drawing.outline.test_clearest import SHAPER
 from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, paper_of, solved
 from tests.report.own import STEPHENSON

@@ -13,7 +13,7 @@ import coursework
 from coursework.takeaway.workbook.book import workbook_of
 from coursework.variant.catalogue import names
 from tests.command import call
-from tests.equations.reduction.test_long_formulas import two_by_two
+from tests.equations.reduction.textbook.test_long_formulas import two_by_two
 from tests.grading.reading.documents.test_right_work import graded
 from tests.hard.scenes import scene, solve
 from tests.mechanisms.library import mechanism

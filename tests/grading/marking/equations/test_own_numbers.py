@@ -9,7 +9,7 @@ from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.reading.equations.lines import read_lines
 from coursework.grading.reading.expected import Expected
-from tests.grading.reading.notations import PLAIN
+from tests.grading.reading.equations.notation.notations import PLAIN
 
 KEY = key_of(coursework.load("v102"))
 JUDGE = Judge(KEY)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.grading.reading.test_notations import marked
+from tests.grading.reading.equations.notation.test_notations import marked
 
 GUIDE = "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0\n2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4 = 0"
 FIRST, SECOND = "(0.5*r3*w4 - r3*w3*cos(phi3))", "(r3*w3*sin(phi3))"

@@ -5,7 +5,7 @@ import pytest
 import coursework
 from coursework.grading.marking.equations.meant_together import contradicting
 from tests.grading.marking.table.desks import Desk
-from tests.grading.reading.notations import NOTATIONS, PLAIN
+from tests.grading.reading.equations.notation.notations import NOTATIONS, PLAIN
 
 RIGHT = PLAIN["v102"]
 WRONG = RIGHT.replace("+ r1*w1*sin", "- r1*w1*sin")

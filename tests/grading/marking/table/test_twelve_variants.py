@@ -11,7 +11,7 @@ from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.reading.equations.lines import read_lines
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.desks import NEAR, Desk, close, sign_faults
-from tests.grading.reading.notations import NOTATIONS, PLAIN, slips
+from tests.grading.reading.equations.notation.notations import NOTATIONS, PLAIN, slips
 
 OF_EQUATIONS = 40
 # Templates whose data can be drawn, how many variants, every which slip of their equations.

@@ -10,7 +10,7 @@ from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.variant.catalogue import load
-from tests.grading.reading.dialects import archive
+from tests.grading.reading.table.dialects import archive
 from tests.grading.scenes import expected
 
 JUDGE = Judge(key_of(load("31")))

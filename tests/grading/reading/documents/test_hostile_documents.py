@@ -21,9 +21,9 @@ from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
 from coursework.grading.reading.submission import Submission, submitted_file
-from tests.grading.reading.dialects import archive
 from tests.grading.reading.documents.papers import MAKERS, typst_pdf
-from tests.grading.reading.misread import HEAD, ROWS, csv
+from tests.grading.reading.table.dialects import archive
+from tests.grading.reading.table.misread import HEAD, ROWS, csv
 from tests.grading.scenes import expected
 
 ODT = b"application/vnd.oasis.opendocument.text"

@@ -15,7 +15,7 @@ from coursework.grading.reading.documents.office.rtf import document_of_rtf
 from coursework.grading.reading.documents.pdf.pdf_lines import PageLine, Word
 from coursework.grading.reading.equations.systems.parts import parts_of
 from coursework.grading.reading.files.archive import Archive
-from tests.grading.reading.dialects import archive
+from tests.grading.reading.table.dialects import archive
 
 
 def tree(xml: str) -> FormulaNode:

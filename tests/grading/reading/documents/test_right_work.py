@@ -13,8 +13,8 @@ from coursework.grading.batch.workshop import Workshop
 from coursework.grading.marking.grade import Grade
 from coursework.grading.reading.submission import Submission, submitted_file
 from tests.grading.marking import students
-from tests.grading.reading import notations
 from tests.grading.reading.documents.papers import MAKERS, Rows
+from tests.grading.reading.equations.notation import notations
 from tests.sample import diagonal
 from tests.takeaway.taken import taken
 

@@ -15,8 +15,8 @@ from coursework.grading.reading.documents.office.odt import document_of_odt
 from coursework.grading.reading.documents.office.rtf import document_of_rtf
 from coursework.grading.reading.documents.page import document_of_page
 from coursework.grading.reading.files.archive import Archive
-from tests.grading.reading.dialects import archive
 from tests.grading.reading.documents.test_parts_of_formulas import ODT
+from tests.grading.reading.table.dialects import archive
 
 ROWS, COLUMNS = 5, 6
 Laid = list[list[tuple[str, int, int, int, int]]]  # a place: text, row and column where its area begins, how high, how wide

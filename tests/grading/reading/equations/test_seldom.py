@@ -13,7 +13,7 @@ from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.of_r import in_brackets
 from coursework.grading.reading.equations.systems.parts import parts_of
-from tests.grading.reading.test_notations import PLAIN, marked
+from tests.grading.reading.equations.notation.test_notations import PLAIN, marked
 from tests.grading.scenes import expected
 
 if TYPE_CHECKING:

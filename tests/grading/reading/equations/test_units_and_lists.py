@@ -4,7 +4,7 @@ import pytest
 
 from coursework.grading.reading.equations.plain_text import of_units
 from coursework.grading.reading.equations.systems.parts import parts_of
-from tests.grading.reading.test_notations import PLAIN, marked
+from tests.grading.reading.equations.notation.test_notations import PLAIN, marked
 
 LINES = PLAIN.split("\n")
 WRONG = [*LINES[:3], LINES[3].replace("- r1", "+ r1")]

@@ -8,7 +8,7 @@ import pytest
 
 from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.table.rows import _times
-from tests.grading.reading.misread import HEAD, ROWS, column, csv, read
+from tests.grading.reading.table.misread import HEAD, ROWS, column, csv, read
 
 DATE = PrintedNumber("02.янв", math.nan, 0, 0, "date")
 

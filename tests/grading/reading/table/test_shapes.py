@@ -15,7 +15,7 @@ from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.grading.reading.table.columns import find_columns
 from coursework.grading.reading.table.layout import layouts_of
 from coursework.grading.reading.table.units import turns_of_jumps, unit_of_column, whole_turns
-from tests.grading.reading.misread import HEAD, ROWS, csv, read
+from tests.grading.reading.table.misread import HEAD, ROWS, csv, read
 from tests.grading.scenes import expected
 
 TURN = 2 * math.pi

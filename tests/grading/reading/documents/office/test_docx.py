@@ -7,7 +7,7 @@ import pytest
 from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.office.docx import document_of_docx
 from coursework.grading.reading.files.archive import Archive
-from tests.grading.reading.dialects import archive
+from tests.grading.reading.table.dialects import archive
 
 WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 
