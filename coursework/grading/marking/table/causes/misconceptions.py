@@ -115,23 +115,21 @@ def explanations(
     began = own_start(key, cells)
     elsewhere = began is not None or begins_elsewhere(key, cells)
     by_key = np.asarray(cells.marks == KEY)
-    stands = share_of(by_key & spoken, spoken)  # in a steady drive, rows in wrong places still follow Euler's rules
+    # In a steady drive, rows in wrong places still follow Euler's rules; in a table made anew, what stood right stays right.
+    stands, as_handed_in = (share_of(one & spoken, spoken) for one in (by_key, explained | by_key))
     key_share = stands if elsewhere else euler_share
-    as_handed_in = share_of((explained | by_key) & spoken, spoken)  # in a table made anew, what stood right stays right
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
     read_off: set[str] = set()
     most_told: tuple[float, bool] = (explained | by_key).sum() + BETTER * spoken.sum(), False
     teller: tuple[Claim, Flags] | None = None
-    # Causes that leave something unexplained are examined again below.
-    most = int(spoken.sum())
     for claim in told:
         if claim.code in hidden and not claim.code.startswith(ROUNDED_OMEGA):
             continue
         put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
         share, against = share_of(holds, says), key_share if claim.is_whole else euler_share
-        if claim.student is not None:
+        if claim.student is not None and not claim.code.startswith(ORIGIN):
             against = stands if claim.code == ROWS_SHIFTED else max(against, as_handed_in)
         known = named.get(claim.code)
         is_told = claim.code != OWN and claim.code not in hidden
@@ -145,7 +143,8 @@ def explanations(
         count = int((holds | by_key).sum())
         if (count, not claim.is_read_off) > most_told and claim.code not in hidden:
             most_told, teller = (count, not claim.is_read_off), (claim, holds)
-        if claim.student is None and count < most and (claim.code not in held or count > held[claim.code][0]):
+        # Causes that leave something unexplained are examined again below.
+        if claim.student is None and count < spoken.sum() and (claim.code not in held or count > held[claim.code][0]):
             held[claim.code] = count, claim, holds
     for code, claim, holds in _closer(held):
         holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
@@ -169,10 +168,8 @@ def explanations(
             untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
-    if began:
-        share = share_of(*euler_cells(key, began.cells))
-        if share >= NAMED and share > key_share + BETTER:
-            named[began.cause] = share, key_share, began.names
+    if began and (share := share_of(*euler_cells(key, began.cells))) >= NAMED and share > key_share + BETTER:
+        named[began.cause] = share, key_share, began.names
     found = tuple(fits.values())
     if not named:
         return Found(None, found, began, untold)

@@ -215,9 +215,11 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
         if key.variant.coordinates[place].unit != "rad" or not np.isfinite(student.values[:, place]).any():
             continue
         for sign in (1.0, -1.0):
-            shift = np.nanmedian(student.values[:, place] - sign * key.table[:, place])
+            shifts = student.values[:, place] - sign * key.table[:, place]
+            shift = np.nanmedian(shifts)
             quarters = np.round(shift / (np.pi / 2)) if np.isfinite(shift) else 0.0
-            if not quarters or abs(shift - quarters * np.pi / 2) > 0.02:
+            # The middle of a column that runs the other way may be a quarter turn by chance: its cells must be.
+            if not quarters or np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) > 0.02:
                 continue
             values = student.values.copy()
             values[:, place] = sign * (values[:, place] - quarters * np.pi / 2)
