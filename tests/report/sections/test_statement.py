@@ -44,9 +44,9 @@ def test_the_answer_stands_on_the_first_page(real: ModuleType) -> None:
     why = real.text_of(next(part for part in real.parts(real.full(), "results") if part["kind"] == "paragraph")).replace(
         "\u00a0", " "
     )
-    assert "Largest error of explicit Euler: 0.140 rad (8.0°) in φ1, row 20, 69.8 % of its scale." in why
+    assert "Largest relative error of explicit Euler: 0.140 rad (8.0°) in φ1, row 20, 69.8 % of its scale." in why
     ending = " ".join(map(real.text_of, real.parts(real.full(), "conclusion"))).replace("\u00a0", " ")
-    assert "Largest error of explicit Euler: 0.140 rad (8.0°) in φ1, row 20, 69.8 % of its scale" in ending, (
+    assert "Largest relative error of explicit Euler: 0.140 rad (8.0°) in φ1, row 20, 69.8 % of its scale" in ending, (
         "one measure, one error"
     )
     data = [[real.text_of(cell) for cell in row] for row in shown["table"]["rows"]]

@@ -46,7 +46,7 @@ def test_a_page_of_exact_rows_does_not_begin_with_the_error_of_a_scheme(real: Mo
     page = told(real, shaper, "statement")
     assert "Largest error" not in page
     assert "The rows are the motion itself." in page
-    assert "For comparison: explicit Euler with the same step would be off by up to " in page
+    assert "For comparison: the largest relative error of explicit Euler with the same step would be " in page
     beside = shaper.distance_to_exact
     assert f", row {beside.row}, {100 * beside.share:.1f} % of its scale." in page, "the error that the command line tells"
 
