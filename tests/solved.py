@@ -15,6 +15,8 @@ from coursework.run import Run
 from coursework.scene.scene import Scene
 from coursework.variant.record.variant import Variant
 
+# Files of the catalogue, each read once a process: several lists of tests are made from all of them.
+loaded = cache(coursework.load)
 _scenes: dict[tuple[Variant, Settings], Scene] = {}
 
 

@@ -26,6 +26,7 @@ from coursework.variant.formula.tree import spelled
 from coursework.variant.reading.reader import parse_variant
 from tests.equations.algebra.systems import chain, system
 from tests.sample import first
+from tests.solved import loaded
 
 NAMES = ("v_r1", "v_r2", "v_phi1", "v_phi2", "t", "v_s")
 MADE = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "exp": sp.exp, "atan": sp.atan}
@@ -196,7 +197,7 @@ def digest(text):
     return hashlib.sha256(text.encode()).hexdigest()[:8]
 
 
-@pytest.mark.parametrize("name", [entry.name for entry in entries() if not coursework.load(entry.name).forces])
+@pytest.mark.parametrize("name", [entry.name for entry in entries() if not loaded(entry.name).forces])
 def test_the_formulas_of_a_file_are_those_that_sympy_gave(name):
     assert digest(printed(coursework.load(name))) == PRINTED["files"][name]
 

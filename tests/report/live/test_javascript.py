@@ -16,11 +16,11 @@ from coursework.report.live.script import script_of
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.catalogue import names
 from tests.sample import sampled
-from tests.solved import solved
+from tests.solved import loaded, solved
 
 pytestmark = pytest.mark.browser
 # What forces move is marched by other arithmetic, which `test_forces.py` asks.
-DRIVEN = [name for name in names() if coursework.load(name).motor is None]
+DRIVEN = [name for name in names() if loaded(name).motor is None]
 # What the page itself does with the runtime, here handed to the test.
 ASKED = """
 const positions = (found) => Array.from({length: found.n}, (_, i) => [...found.q.subarray(i * m, i * m + m)]);

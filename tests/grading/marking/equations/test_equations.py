@@ -12,6 +12,7 @@ from coursework.variant.formula.reader import parse, parse_equation
 from coursework.variant.formula.tree import Formula, spelled
 from tests.grading.reading.test_read_submission import read
 from tests.sample import first
+from tests.solved import loaded
 
 RIGHT = [
     "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
@@ -138,7 +139,7 @@ def test_a_minus_that_stands_there_is_taken_away_and_none_is_added(judge, text, 
     assert (hint.column, hint.text) == (column, mended)
 
 
-WRITTEN = [name for name in names() if any(not c.is_closure for c in coursework.load(name).constraints)]
+WRITTEN = [name for name in names() if any(not c.is_closure for c in loaded(name).constraints)]
 
 
 @pytest.mark.parametrize("most", first(1, (2, 6)))
