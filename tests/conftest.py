@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from tests.lent_pages import LentPages
+from tests.sample import ask_long
 
 # Compiled once for all processes of the suite, some two hundred, whatever the environment says; .gitignore knows the folders.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
@@ -28,6 +29,10 @@ BROWSERS = (
 )  # fmt: skip
 # Without hinting, letters are as wide in the engine alone as in a whole browser.
 STARTED = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--font-render-hinting=none"]
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    ask_long(config.option.markexpr != "not long")
 
 
 def installed_browser() -> str | None:
