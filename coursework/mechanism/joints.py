@@ -133,7 +133,7 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
                 yield Joint(PRISMATIC, (racks[rider], FRAME), named(rider), angle)
             else:
                 yield Joint(PIN_IN_GUIDE, (holds[rider][0], FRAME), named(rider), angle)
-    yield from _contacts(variant, holds, [*racks.values()])
+    yield from _contacts(variant, holds, racks)
     sleeves = {frozenset((link.name, link.slides)): (link.name, link.slides) for link in variant.links if link.slides}
     for sleeve, bar in sleeves.values():
         own = next((name for name, bodies in holds.items() if sleeve in bodies), "")
@@ -147,7 +147,7 @@ def riders(variant: Variant) -> tuple[str, ...]:
     return tuple(pins.get(through) or ("" if name in variant.frame.hinges else name) for through, name in named_in)
 
 
-def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]) -> Iterator[Joint]:
+def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: Mapping[str, str]) -> Iterator[Joint]:
     """Yield each contact of a wheel once: with another wheel, the body that holds the point, a rack, or the frame.
 
     Only a wheel on a pivot of the frame touches a rack.  If a pivot or a carrier holds the centre of the wheel, the contact is a
@@ -162,7 +162,9 @@ def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]
         wheels = [other.name for other in beside]
         middles = {*(other.wheel for other in beside), *(c.name for c, _ in variant.frame.circles if c.op == "name")}
         carriers = [one for one in variant.links if link.wheel in one.points and not middles.isdisjoint(one.points)]
-        touched = [*wheels, *(body for body in holds.get(link.contact, ()) if body != link.name), *(racks if on_pivot else ())]
+        rack = rack_of(link, variant)
+        blocks = [racks[rack]] if rack is not None else [*racks.values()]
+        touched = [*wheels, *(body for body in holds.get(link.contact, ()) if body != link.name), *(blocks if on_pivot else ())]
         met.update(wheels)
         kind = MESHING if (on_pivot and touched) or carriers else ROLLING
         yield Joint(kind, (link.name, touched[0] if touched else FRAME), named(link.contact))
