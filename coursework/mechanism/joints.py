@@ -6,19 +6,23 @@ Used by `mechanism.py` (mobility), `structure.py`, `equations/reduction/meaning.
 
 from __future__ import annotations
 
+import cmath
 import itertools
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import field, replace
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.groups.joint import MESHING, PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, named
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, with_points
 from coursework.variant.record.entries import reached
-from coursework.variant.record.variant import Coordinate, Group, Variant
+from coursework.variant.record.variant import Coordinate, Group, Link, Variant
 
 FRAME = "0"
+_BESIDE = 0.01  # share of the radius of a wheel: a start of few digits is not farther from the line of its rack
 
 
 @frozen
@@ -129,7 +133,7 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
                 yield Joint(PRISMATIC, (racks[rider], FRAME), named(rider), angle)
             else:
                 yield Joint(PIN_IN_GUIDE, (holds[rider][0], FRAME), named(rider), angle)
-    yield from _contacts(variant, holds, [*racks.values()])
+    yield from _contacts(variant, holds, racks)
     sleeves = {frozenset((link.name, link.slides)): (link.name, link.slides) for link in variant.links if link.slides}
     for sleeve, bar in sleeves.values():
         own = next((name for name, bodies in holds.items() if sleeve in bodies), "")
@@ -143,7 +147,7 @@ def riders(variant: Variant) -> tuple[str, ...]:
     return tuple(pins.get(through) or ("" if name in variant.frame.hinges else name) for through, name in named_in)
 
 
-def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]) -> Iterator[Joint]:
+def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: Mapping[str, str]) -> Iterator[Joint]:
     """Yield each contact of a wheel once: with another wheel, the body that holds the point, a rack, or the frame.
 
     Only a wheel on a pivot of the frame touches a rack.  If a pivot or a carrier holds the centre of the wheel, the contact is a
@@ -158,10 +162,37 @@ def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]
         wheels = [other.name for other in beside]
         middles = {*(other.wheel for other in beside), *(c.name for c, _ in variant.frame.circles if c.op == "name")}
         carriers = [one for one in variant.links if link.wheel in one.points and not middles.isdisjoint(one.points)]
-        touched = [*wheels, *(body for body in holds.get(link.contact, ()) if body != link.name), *(racks if on_pivot else ())]
+        rack = rack_of(link, variant)
+        blocks = [racks[rack]] if rack is not None else [*racks.values()]
+        touched = [*wheels, *(body for body in holds.get(link.contact, ()) if body != link.name), *(blocks if on_pivot else ())]
         met.update(wheels)
         kind = MESHING if (on_pivot and touched) or carriers else ROLLING
         yield Joint(kind, (link.name, touched[0] if touched else FRAME), named(link.contact))
+
+
+def rack_of(wheel: Link, variant: Variant) -> str | None:
+    """Return the point of the block that a wheel on a pivot drives as a rack, None if the file does not show which.
+
+    Its line passes through the contact at the start.
+
+    >>> from coursework.variant.catalogue import load
+    >>> variant = load("v112")
+    >>> [rack_of(link, variant) for link in variant.links if link.wheel]
+    ['C']
+    """
+    if wheel.wheel not in variant.frame.hinges or wheel.contact is None:
+        return None
+    blocks = {link.points[0] for link in variant.links if link.is_block}
+    start = {c.name: c.start_or_guess for c in variant.coordinates}
+    known = {"pi": math.pi, "t": 0.0, **variant.values, **{name: value for name, value in start.items() if value is not None}}
+    found = []
+    with suppress(FormulaFault, KeyError):  # a place that follows from the motion only
+        at = with_points(known, variant.points)
+        for rider, (_, angle) in zip(riders(variant), variant.frame.rails, strict=True):
+            if rider in blocks:
+                beside = ((at[wheel.contact] - at[rider]) * cmath.exp(-1j * evaluate_any(angle, at))).imag
+                found += [rider] if abs(beside) <= _BESIDE * abs(at[wheel.contact] - at[wheel.wheel]) else []
+    return found[0] if len(found) == 1 else None
 
 
 def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:

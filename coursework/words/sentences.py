@@ -143,6 +143,7 @@ class Phrases:
 
     def _filling(self, name: str, value: object, marked: bool) -> object:
         if isinstance(value, float):
+            value += 0.0  # a zero has no sign: -0 is what a product with a drive of zero may give
             return _Number(value, self.template("decimal")) if marked else value
         if isinstance(value, str):
             return self.unit(self.written(value)) if name == "unit" else self.written(value)

@@ -5,6 +5,7 @@ import tomllib
 import pytest
 
 from coursework.words.data_folders import folder
+from coursework.words.sentences import load_phrases
 from coursework.words.words_file import _plain_words, read_words
 
 
@@ -35,3 +36,9 @@ def test_another_file_too(text):
         assert read_words(text) == expected
     except ValueError:
         assert expected is None
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_a_zero_is_written_without_a_sign(language: str) -> None:
+    assert load_phrases(language).said("check.START.value", name="u", value=-0.0) == "u = 0"
+    assert load_phrases(language).said("check.START.value", name="u", value=-2.0) == "u = -2"

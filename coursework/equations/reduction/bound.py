@@ -15,7 +15,7 @@ from collections.abc import Collection, Iterator, Mapping
 from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression
 from coursework.equations.algebra.functions import cosine, sine
 from coursework.equations.reduction.symbolic import TIME, Symbols, Vector, placed, symbol
-from coursework.mechanism.joints import chain_of_groups, link_names
+from coursework.mechanism.joints import chain_of_groups, link_names, rack_of
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, named
@@ -208,6 +208,8 @@ class Geometry:
             at = self._symbols.vectors[own]
             rate = speed_of(body.rate, self.variant.sought)
             return _turned(self._moved(at), rate, (contact[0] - at[0], contact[1] - at[1]))
+        if (rack := rack_of(wheel, self.variant)) is not None:
+            return self._moved(self._symbols.vectors[rack])
         frame, rails = self.variant.frame, {through.name for through, _ in self.variant.frame.rails}
         others = [link for link in self.variant.links if link.contact and link.contact not in rails]
         # A contact on no rail is on a circle of the frame, if there is a circle for each such wheel.

@@ -28,6 +28,8 @@ MAX_EXPONENT = 8
 _FUNCTION_ALIASES = {
     "tg": "tan", "arctg": "atan", "arctan": "atan", "arcsin": "asin", "arccos": "acos", "ln": "log",
 }  # fmt: skip
+# Units with a mass that no datum is called; their table is loaded only for files with forces.
+_HEAVY = re.compile(r"(k?N|kg|к?Н|кг)(?!\w)([*/](mm|cm|m|мм|см|м)(\^2)?(?!\w))?")
 _UNIT_TOKENS = 5  # the longest unit: m, /, s, ^, 2
 _COTANGENT = {"ctg", "cot"}
 # Words that always mean a function, so that they cannot be names.
@@ -170,9 +172,7 @@ class _Reader:
         """Raise `FormulaFault` for a token in place of an operator, if a specific reason can be given."""
         if token.kind in {"name", "number"} or token.text == "(":
             before = self.tokens[self.position - 1] if self.position else token
-            if before.kind == "number" and UNITS.get(token.text, (0, "1"))[1] != "1":
-                behind = [one.text for one in self.tokens[self.position : self.position + _UNIT_TOKENS]]
-                unit = next(u for k in range(len(behind), 0, -1) if (u := "".join(behind[:k])) in UNITS)
+            if before.kind == "number" and (unit := self.unit()):
                 raise FormulaFault(token.column, say("fault.V143", number=before.text, unit=unit))
             raise FormulaFault(token.column, say("fault.V120", text=token.text))
         if token.text == ")":
@@ -181,6 +181,14 @@ class _Reader:
             raise FormulaFault(token.column, say("fault.V121"))
         if token.text == ".":
             raise FormulaFault(token.column, say("fault.V122"))
+
+    def unit(self) -> str:
+        """Return the unit that the next tokens are, "" if none."""
+        behind = [one.text for one in self.tokens[self.position : self.position + _UNIT_TOKENS]]
+        heavy = _HEAVY.match("".join(behind))
+        if heavy or UNITS.get(behind[0], (0, "1"))[1] == "1":
+            return heavy[0] if heavy else ""
+        return next(u for k in range(len(behind), 0, -1) if (u := "".join(behind[:k])) in UNITS)
 
     def expression(self) -> Formula:
         return self.joined({"+", "-"}, self.term)

@@ -5,9 +5,11 @@ Enters: a `Variant`, the dimensions of its names.  Leaves: remarks by the path o
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import chain
 
+from coursework.variant.formula.tree import with_points
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
@@ -15,6 +17,7 @@ from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
+_ROUND_OFF = 1e-12
 Found = tuple[str, KeyPath, Sentence]  # a code, what the remark is about, the remark
 
 
@@ -23,6 +26,7 @@ def parts_unused(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
     yield from _links_left_out(variant)
     yield from _pinned_sleeves(variant)
     yield from _idle(variant, dimensions)
+    yield from _stiff_springs(variant)
     yield from _empty_guides(variant)
     yield from _untouched(variant)
     yield from _short_of_end(variant)
@@ -94,6 +98,20 @@ def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
             yield "UNUSED", ("given", name), say("remark.unused_place", x=x, y=y, point=point)
         elif name not in beside:
             yield "UNUSED", ("given", name), say("remark.unused", name=name)
+
+
+def _stiff_springs(variant: Variant) -> Iterator[Found]:
+    """Yield springs and dampers between two points whose distance is the same wherever the coordinates are."""
+    known = {"pi": math.pi, **variant.values}
+    anywhere = ({c.name: at + k for k, c in enumerate(variant.coordinates)} for at in (0.3, 0.8, 1.7))
+    positions = [with_points(known | somewhere, variant.points) for somewhere in anywhere]
+    for spring in variant.forces.springs if variant.forces else ():
+        one, other = spring.ends
+        if not {one, other} <= {*positions[0]} & {*positions[1]} & {*positions[2]}:  # the place of a pin of a chain, say
+            continue
+        lengths = [abs(at[one] - at[other]) for at in positions]
+        if max(lengths) - min(lengths) <= _ROUND_OFF * max(*lengths, *(abs(at[one]) for at in positions)):
+            yield "IDLE", ("forces", spring.name), say("remark.idle_spring", name=spring.name, one=one, other=other)
 
 
 def _places(variant: Variant) -> Iterator[tuple[str, str, str]]:

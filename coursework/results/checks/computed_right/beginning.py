@@ -65,7 +65,8 @@ def start_of(given: Closure | None) -> Finding:
         kept = _kept(given)
         told = say("check.START.pass_kept", kept=kept) if kept is not None else say("check.START.pass")
         return Finding("PASS", told, value, limit, "m", name, 1)
-    sentence = say("check.START.none", value=value)
+    # A length that should be zero, but is kept as the start has it, may be what no position fits.
+    sentence = joined([say("check.START.none", value=value), *([kept] if (kept := _kept(closure)) else [])])
     if closed is not None:
         key = "check.START.nearest_held" if abs(given.origin[worst]) > limit else "check.START.nearest"
         sentence = say(key, value=value, start=typed_start(closure.equations.variant, closed, _DIGITS))

@@ -69,6 +69,18 @@ def test_a_wheel_that_carries_a_point_turns_as_that_point_does():
         closure(mechanism("31", wheel, ('P = "C', 'E = "C + r3/4 @ phi1"\nP = "C')))
 
 
+@pytest.mark.parametrize(("beside", "is_its_rack"), [("R", True), ("1.009*R", True), ("1.011*R", False)])
+def test_a_gear_turns_as_its_rack_runs(beside, is_its_rack):
+    """Positions and equation agree that the rack runs against the lowest point of the gear; a slider elsewhere is no rack."""
+    against = ("xC0 + R*psi4, -R)", f"xC0 - R*psi4, -{beside})"), ("u - R*w4", "u + R*w4")
+    text = mechanism("v112", *against)
+    if not is_its_rack:
+        assert closure(text) is not None
+        return
+    with pytest.raises(coursework.InputError, match=r"V309 .*link 4 turns at 15\.49\d* rad/s .* is -15\.49"):
+        closure(text)
+
+
 def test_points_in_one_place_do_not_tell_how_their_link_turns():
     assert closure(CLOCKWISE, ("[links]", 'E = "C + 0*(C - D)"\n[links]\n9 = { points = ["C", "E"], rate = "w2" }')) is not None
 

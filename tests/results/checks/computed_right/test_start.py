@@ -78,6 +78,15 @@ def test_what_the_start_alone_gives_is_told_with_its_value_where_it_is_not_zero(
     assert distance not in str(off.sentence)
 
 
+def test_where_no_position_closes_what_the_start_alone_keeps_is_told_with_it():
+    """The coordinates of the pivot are swapped: the start, 0.25 m beside the slide, is kept there, out of reach of the rods."""
+    text = mechanism("press-on-a-rocker", xC="0.25 m", yC="0.5 m")
+    run = coursework.solve(coursework.parse_variant(text), quantities=["checks"])
+    (start,) = (one for one in run.checks if one.code == "START")
+    assert "there is no closed position near it. What the motion keeps" in str(start.sentence)
+    assert "start values: D.x - xC = 0.25." in str(start.sentence)
+
+
 def test_the_command_check_tells_an_open_start_too(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for rocker, status in ((ROCKER, 0), (ROCKER + 0.002, 1)):

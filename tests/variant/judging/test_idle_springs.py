@@ -1,0 +1,24 @@
+"""A spring or a damper between two points that keep their distance is remarked on, whatever holds them together."""
+
+import pytest
+
+import coursework
+from tests.mechanisms.library import mechanism
+
+
+@pytest.mark.parametrize(
+    ("name", "ends", "idle"),
+    [
+        ("pendulum", '["B", "K"]', ""),
+        ("pendulum", '["B", "O"]', "B and O"),  # both on the rod
+        ("pendulum", '["K", "O"]', "K and O"),  # both on the frame
+        ("andrews-forces", '["S", "K"]', ""),
+        ("block-on-a-spring", '["O", "C"]', ""),
+    ],
+)
+def test_a_spring_that_never_changes_its_length_is_told(name: str, ends: str, idle: str) -> None:
+    """In andrews-forces both ends move; the place of K follows from two coordinates."""
+    own = {"pendulum": '["B", "K"]', "andrews-forces": '["S", "K"]', "block-on-a-spring": '["O", "C"]'}[name]
+    variant = coursework.parse_variant(mechanism(name, (f"spring = {own}", f"spring = {ends}")))
+    told = [str(one.sentence) for one in variant.plausibility if one.code == "IDLE"]
+    assert len(told) == bool(idle) and all(f"of [forces] does nothing: {idle} keep their distance." in one for one in told)
