@@ -181,7 +181,7 @@ def test_a_head_that_the_numbers_contradict_is_only_a_slip(heads, factors, units
 def test_a_length_or_speed_under_the_head_of_another_unit_is_only_a_slip_of_the_head(head, factor, unit):
     """It cost 3 points of 60 in one mechanism and 9 in another; up to 1 % the factor must be that of the unit."""
     grid = Grid(0.02, 5, (GridColumn("s", "m", RATE, "u"), GridColumn("v", "m/s", RATE)))
-    own = dict.fromkeys("sv", [factor * value for value in RATE])
+    own = {name: [factor * value for value in RATE] for name in "sv"}
     assert units_of_columns(grid, {"s": head, "v": f"{head}/s"}, own) == {"s": unit, "v": f"{unit}/s"}
 
 

@@ -24,7 +24,7 @@ from coursework.variant.formula.units import size_of
 from coursework.variant.judging.lengths import is_refused
 from coursework.variant.record.entries import Given
 
-DATUM = "datum_"
+DATUM, DATA_ROUNDED = "datum_", "data_rounded"
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
 # Turns per second taken for radians per second, or centimetres or millimetres for metres, and the other way round.
 _UNITS = {"1/s": (2 * np.pi, 0.5 / np.pi), "m": (100.0, 0.01, 1000.0, 0.001)}
@@ -45,7 +45,9 @@ _BEGINS, _SETTLED = (1.0, 0.4, 2.5), 1e-4
 
 
 def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
-    """Yield claims of velocities with other data: one scaled, negated, left out, confused or read off, or two exchanged."""
+    """Yield claims of velocities with other data: one scaled, negated, left out, confused or read off, two exchanged, or several
+    rounded.
+    """
     given = printed.key.variant.given
     tried: list[tuple[str, dict[str, float]]] = [
         (f"{DATUM}{datum.name}", {datum.name: factor * datum.value})
@@ -71,12 +73,26 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
         at = partial(printed.key.velocities_at, data={datum.name: value})
         for claim in printed.velocity_claim(f"{DATUM}{datum.name}", at, names=_shown(datum, value)):
             yield replace(claim, is_read_off=True)
+    for data in _rounded(given):  # last: one datum that explains as much is told
+        yield from printed.velocity_claim(DATA_ROUNDED, partial(printed.key.velocities_at, data=data))
 
 
 def _as_typed(datum: Given, read: float) -> Iterator[float]:
     """Yield a value as computed from the table, and rounded as it may have been typed; an angle without whole turns first."""
     turned = read % _TURN if datum.si == "rad" and datum.value > 0 else read
     yield from dict.fromkeys((turned, float(f"{turned:.3g}"), read, float(f"{read:.3g}")))
+
+
+def _rounded(given: Sequence[Given]) -> Iterator[dict[str, float]]:
+    """Yield the values of data that change if all are rounded to so many digits, or decimals; one alone is another datum."""
+    sizes = [size_of(datum.unit) or 1.0 for datum in given]
+    shown = [datum.value / size for datum, size in zip(given, sizes, strict=True)]
+    for kind, digits in (("g", 3), ("g", 2), ("f", 2), ("f", 1)):
+        rounded = [float(f"{value:.{digits}{kind}}") for value in shown]
+        found = zip(given, shown, rounded, sizes, strict=True)
+        data = {datum.name: near * size for datum, value, near, size in found if abs(near - value) > _ANOTHER * abs(value)}
+        if len(data) > 1 and all(data.values()):
+            yield data
 
 
 def _may_vanish(printed: TableUnderTest, datum: Given) -> bool:
