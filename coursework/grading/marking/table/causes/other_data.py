@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import combinations, cycle, islice
+from itertools import chain, combinations, cycle, islice
 
 import numpy as np
 
@@ -243,23 +243,27 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
 
 
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
-    """Yield claims that two columns are exchanged; whole turns are taken off after they are exchanged back."""
+    """Yield claims that two columns are exchanged, or two coordinates together with their velocities, as links numbered from the
+    other end are; whole turns are taken off after they are exchanged back.
+    """
     key, student, m = printed.key, printed.student, printed.m
     turns, tolerance, as_it_is = _taken_off(student), as_printed(key, np.nan_to_num(student.units)), printed.of_task
-    for first, second in combinations(range(len(key.names)), 2):
-        order = list(range(len(key.names)))
-        order[first], order[second] = second, first
+    rates = [key.names.index(one.rate) for one in key.variant.coordinates]
+    links = ((first, second, rates[first], rates[second]) for first, second in combinations(range(m), 2))
+    for first, second, *beside in chain(combinations(range(len(key.names)), 2), links):
+        pair, order = [first, second, *beside], list(range(len(key.names)))
+        for one, other in zip(pair[::2], pair[1::2], strict=True):
+            order[one], order[other] = other, one
         values = (student.values + _TURN * turns)[:, order]
-        for place in (first, second):
+        for place in pair:
             values[:, place] -= _turns(key, place, values[:, place])
-        for place in set(range(len(key.names))) - {first, second}:
+        for place in set(range(len(key.names))) - {*pair}:
             values[:, place] = student.values[:, place]
         close = near(values, key.table, tolerance[:, order]) | as_it_is[:, order]
-        pair = [first, second]
         is_like = second < m and key.variant.unit_of(key.names[first]) == key.variant.unit_of(key.names[second])
         begins = is_like and close[0, pair].all() and not as_it_is[0, pair].all()
         if begins or close[:, pair].mean() > max(_LIKE_KEY, as_it_is[:, pair].mean()):
-            names = (key.names[first], key.names[second])
+            names = tuple(key.names[place] for place in pair)
             undone = _kept(printed, as_it_is[:, order], StudentTable(values, student.units[:, order]))
             yield _as_euler("swapped_columns", undone, names)
 

@@ -101,6 +101,15 @@ def test_data_rounded_all_together_cost_what_one_of_them_copied_wrongly_does(nam
     assert (one, codes(table)) == (57.0, ("datum_p",))
 
 
+def test_links_numbered_from_the_other_end_are_columns_exchanged_in_pairs():
+    """They earned 14 of 60 points in a slider crank, 36 in another mechanism; the columns of one pair are told as before."""
+    desk = Desk(parse_variant(SLIDER_CRANK, "own.toml", {}))
+    found, marks = desk.marked(desk.machine.table()[:, [1, 0, 3, 2, 4]])
+    assert (found, marks.misconception.names) == (24.0, ("phi1", "phi2", "w1", "w2"))
+    _, marks = desk.marked(desk.machine.table()[:, [1, 0, 2, 3, 4]])
+    assert (codes(marks), marks.misconception.names) == (("swapped_columns",), ("phi1", "phi2"))
+
+
 @pytest.mark.long
 def test_steps_that_add_radians_to_degrees_leave_the_velocities_right():
     """As half a step does, where the velocities are not the same at any time."""
