@@ -45,9 +45,7 @@ _BEGINS, _SETTLED = (1.0, 0.4, 2.5), 1e-4
 
 
 def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
-    """Yield claims of velocities with other data: one scaled, negated, left out, confused or read off, two exchanged, or several
-    rounded.
-    """
+    """Yield claims of velocities with data scaled, negated, left out, confused, read off, exchanged or rounded together."""
     given = printed.key.variant.given
     tried: list[tuple[str, dict[str, float]]] = [
         (f"{DATUM}{datum.name}", {datum.name: factor * datum.value})
@@ -235,11 +233,15 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
             shift = np.nanmedian(shifts)
             quarters = np.round(shift / (np.pi / 2)) if np.isfinite(shift) else 0.0
             # The middle of a column that runs the other way may be a quarter turn by chance: its cells must be.
-            if not quarters or np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) > 0.02:
+            if not (quarters or sign < 0) or np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) > 0.02:
                 continue
             values = student.values.copy()
             values[:, place] = sign * (values[:, place] - quarters * np.pi / 2)
-            yield _as_euler(f"origin_{key.names[place]}", _kept(printed, printed.of_task, replace(student, values=values)))
+            code, rate = f"origin_{key.names[place]}", key.names.index(key.variant.coordinates[place].rate)
+            yield _as_euler(code, _kept(printed, printed.of_task, replace(student, values=values)))
+            if sign < 0:  # its velocity, too
+                turned = np.where(np.arange(len(key.names)) == rate, -values, values)
+                yield _as_euler(code, _kept(printed, printed.of_task, replace(student, values=turned)))
 
 
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:

@@ -5,7 +5,6 @@ import re
 import numpy as np
 import pytest
 
-import coursework
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.cells import _cut_off
@@ -86,28 +85,6 @@ def test_pi_taken_as_three_places_is_named_and_costs_as_little_as_rounding_does(
     assert found == 58.8
     right, table = desk.marked(desk.machine.table(), digits=digits)
     assert (right, codes(table)) == (60.0, ())
-
-
-@pytest.mark.parametrize(("name", "digits"), [("v102", 3), pytest.param("31", 2, marks=pytest.mark.long)])
-def test_data_rounded_all_together_cost_what_one_of_them_copied_wrongly_does(name, digits):
-    """They earned 1 to 20 of 60 points, one of them 57."""
-    desk = Desk(coursework.load(name))
-    rounded = {name: float(f"{value:.{digits}g}") for name, value in desk.variant.values.items()}
-    found, table = desk.marked(Machine(desk.variant, data=rounded).table())
-    assert (found, codes(table)) == (57.0, ("data_rounded",))
-    told = [str(reason.text) for reason in table_reasons(desk.key, table, Rubric(), found, 60.0)]
-    assert any("the data were rounded" in text for text in told)
-    one, table = desk.marked(Machine(desk.variant, data={"p": rounded["p"]}).table())
-    assert (one, codes(table)) == (57.0, ("datum_p",))
-
-
-def test_links_numbered_from_the_other_end_are_columns_exchanged_in_pairs():
-    """They earned 14 of 60 points in a slider crank, 36 in another mechanism; the columns of one pair are told as before."""
-    desk = Desk(parse_variant(SLIDER_CRANK, "own.toml", {}))
-    found, marks = desk.marked(desk.machine.table()[:, [1, 0, 3, 2, 4]])
-    assert (found, marks.misconception.names) == (24.0, ("phi1", "phi2", "w1", "w2"))
-    _, marks = desk.marked(desk.machine.table()[:, [1, 0, 2, 3, 4]])
-    assert (codes(marks), marks.misconception.names) == (("swapped_columns",), ("phi1", "phi2"))
 
 
 @pytest.mark.long
