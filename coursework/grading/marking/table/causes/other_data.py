@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import chain, combinations, cycle, islice
+from itertools import chain, combinations, cycle, islice, product
 
 import numpy as np
 
@@ -38,6 +38,7 @@ OTHER_SIGN = "other sign"  # behind the value and unit of a datum that has it
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
 _ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-5
+_SAME = 1e-9  # relative difference up to which two numbers are the same
 # From this part of the velocities on that are the task's, the others are looked at alone too.
 _PUT_RIGHT = 0.25
 # Parts of the task's value at which the search begins: a frequency, or a length in a closed chain, leads astray from afar.
@@ -84,12 +85,13 @@ def _as_typed(datum: Given, read: float) -> Iterator[float]:
 def _rounded(given: Sequence[Given]) -> Iterator[dict[str, float]]:
     """Yield the values of data that change if all are rounded to so many digits, or decimals; one alone is another datum."""
     sizes = [size_of(datum.unit) or 1.0 for datum in given]
-    shown = [datum.value / size for datum, size in zip(given, sizes, strict=True)]
-    for kind, digits in (("g", 3), ("g", 2), ("f", 2), ("f", 1)):
-        rounded = [float(f"{value:.{digits}{kind}}") for value in shown]
-        found = zip(given, shown, rounded, sizes, strict=True)
-        data = {datum.name: near * size for datum, value, near, size in found if abs(near - value) > _ANOTHER * abs(value)}
-        if len(data) > 1 and all(data.values()):
+    found: list[dict[str, float]] = []
+    for kind, half in product(("3g", "2g", "2f", "1f"), (1 + _SAME, 1 - _SAME)):  # 4.35 is 4.4 to people, 4.3 to programs
+        shown = [float(f"{half * datum.value / size:.{kind}}") * size for datum, size in zip(given, sizes, strict=True)]
+        pairs = zip(given, shown, strict=True)
+        data = {datum.name: near for datum, near in pairs if abs(near - datum.value) > _ANOTHER * abs(datum.value)}
+        if len(data) > 1 and all(data.values()) and data not in found:
+            found.append(data)
             yield data
 
 
