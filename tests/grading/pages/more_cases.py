@@ -220,6 +220,9 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "new-phi": files(new_phi()),
         "rows-above": files(of_rows_above(MACHINE)),
         "cosine-in-drive": files(with_sines_exchanged(MACHINE)),
+        "data-rounded": files(
+            Machine(MACHINE.variant, data={"r1": 0.95, "r2": 0.85, "r3": 0.46, "p": 13.0, "alpha": 4.4}).table()
+        ),
         **{code.replace("_", "-"): files(made(MACHINE)) for code, made in MIXED.items()},
         "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
         "point-slipped": files(np.hstack([10 * RIGHT[:, :3], RIGHT[:, 3:]])),

@@ -1,7 +1,7 @@
 """All single slips of the pen in a formula: a sign, a function, a name, a factor.
 
 Enters: a wrong equation as a tree.  Leaves: `Edit`s, each with the replacement for one node of the tree.
-Used by `equations.py`.  An edit changes one place; the values of all other nodes are computed once.
+Used by `equations.py` and `own_numbers.py`.  An edit changes one place; the values of all other nodes are computed once.
 """
 
 from __future__ import annotations

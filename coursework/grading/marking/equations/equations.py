@@ -244,8 +244,8 @@ class Judge:
         """Return the mark of a line as right if only a number or a law of the drive in it is not the task's, else None."""
         for own in own_numbers(line.difference, self.key, self.off_closure, ROUNDED):
             if self._tells(own.tree):
-                told = Hint("datum", 1, own.written, term=own.meant)
-                return EquationMark(replace(line, tree=own.tree, others=()), self._verdict(own.tree), told)
+                told = Hint("datum", 1, own.written, term=own.meant) if own.meant else None
+                return EquationMark(replace(line, tree=own.tree, others=()), self._verdict(own.tree) if told else "rounded", told)
         return None
 
     def _tells(self, tree: Formula) -> bool:

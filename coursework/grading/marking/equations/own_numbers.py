@@ -1,34 +1,43 @@
-"""A line that is right but for a number, or a law of the drive, that is not the task's: which stands in place of which.
+"""A line that is right but for its numbers: data that are rounded, or one number or law of the drive that is not the task's.
 
 Enters: a wrong line, a `Probe`.  Leaves: `OwnNumber`.  Used by `equations.py`.
 Equations are asked for, not numbers: whoever writes letters has no number to copy wrongly, and whoever gives the drive on a line
-of its own loses nothing in the others. A number for another datum is a wrong length; a sign or a factor of a law is a slip.
+of its own loses nothing in the others. A number for another datum is a wrong length; a sign or a factor of a law is a slip, and
+so is twice or half a datum. A number stands for each datum that rounds to it, in mm or cm as well as in m.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import islice
+from collections.abc import Collection, Iterator
+from decimal import Decimal
+from itertools import chain, islice, product
 
 import numpy as np
 
+from coursework.grading.marking.equations.edits import places
 from coursework.grading.marking.equations.linear import linear
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import Probe, with_data
 from coursework.grading.marking.key.key import Key
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, constant, mapped, named, spelled
+from coursework.variant.formula.tree import Formula, constant, mapped, named, number, replaced, spelled
 from coursework.variant.record.variant import Variant
 
 _LONGEST, _MOST = 150, 200  # nodes of a line that is examined, and numbers tried in place of others
+_ROUNDED, _COARSEST = 16, 0.05  # ways to read rounded numbers that are tried, and the part of a datum that rounding may change
+_HALF = 0.505  # of the last digit, as for the cells of a table
 _OTHER = 1.1  # part of a datum's value for which a line is tried, too
 _SAME = 1e-9  # relative difference up to which two numbers, or two laws up to a factor, are the same
+_PREFIXES = {"m": 1000, "c": 100}  # a line may be written in mm or cm
 
 
 @frozen
 class OwnNumber:
-    """What is `written` in place of `meant`, a datum or law of the task, and the line's tree with that instead."""
+    """What is `written` in place of `meant`, a datum or law of the task, and the line's tree with that instead.
+
+    Both texts are empty if the line's numbers are only rounded.
+    """
 
     written: str
     meant: str
@@ -36,7 +45,8 @@ class OwnNumber:
 
 
 def own_numbers(tree: Formula, key: Key, probe: Probe, near: float) -> Iterator[OwnNumber]:
-    """Yield the ways to put one datum or law of the task into a line that leave at most `near` of its terms at each point.
+    """Yield the ways to put rounded data, and one other datum or law of the task, into a line that leave at most `near` of its
+    terms at each point.
 
     A line with a datum must be right for a mechanism with any other value of it, too: a factor may equal a datum by chance.
     """
@@ -47,36 +57,96 @@ def own_numbers(tree: Formula, key: Key, probe: Probe, near: float) -> Iterator[
         told = {one.name: f"{one.name} = {one.text} {one.unit}".rstrip() for one in variant.given}
         told |= {law.name: f"{law.name} = {spelled(law.formula)}" for law in variant.drive if law.formula is not None}
         allowed = near * (float(np.median(real(size_of(tree, probe.names), probe.count))) or 1.0)
-        for part, name in islice(_in_place_of(tree, variant, probe), _MOST):
-            mended = _with(tree, part, named(name))
+
+        def is_right(mended: Formula, names: tuple[str, ...]) -> bool:
             if not np.all(np.abs(real(value_of(mended, probe.names), probe.count)) <= allowed):
-                continue
-            other = {name: _OTHER * variant.values[name]} if name in variant.values else {}
-            if not other or linear(mended, with_data(key, probe, other)).is_near(near):
-                yield OwnNumber(spelled(part), told[name], mended)
+                return False
+            others = ({name: _OTHER * variant.values[name]} for name in names if name in variant.values)
+            return all(linear(mended, with_data(key, probe, other)).is_near(near) for other in others)
+
+        read = [*islice(_as_rounded(tree, variant, probe), _ROUNDED)]
+        yield from (OwnNumber("", "", base) for base, rounded in read if is_right(base, tuple(rounded)))
+        bases = [(tree, {}), *read[:1]]
+        copied = ((*base, *one) for base in bases for one in _numbers_in(base[0], tree.names(), variant, probe))
+        laws = (
+            (*bases[-1], *one) for one in _laws_in(bases[-1][0], variant, probe)
+        )  # with p rounded, 2*VMx is no multiple of VMx
+        for base, rounded, part, by, name, meant in chain(islice(copied, _MOST), islice(laws, _MOST)):  # one number is likelier
+            if is_right(mended := _with(base, part, by), (name,)):
+                for of, digits in rounded.items():
+                    part = _with(part, named(of), digits)
+                yield OwnNumber(spelled(part), meant or told[name], mended)
     except NoValue:
         return
 
 
-def _in_place_of(tree: Formula, variant: Variant, probe: Probe) -> Iterator[tuple[Formula, str]]:
-    """Yield parts of a line without coordinates and unknowns, each with a datum or driven velocity that it may stand for."""
-    named_too = {*tree.names()}
-    laws = {one.name: real(probe.names[one.name], probe.count) for one in variant.drive if one.formula is not None}
+def _as_rounded(tree: Formula, variant: Variant, probe: Probe) -> Iterator[tuple[Formula, dict[str, Formula]]]:
+    """Yield a line with data in place of some numbers that round them, of all first, and these numbers by datum."""
+    numbers = [(path, node) for path, node, *_ in places(tree) if node.op == "number"]
+    choices = [
+        [(path, by, one.name, node) for one in variant.given for by, value, _ in _scaled(one.name, one.value, one.si)
+         if _rounds(node, value, probe) and abs(float(node.value) - value) > _SAME * value]
+        for path, node in numbers
+    ]  # fmt: skip
+    for chosen in product(*([*some, None] for some in choices if some)):
+        read, rounded = tree, dict[str, Formula]()
+        for path, by, name, node in filter(None, chosen):
+            read, rounded[name] = replaced(read, path, by), node
+        if rounded:
+            yield read, rounded
+
+
+def _scaled(name: str, value: float, si: str) -> Iterator[tuple[Formula, float, str]]:
+    """Yield what a number in a line stands for if it is a datum in m, mm or cm, its size, and what is told of it if not in m."""
+    datum = Formula("neg", (named(name),)) if value < 0 else named(name)  # its minus stands before the number
+    yield datum, abs(value), ""
+    for prefix, scale in _PREFIXES.items() if si in {"m", "m/s"} else ():
+        yield Formula("*", (number(scale), datum)), scale * abs(value), f"{name} = {scale * value:g} {prefix}{si}"
+
+
+def _rounds(part: Formula, value: float, probe: Probe) -> bool:
+    """Return whether a number as written is a rounded value; a part that is no number, as 2*pi/3, must equal it."""
+    if part.op != "number":
+        return bool(abs(real(value_of(part, probe.names), 1)[0] - value) <= _SAME * value)
+    digits = Decimal(part.name)
+    last = digits.normalize() if digits == digits.to_integral_value() and "." not in part.name else digits
+    return abs(float(digits) - value) <= min(_HALF * 10.0 ** int(last.as_tuple().exponent), _COARSEST * value)
+
+
+def _numbers_in(
+    tree: Formula, letters: Collection[str], variant: Variant, probe: Probe
+) -> Iterator[tuple[Formula, Formula, str, str]]:
+    """Yield numbers in a line, what each may stand for, the name in that, and what is told of it.
+
+    Data and velocities that are `letters` in it are not meant by a number, and where one length is a letter, none is.
+    """
     numbers = [(one.name, one.value, one.si) for one in variant.given]
-    numbers += [(name, float(law[0]), name) for name, law in laws.items() if np.ptp(law) <= _SAME * abs(law[0])]
-    units = {si for name, _, si in numbers if name in named_too}  # where one length is a letter, no number is a length
-    parts = dict.fromkeys(node for node in tree.walk() if {*node.names()} <= {"t", "pi", *variant.values})
-    for part in sorted(parts, key=lambda part: "t" in part.names()):  # one number is likelier than a whole law
-        if {*part.names()} <= {"pi"}:
-            if part.op != "number" and (part.op == "name" or constant(part) is not None):
-                continue  # 2*0.7 is a factor and a length
-            value = float(real(value_of(part, probe.names), 1)[0])
-            taken = {si for _, other, si in numbers if abs(value - other) <= _SAME * abs(other)}
-            yield from ((part, name) for name, other, si in numbers if value * other > 0 and si not in taken | units)
-        elif "t" in part.names():
+    numbers += [(name, float(law[0]), name) for name, law in _laws(variant, probe) if np.ptp(law) <= _SAME * abs(law[0])]
+    units = {si for name, _, si in numbers if name in letters}
+    known = [(*one, name, si) for name, value, si in numbers for one in _scaled(name, value, si)]
+    for part in dict.fromkeys(node for node in tree.walk() if {*node.names()} <= {"pi"}):
+        if part.op != "number" and (part.op == "name" or constant(part) is not None):
+            continue  # 2*0.7 is a factor and a length
+        taken = {(si, name) for _, value, _, name, si in known if _rounds(part, value, probe)}
+        for by, value, meant, name, si in known:
+            is_another = any(of == si and other != name for of, other in taken)
+            if si not in units and not is_another and not any(_rounds(part, factor * value, probe) for factor in (2, 0.5)):
+                yield part, by, name, meant
+
+
+def _laws_in(tree: Formula, variant: Variant, probe: Probe) -> Iterator[tuple[Formula, Formula, str, str]]:
+    """Yield functions of time in a line, each with a law of the drive for which it may stand, as `_numbers_in` does."""
+    laws = _laws(variant, probe)
+    for part in dict.fromkeys(node for node in tree.walk() if "t" in node.names()):
+        if {*part.names()} <= {"t", "pi", *variant.values}:
             own = real(value_of(part, probe.names), probe.count)
-            if not any(_are_same(np.abs(own), np.abs(law)) for law in laws.values()):
-                yield from ((part, name) for name, law in laws.items() if name not in named_too and _is_other(own, law))
+            if not any(_are_same(np.abs(own), np.abs(law)) for _, law in laws):
+                others = (name for name, law in laws if name not in tree.names() and _is_other(own, law))
+                yield from ((part, by, name, "") for name in others for by, *_ in _scaled(name, 1.0, "m/s"))
+
+
+def _laws(variant: Variant, probe: Probe) -> list[tuple[str, Array]]:
+    return [(one.name, real(probe.names[one.name], probe.count)) for one in variant.drive if one.formula is not None]
 
 
 def _is_other(own: Array, law: Array) -> bool:

@@ -16,7 +16,7 @@ from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
 from coursework.grading.marking.table.causes.hypotheses import NO_VELOCITIES, PI_ROUNDED, RADIAN_MODE
 from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
-from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, DATUM
+from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, DATA_ROUNDED, DATUM
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import Fit
@@ -33,10 +33,11 @@ _COARSER, ROUNDED = (ROUNDED_OMEGA, PI_ROUNDED), 0.98
 # A datum that explains no more than this part of a table is worth no more than a wrong method.
 _PARTLY = 0.8
 # Causes of a table made from other numbers than the task's: one, as found or as the rubric declares it; two that were exchanged.
+# Several that were rounded count as one.
 _DATA, _SWAPPED = (DATUM, "confusion_"), "swap_"
 _DIGITS_OFF = 0.05  # a datum that is off by less has digits wrong: no slip in an equation does the same
 _SIGN = "sign_"  # one sign, of a velocity as of a datum or in an equation, is a single slip
-_NO_SLIPS = (_SWAPPED, "variant_", OWN, "other_drive")
+_NO_SLIPS = (_SWAPPED, DATA_ROUNDED, "variant_", OWN, "other_drive")
 
 
 def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found: Found, others: Mapping[str, Array]) -> Earned:
@@ -86,8 +87,8 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
     for fit in found.fits:
         worth = _worth(rubric, fit)
         ratio = _ratio(key, fit)
-        is_number = ratio > 0 if ratio is not None else fit.code.startswith((*_DATA, _SWAPPED))
-        is_near = ratio is not None and abs(ratio - 1) < _DIGITS_OFF
+        is_number = ratio > 0 if ratio is not None else fit.code.startswith((*_DATA, _SWAPPED, DATA_ROUNDED))
+        is_near = fit.code == DATA_ROUNDED or (ratio is not None and abs(ratio - 1) < _DIGITS_OFF)
         if fit.beyond_euler and ((ratio is not None and ratio < 0) or fit.code.startswith(_SIGN)):
             worth = max(worth, rubric.own_equations_floor)
         if fit.beyond_euler and (fit.share >= least or is_near) and fit.share > copied and is_number:

@@ -104,8 +104,9 @@ def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> st
     known = PRINTED.get(column.unit, {column.unit: 1.0})
     first = values[0] / column.values[0] if column.unit == "rad" and column.values[0] else math.nan
     begins = [first] if math.isfinite(first) else []
-    if head in known:  # unless the start value, or most of an angle, is printed in another unit
-        return _alike(begins or _ratios(column.values, values), known if column.unit == "rad" else {}, _AS_BEGUN) or head
+    if head in known:  # unless the start value, or most of an angle, a length or a speed, is printed in another unit
+        is_told = column.unit in {"rad", "m", "m/s"}
+        return _alike(begins or _ratios(column.values, values), known if is_told else {}, _AS_BEGUN) or head
     if column.unit == "1/s" and head in {"deg", "rad"}:
         return {"deg": "deg/s", "rad": "1/s"}[head]
     # A column that starts with the task's start value in some unit has that unit; a wrong table may later differ by any factor.

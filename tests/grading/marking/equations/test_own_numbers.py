@@ -44,7 +44,8 @@ def test_a_number_or_a_law_that_is_not_the_tasks_is_named_and_costs_nothing(text
 
 
 @pytest.mark.parametrize("text", [
-    numbers(LETTERS, r1=KEY.variant.values["r2"]),  # another length of the mechanism
+    numbers(LETTERS, r1=KEY.variant.values["r2"]), numbers(LETTERS, r1=0.65),  # another length of the mechanism, and it rounded
+    numbers(LETTERS, r1=2.126), numbers(LETTERS, r1=0.53), numbers(LETTERS, V1=4.0),  # 2*r1, r1/2 rounded, 2*V1
     numbers(LETTERS.replace("+ r1", "- r1")), numbers(LETTERS.replace("r1*", "2*r1*")),
     LETTERS.replace("r1*", "0.5*r1*"), LETTERS.replace(LAW, f"(-{LAW})"), LETTERS.replace(LAW, f"2*{LAW}"),
     LETTERS.replace("0 - a", f"{LAW} - a"),  # the law of the other direction
@@ -54,6 +55,36 @@ def test_a_number_or_a_law_that_is_not_the_tasks_is_named_and_costs_nothing(text
 def test_a_slip_of_form_stays_one_whatever_stands_for_the_data(text):
     found = marked(text)
     assert found.share < 1 and not any(note.code == "data_differ" for note in found.notes)
+
+
+IN_MM = {"r1": 1063, "r2": 649, "a": 613, "c": 683, "V1": 2000}
+
+
+@pytest.mark.parametrize("changed", [{}, {"r1": 1150}, {"a": 631}, {"V1": 2}])
+def test_a_number_that_is_not_the_tasks_costs_nothing_in_millimetres_either(changed):
+    found = marked(numbers(LETTERS.replace("= u", "= 1000*u"), **IN_MM | changed))
+    told = [str(note.text) for note in found.notes if note.code == "data_differ"]
+    assert found.share == 1 and len(told) == len(changed)
+    assert all(f" {x} stands where the task has {name} = {IN_MM[name]} mm" in told[0] for name, x in changed.items())
+    assert marked(numbers(LETTERS.replace("= u", "= 1000*u"), **IN_MM | {"r1": 650})).share < 1  # r2, rounded
+
+
+@pytest.mark.parametrize(("data", "lines"), [
+    ({"p": 10.5, "r1": 1.06}, "1, 3, 4"),
+    ({"p": 10, "alpha": 5.0, "r1": 1.1, "r2": 0.65, "a": 0.61, "c": 0.68}, "1, 2, 3, 4"),
+    ({**IN_MM, "p": 10.5, "r1": 1100}, "1, 3, 4"),
+])  # fmt: skip
+def test_data_that_are_rounded_cost_nothing_however_many_stand_in_a_line(data, lines):
+    right = LETTERS.replace("= u", "= 1000*u") if "V1" in data else LETTERS
+    found = marked(numbers(right, **data))
+    assert (found.share, str(found.notes[0].text)) == (1, f"Numbers are rounded in lines that count as right: {lines}.")
+    for slip in ("+ r1|- r1", "cos(phi1)|sin(phi1)", "+ r2|+ 2*r2", "c*w3*cos|a*w3*cos"):
+        assert marked(numbers(right.replace(*slip.split("|")), **data)).share == 0.75
+    assert marked(numbers(right.replace("V1", "2*V1"), **data)).share == 0.5
+    law = marked(numbers(right.replace("sin(p*t", "cos(p*t"), **data))
+    assert law.share == 1 and f"*cos({data['p']:g}*t + " in str(law.notes[0].text)  # with the numbers that were written
+    copied = {"r2": 2 * data.get("r2", 0.649) + 0.1}  # beside rounded ones: r1 in line 4, p in line 3
+    assert marked(numbers(right, **data | copied)).share == 1
 
 
 @pytest.mark.parametrize("text", [

@@ -175,6 +175,16 @@ def test_a_head_that_the_numbers_contradict_is_only_a_slip(heads, factors, units
     assert tuple(units_of_columns(grid, dict(zip("qw", heads, strict=True)), own).values()) == units
 
 
+@pytest.mark.parametrize(("head", "factor", "unit"), [
+    ("m", 1000.0, "mm"), ("mm", 1.0, "m"), ("cm", 1000.0, "mm"), ("m", 10.0, "m"), ("m", 985.0, "m"), ("m", 995.0, "mm"),
+])  # fmt: skip
+def test_a_length_or_speed_under_the_head_of_another_unit_is_only_a_slip_of_the_head(head, factor, unit):
+    """It cost 3 points of 60 in one mechanism and 9 in another; up to 1 % the factor must be that of the unit."""
+    grid = Grid(0.02, 5, (GridColumn("s", "m", RATE, "u"), GridColumn("v", "m/s", RATE)))
+    own = {name: [factor * value for value in RATE] for name in "sv"}
+    assert units_of_columns(grid, {"s": head, "v": f"{head}/s"}, own) == {"s": unit, "v": f"{unit}/s"}
+
+
 def test_a_velocity_that_only_looks_converted_keeps_the_unit_of_its_head():
     """A crank turning 9.55 times too fast, as the angles do: its speed was taken in revolutions per minute."""
     grid = Grid(0.02, 5, (GridColumn("q", "rad", [0.0, 0.2, 0.4, 0.6, 0.8], "w"), GridColumn("w", "1/s", [10.0] * 5)))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import combinations, cycle, islice
+from itertools import chain, combinations, cycle, islice, product
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from coursework.variant.formula.units import size_of
 from coursework.variant.judging.lengths import is_refused
 from coursework.variant.record.entries import Given
 
-DATUM = "datum_"
+DATUM, DATA_ROUNDED = "datum_", "data_rounded"
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
 # Turns per second taken for radians per second, or centimetres or millimetres for metres, and the other way round.
 _UNITS = {"1/s": (2 * np.pi, 0.5 / np.pi), "m": (100.0, 0.01, 1000.0, 0.001)}
@@ -38,6 +38,7 @@ OTHER_SIGN = "other sign"  # behind the value and unit of a datum that has it
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
 _ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-5
+_SAME = 1e-9  # relative difference up to which two numbers are the same
 # From this part of the velocities on that are the task's, the others are looked at alone too.
 _PUT_RIGHT = 0.25
 # Parts of the task's value at which the search begins: a frequency, or a length in a closed chain, leads astray from afar.
@@ -45,7 +46,7 @@ _BEGINS, _SETTLED = (1.0, 0.4, 2.5), 1e-4
 
 
 def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
-    """Yield claims of velocities with other data: one scaled, negated, left out, confused or read off, or two exchanged."""
+    """Yield claims of velocities with data scaled, negated, left out, confused, read off, exchanged or rounded together."""
     given = printed.key.variant.given
     tried: list[tuple[str, dict[str, float]]] = [
         (f"{DATUM}{datum.name}", {datum.name: factor * datum.value})
@@ -71,12 +72,27 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
         at = partial(printed.key.velocities_at, data={datum.name: value})
         for claim in printed.velocity_claim(f"{DATUM}{datum.name}", at, names=_shown(datum, value)):
             yield replace(claim, is_read_off=True)
+    for data in _rounded(given):  # last: one datum that explains as much is told
+        yield from printed.velocity_claim(DATA_ROUNDED, partial(printed.key.velocities_at, data=data))
 
 
 def _as_typed(datum: Given, read: float) -> Iterator[float]:
     """Yield a value as computed from the table, and rounded as it may have been typed; an angle without whole turns first."""
     turned = read % _TURN if datum.si == "rad" and datum.value > 0 else read
     yield from dict.fromkeys((turned, float(f"{turned:.3g}"), read, float(f"{read:.3g}")))
+
+
+def _rounded(given: Sequence[Given]) -> Iterator[dict[str, float]]:
+    """Yield the values of data that change if all are rounded to so many digits, or decimals; one alone is another datum."""
+    sizes = [size_of(datum.unit) or 1.0 for datum in given]
+    found: list[dict[str, float]] = []
+    for kind, half in product(("3g", "2g", "2f", "1f"), (1 + _SAME, 1 - _SAME)):  # 4.35 is 4.4 to people, 4.3 to programs
+        shown = [float(f"{half * datum.value / size:.{kind}}") * size for datum, size in zip(given, sizes, strict=True)]
+        pairs = zip(given, shown, strict=True)
+        data = {datum.name: near for datum, near in pairs if abs(near - datum.value) > _ANOTHER * abs(datum.value)}
+        if len(data) > 1 and all(data.values()) and data not in found:
+            found.append(data)
+            yield data
 
 
 def _may_vanish(printed: TableUnderTest, datum: Given) -> bool:
@@ -219,31 +235,39 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
             shift = np.nanmedian(shifts)
             quarters = np.round(shift / (np.pi / 2)) if np.isfinite(shift) else 0.0
             # The middle of a column that runs the other way may be a quarter turn by chance: its cells must be.
-            if not quarters or np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) > 0.02:
+            if not (quarters or sign < 0) or np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) > 0.02:
                 continue
             values = student.values.copy()
             values[:, place] = sign * (values[:, place] - quarters * np.pi / 2)
-            yield _as_euler(f"origin_{key.names[place]}", _kept(printed, printed.of_task, replace(student, values=values)))
+            code, rate = f"origin_{key.names[place]}", key.names.index(key.variant.coordinates[place].rate)
+            yield _as_euler(code, _kept(printed, printed.of_task, replace(student, values=values)))
+            if sign < 0:  # its velocity, too
+                turned = np.where(np.arange(len(key.names)) == rate, -values, values)
+                yield _as_euler(code, _kept(printed, printed.of_task, replace(student, values=turned)))
 
 
 def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
-    """Yield claims that two columns are exchanged; whole turns are taken off after they are exchanged back."""
+    """Yield claims that two columns are exchanged, or two coordinates together with their velocities, as links numbered from the
+    other end are; whole turns are taken off after they are exchanged back.
+    """
     key, student, m = printed.key, printed.student, printed.m
     turns, tolerance, as_it_is = _taken_off(student), as_printed(key, np.nan_to_num(student.units)), printed.of_task
-    for first, second in combinations(range(len(key.names)), 2):
-        order = list(range(len(key.names)))
-        order[first], order[second] = second, first
+    rates = [key.names.index(one.rate) for one in key.variant.coordinates]
+    links = ((first, second, rates[first], rates[second]) for first, second in combinations(range(m), 2))
+    for first, second, *beside in chain(combinations(range(len(key.names)), 2), links):
+        pair, order = [first, second, *beside], list(range(len(key.names)))
+        for one, other in zip(pair[::2], pair[1::2], strict=True):
+            order[one], order[other] = other, one
         values = (student.values + _TURN * turns)[:, order]
-        for place in (first, second):
+        for place in pair:
             values[:, place] -= _turns(key, place, values[:, place])
-        for place in set(range(len(key.names))) - {first, second}:
+        for place in set(range(len(key.names))) - {*pair}:
             values[:, place] = student.values[:, place]
         close = near(values, key.table, tolerance[:, order]) | as_it_is[:, order]
-        pair = [first, second]
         is_like = second < m and key.variant.unit_of(key.names[first]) == key.variant.unit_of(key.names[second])
         begins = is_like and close[0, pair].all() and not as_it_is[0, pair].all()
         if begins or close[:, pair].mean() > max(_LIKE_KEY, as_it_is[:, pair].mean()):
-            names = (key.names[first], key.names[second])
+            names = tuple(key.names[place] for place in pair)
             undone = _kept(printed, as_it_is[:, order], StudentTable(values, student.units[:, order]))
             yield _as_euler("swapped_columns", undone, names)
 

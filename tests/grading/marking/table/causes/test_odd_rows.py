@@ -131,10 +131,11 @@ def test_an_angle_counted_from_another_axis_is_a_whole_number_of_quarters_off(
     monkeypatch.setattr(other_data, "_exchanged", lambda _: iter(()))
     monkeypatch.setattr(other_data, "_as_euler", lambda code, student: (code, student.values[:, 0]))
     monkeypatch.setattr(other_data, "_kept", lambda printed, stands, undone: undone)
-    table = np.array([[0.3], [1.4], [2.9]])
-    variant = SimpleNamespace(coordinates=(SimpleNamespace(unit="rad"),))
-    key = SimpleNamespace(variant=variant, names=("q",), table=table)
-    student = StudentTable(sign * table + shift, np.zeros((3, 1)))
+    table = np.array([[0.3, 7.0], [1.4, 8.0], [2.9, 9.0]])
+    variant = SimpleNamespace(coordinates=(SimpleNamespace(unit="rad", rate="w"),))
+    key = SimpleNamespace(variant=variant, names=("q", "w"), table=table)
+    student = StudentTable(sign * table + [shift, 0.0], np.zeros((3, 2)))
     found = [*other_data.other_columns(SimpleNamespace(key=key, student=student, m=1, of_task=None))]
-    assert [code for code, _ in found] == (["origin_q"] if told else [])
+    is_turned = sign < 0 and (told or abs(shift) < 0.02)  # the other way round: with its velocity and without
+    assert [code for code, _ in found] == ["origin_q"] * (2 if is_turned else told)
     assert all(values == pytest.approx(table[:, 0], abs=0.02) for _, values in found)
