@@ -296,9 +296,3 @@ def test_pages_of_an_earlier_run_are_told_from_those_of_this_one(tmp_path):
     assert "earlier run" not in call("run", "31", "--quantities", "table", "--format", "csv,html", "--out", tmp_path / "o").stdout
     again = call("run", "31", *QUICK, "--out", tmp_path / "o").stdout
     assert again.splitlines()[-1] == "From an earlier run, and not of this one: report.html"
-
-
-def test_the_help_of_a_listing_names_every_scheme_and_what_its_options_are():
-    told = " ".join(call("listing", "--help").stdout.split())
-    assert "rk4, exact; under forces also semi-implicit (default" in told
-    assert '"auto" with --error.' in told and "Language of comments and messages" in told

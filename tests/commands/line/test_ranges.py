@@ -7,6 +7,7 @@ import math
 import click
 
 from coursework.commands.cli import main
+from tests.command import call
 
 # The least and the most that each option takes; a budget must be more than 0.
 SOME = math.ulp(0.0)
@@ -55,3 +56,9 @@ def test_each_option_takes_its_least_and_most_and_nothing_beyond() -> None:
 def test_options_of_a_range_have_the_defaults_that_the_help_names() -> None:
     assert {key: option.default for key, option in ranged().items() if key in DEFAULTS} == DEFAULTS
     assert DEFAULTS.keys() | {("run", "--check-row"), ("serve", "--workers")} == RANGES.keys()
+
+
+def test_the_help_of_a_listing_names_every_scheme_and_what_its_options_are():
+    told = " ".join(call("listing", "--help").stdout.split())
+    assert "rk4, exact; under forces also semi-implicit (default" in told
+    assert '"auto" with --error.' in told and "Language of comments and messages" in told

@@ -142,7 +142,7 @@ def _false_cause(truth: Truth, every: list[Said]) -> Iterator[str]:
 
 def _first(held: Held, values: Values) -> bool:
     """A cell that is wrong, none in the rows before it, with the numbers that stand there and that follow from the others."""
-    row, place, m = int(values["row"]) - 1, held.names.index(values["name"].translate(_LETTERS)), held.machine.m
+    row, place, m = int(values["row"].split()[0]) - 1, held.names.index(values["name"].translate(_LETTERS)), held.machine.m
     wrong, right = held.sure
     found, expected = float(values["found"]), float(values["expected"])
     if held.truth.code in READ_OTHERWISE or held.truth.code.startswith("origin"):
