@@ -65,9 +65,8 @@ def _is_coarse(finding: Finding) -> bool:
 
 def _judged(e: Evidence) -> list[Finding]:
     found = [check.finding(e) for check in CHECKS]
-    return [
-        one for one in found if one.code != "START" or one.verdict in {"FAIL", "COARSE"}
-    ]  # alone it shows no table to be right
+    # A start alone shows no table to be right.
+    return [one for one in found if one.code != "START" or one.verdict in {"FAIL", "COARSE"}]
 
 
 def _advised(e: Evidence, findings: list[Finding], suffices: Callable[[int], bool]) -> tuple[Finding, ...]:

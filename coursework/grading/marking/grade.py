@@ -25,7 +25,7 @@ from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned
 from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
-from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, SLIPPED
+from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, EACH_SLIPPED, SLIPPED
 from coursework.grading.marking.table.causes.whole import as_made, fewer_decimals, untold_points
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.cut_off import with_the_rest
@@ -194,9 +194,8 @@ class Marker:
         if status == "graded" and (asked := next(questions(self.key, self.rubric.weights, table, equations), None)):
             status, reason = "needs-review", asked
         clockwise = (note("clockwise"),) if back or (equations and equations.turned) else ()
-        slipped = (
-            table and table.misconception and table.misconception.code.startswith((SLIPPED, f"each_{SLIPPED}", COLUMN_SLIPPED))
-        )
+        named = table.misconception if table else None
+        slipped = named is not None and named.code.startswith((SLIPPED, EACH_SLIPPED, COLUMN_SLIPPED))
         read = [one for one in work.notes if not slipped or one.code != "turns"]  # numbers ten times too large are no turns
         notes = (*read, *clockwise, *(equations.notes if equations else ()), *self._notes(table), *notes)
         if status == "graded" and notes:

@@ -16,6 +16,7 @@ import numpy as np
 from coursework.system.arrays import Array
 from coursework.variant.formula.motion_units import UNITS
 from coursework.variant.formula.units import advised_unit, plain_unit
+from coursework.variant.record.entries import last_place
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault, reason_of
@@ -155,12 +156,6 @@ def _is_uneven(arguments: Array, printed: list[str]) -> bool:
     off = np.abs(arguments - arguments[0] - np.arange(len(arguments)) * even)
     if np.all(off <= _EXACT * even):
         return False
-    units = np.array([_last_place(number) for number in printed])
+    units = np.array([last_place(number) for number in printed])
     rounded = (units + max(units[0], units[-1])) / 2 * (1 + _EXACT)
     return bool(np.any(off > np.maximum(_EXACT * even, np.minimum(rounded, _ROUNDED * even))))
-
-
-def _last_place(number: str) -> float:
-    """Return the place value of the last digit of a printed number: 0.01 for "1.25", 100 for "3e2"."""
-    digits, _, exponent = number.lower().partition("e")
-    return math.pow(10.0, max(-300.0, min(float(exponent or 0) - len(digits.partition(".")[2]), 300.0)))

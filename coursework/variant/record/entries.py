@@ -5,6 +5,7 @@ Leaves `reader.py` inside a `Variant`.  Used by `variant.py`, through which ever
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, KeysView, Mapping
 from dataclasses import replace
 
@@ -12,6 +13,12 @@ from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
+
+
+def last_place(number: str) -> float:
+    """Return the place value of the last digit of a printed number: 0.01 for "1.25", 100 for "3e2"."""
+    digits, _, exponent = number.lower().partition("e")
+    return math.pow(10.0, max(-300.0, min(float(exponent or 0) - len(digits.partition(".")[2]), 300.0)))
 
 
 def reached(names: Iterable[str], points: Mapping[str, Formula]) -> KeysView[str]:

@@ -68,9 +68,8 @@ def own_numbers(tree: Formula, key: Key, probe: Probe, near: float) -> Iterator[
         yield from (OwnNumber("", "", base) for base, rounded in read if is_right(base, tuple(rounded)))
         bases = [(tree, {}), *read[:1]]
         copied = ((*base, *one) for base in bases for one in _numbers_in(base[0], tree.names(), variant, probe))
-        laws = (
-            (*bases[-1], *one) for one in _laws_in(bases[-1][0], variant, probe)
-        )  # with p rounded, 2*VMx is no multiple of VMx
+        rounded_most = bases[-1]  # with p rounded, 2*VMx would be no multiple of VMx
+        laws = ((*rounded_most, *one) for one in _laws_in(rounded_most[0], variant, probe))
         for base, rounded, part, by, name, meant in chain(islice(copied, _MOST), islice(laws, _MOST)):  # one number is likelier
             if is_right(mended := _with(base, part, by), (name,)):
                 for of, digits in rounded.items():

@@ -31,8 +31,11 @@ def one_number(key: Key, start: Array, within: Array) -> str:
     changed = [place for place in given if place in other]
     if len(changed) == 1 and _is_near(_closed(key, {}, {changed[0]: float(start[changed[0]])}), start, within):
         return key.coordinates[changed[0]]
-    for datum in _felt_by_none(key) if not changed else ():
-        value, at, slope = datum.value, _closed(key, {}, {}), 0.0
+    if changed:
+        return ""
+    task = _closed(key, {}, {})
+    for datum in _felt_by_none(key):
+        value, at, slope = datum.value, task, 0.0
         for _ in range(_ROUNDS):
             beside = _closed(key, {datum.name: value * (1 + _DIFFERENCE)}, {})
             if at is None or beside is None or not (slope := float(np.sum((beside - at)[other] ** 2))):
@@ -47,9 +50,9 @@ def one_number(key: Key, start: Array, within: Array) -> str:
 def _felt_by_none(key: Key) -> list[Given]:
     """Return the data of which no velocity depends."""
     q = key.table[:, : len(key.coordinates)]
-    sets = key.sets_at(key.t, q, [{one.name: one.value * (1 + _DIFFERENCE)} for one in key.variant.given])
-    same = key.sets_at(key.t, q, [{}])
-    return [one for one, found in zip(key.variant.given, sets, strict=True) if np.array_equal(found, same[0], equal_nan=True)]
+    given = key.variant.given
+    task, *others = key.sets_at(key.t, q, [{}, *({one.name: one.value * (1 + _DIFFERENCE)} for one in given)])
+    return [one for one, found in zip(given, others, strict=True) if np.array_equal(found, task, equal_nan=True)]
 
 
 def _closed(key: Key, data: dict[str, float], starts: dict[int, float]) -> Array | None:

@@ -52,12 +52,10 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
             found[column.name] = _alike(_ratios(*reversed(moved_with(column))), {"rad": 1.0}, _WIDTH) or "deg"
     for column in there:  # velocities under another unit's head: both the key and the steps made with them tell so
         if (rate := named.get(column.rate)) and heads[rate.name]:
-            of_key, moved = (
-                _ratios(rate.values, values[rate.name]),
-                _ratios(*moved_with(column, factor_of(column, found[column.name] or ""))),
-            )
-            told = _alike(of_key, PRINTED.get(rate.unit, {}), _AS_BEGUN)
-            found[rate.name] = told if told and _alike(moved, {told: factor_of(rate, told)}, _WIDTH) else found[rate.name]
+            told = _alike(_ratios(rate.values, values[rate.name]), PRINTED.get(rate.unit, {}), _AS_BEGUN)
+            moved = _ratios(*moved_with(column, factor_of(column, found[column.name] or "")))
+            if told and _alike(moved, {told: factor_of(rate, told)}, _WIDTH):
+                found[rate.name] = told
     turning = [column for column in there if column.unit == "1/s"]
     for unit in {column.unit: None for column in there if column not in turning}:
         settle(unit)
@@ -106,7 +104,7 @@ def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> st
     begins = [first] if math.isfinite(first) else []
     if head in known:  # unless the start value, or most of an angle, a length or a speed, is printed in another unit
         is_told = column.unit in {"rad", "m", "m/s"}
-        return _alike(begins or _ratios(column.values, values), known if is_told else {}, _AS_BEGUN) or head
+        return (_alike(begins or _ratios(column.values, values), known, _AS_BEGUN) if is_told else None) or head
     if column.unit == "1/s" and head in {"deg", "rad"}:
         return {"deg": "deg/s", "rad": "1/s"}[head]
     # A column that starts with the task's start value in some unit has that unit; a wrong table may later differ by any factor.

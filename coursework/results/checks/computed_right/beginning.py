@@ -18,6 +18,7 @@ from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped
 from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
+from coursework.variant.record.entries import last_place
 from coursework.variant.record.variant import Coordinate
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -91,9 +92,7 @@ def _rounding(closure: Closure, worst: int) -> float:
 
 def _half_a_decimal(coordinate: Coordinate) -> float:
     """Return half of the last decimal (rad or m) of a start value as it is typed, 0 if it has none."""
-    number, _, power = coordinate.text.lower().partition("e")
-    _, point, decimals = number.partition(".")
-    return 0.5 * 10.0 ** (int(power or 0) - len(decimals)) * (size_of(coordinate.written) or 1.0) if point else 0.0
+    return 0.5 * last_place(coordinate.text) * (size_of(coordinate.written) or 1.0) if "." in coordinate.text else 0.0
 
 
 def _kept(closure: Closure | None) -> Sentence | None:

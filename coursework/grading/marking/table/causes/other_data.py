@@ -33,7 +33,7 @@ _LIKE_KEY = 0.5
 # From this part of the angles, or of the velocities, on, they stand where they belong.
 _IN_PLACE = 0.9
 _TURN = 2 * np.pi
-SLIPPED, COLUMN_SLIPPED = "point_slipped", "column_slipped_"
+SLIPPED, EACH_SLIPPED, COLUMN_SLIPPED = "point_slipped", "each_point_slipped", "column_slipped_"
 OTHER_SIGN = "other sign"  # behind the value and unit of a datum that has it
 # A datum is computed from the printed velocities by _ROUNDS Newton steps, with slopes over a relative difference.  A velocity
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
@@ -210,7 +210,7 @@ def printed_otherwise(printed: TableUnderTest) -> Iterator[Claim]:
     student, m, names = printed.student, printed.m, printed.key.names
     there = student.values + _TURN * np.hstack([_taken_off(student)[:, :m], np.zeros((len(student.values), len(names) - m))])
     off = [place for place in range(len(names)) if printed.of_task[:, place].mean() <= _LIKE_KEY]
-    sets: list[tuple[str, Sequence[int]]] = [(SLIPPED, range(m)), (f"each_{SLIPPED}", range(len(names)))]
+    sets: list[tuple[str, Sequence[int]]] = [(SLIPPED, range(m)), (EACH_SLIPPED, range(len(names)))]
     sets += [(f"{COLUMN_SLIPPED}{names[place]}", [place]) for place in off]
     tried = [(code, places, there[:, places] / by, student.units[:, places] / by) for by in (10, 0.1) for code, places in sets]
     above = shifted(there, 1), shifted(student.units, 1)
