@@ -5,6 +5,7 @@ Enters: a `Place`, its `Clash`.  Leaves: sentences.  Used by `dimension_check.py
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -48,6 +49,8 @@ class Blame:
         """Return how to write it with that dimension."""
         assert self.must is not None
         unit = unit_like(self.unit, self.must)
+        if unit == "rad" and self.text and self.unit not in {"", "1"} and abs(float(self.text.replace("−", "-"))) > math.tau:
+            unit = "deg"  # nobody writes 25 rad
         if unit:
             return say("fault.measures.write", text=f"{self.text} {unit}".strip())
         return say("fault.measures.correct")

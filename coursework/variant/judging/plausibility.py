@@ -9,9 +9,9 @@ import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from coursework.variant.dimensions.exponents import LENGTH
-from coursework.variant.formula.motion_units import UNITS
+from coursework.variant.formula.motion_units import UNITS, advised_unit
 from coursework.variant.formula.tree import Formula, terms
-from coursework.variant.formula.units import advised_unit, size_of
+from coursework.variant.formula.units import size_of
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.judging.dimension_words import text_of
 from coursework.variant.judging.unused import Found, parts_unused
