@@ -160,3 +160,48 @@ def test_a_spring_between_points_whose_angles_differ_is_not_idle() -> None:
     assert not [one for one in coursework.parse_variant(spring).plausibility if one.code == "IDLE"]
     (idle,) = coursework.parse_variant(spring.replace('["O", "B"]', '["O", "A"]')).plausibility
     assert (idle.code, "O and A keep their distance" in str(idle.sentence)) == ("IDLE", True)
+
+
+POSITION = 'equation = "l*sin(q) + L*sin(s) = 0"'
+VELOCITY = 'equation = "l*om*cos(q) + L*ws*cos(s) = 0"'
+
+
+def refused(text: str) -> list[str]:
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.solve(coursework.parse_variant(text), quantities=["table"]).columns()
+    return [str(fault) for fault in caught.value.faults]
+
+
+def test_an_equation_of_positions_is_told_as_that_and_runs_as_a_closure() -> None:
+    (told,) = refused(SAW.replace(VELOCITY, POSITION))
+    assert "V405 variant:24  equation y contains no velocity. Write its derivative, or closure =" in told
+    closed = SAW.replace(VELOCITY, POSITION.replace("equation", "closure")).replace("-6.8764", "-6.4709")
+    assert len(coursework.solve(coursework.parse_variant(closed), quantities=["table"]).table) == 61
+
+
+def test_a_drive_that_moves_nothing_is_told_at_its_line_before_what_follows_from_it() -> None:
+    (told,) = refused(SAW.replace('om = "n"', 'omega = "n"'))
+    assert "V404 variant:9  3 unknown velocities (om, ws, vB) and 2 independent equations of 2. Nothing is moved by omega" in told
+    assert "degree of freedom" not in told  # one is driven, if omega is written as om
+
+
+def test_a_velocity_in_no_equation_is_given_one_or_left_out() -> None:
+    (told,) = refused(SAW.replace("[unknowns]", '[unknowns]\nvC = "m/s"'))
+    assert told.endswith("Missing: something for vC. vC appears in no equation: write one with it, or leave it out.")
+
+
+def test_an_equation_that_repeats_another_is_told_at_its_line() -> None:
+    (told,) = refused(SAW.replace(VELOCITY, 'equation = "2*vB = -2*l*om*sin(q) - 2*L*ws*sin(s)"'))
+    assert told.startswith("V404 variant:24  2 unknown velocities")
+
+
+@pytest.mark.parametrize(
+    ("argument", "code", "advice"),
+    [
+        ("om", "V203", "the argument of cos(om) is an angular velocity"),
+        ("ws", "V402", '"cos(ws)". cos takes an angle or a number.'),
+    ],
+)
+def test_a_velocity_in_the_place_of_an_angle_is_told_as_that(argument: str, code: str, advice: str) -> None:
+    (told,) = refused(SAW.replace("om*cos(q)", f"om*cos({argument})"))
+    assert (told[:4], advice in told) == (code, True), told
