@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.system.frozen import frozen
-from coursework.variant.formula.alphabet import foreign_letter, spell
+from coursework.variant.formula.alphabet import foreign_letter, spell, spell_path
 from coursework.variant.toml.positions import KeyPath, Positions, locate
 from coursework.words.errors import Fault, InputError, reason_of
 from coursework.words.sentence import Sentence
@@ -61,12 +61,16 @@ _ADVICE = (
 
 @frozen
 class Source:
-    """One variant file as data; `file` is its name in messages, `folder` the folder of files beside it, or these by name."""
+    """One variant file as data; `file` is its name in messages, `folder` the folder of files beside it, or these by name.
+
+    A fault of a value in `made`, which was set for this run, names no line: the file does not have that value.
+    """
 
     file: str
     folder: Path | Mapping[str, bytes]
     data: dict[str, Any]
     positions: Positions
+    made: frozenset[KeyPath] = frozenset()
 
     def changed(self, changes: Mapping[KeyPath, Any]) -> Source:
         """Return the file with other values; names in `changes` are in the tool's spelling."""
@@ -79,10 +83,13 @@ class Source:
             if path[0] == "given" and isinstance(inner[key], dict):  # the meaning of the datum stays
                 inner, key = inner[key], "value"
             inner[key] = value
-        return replace(self, data=data)
+        return replace(self, data=data, made=self.made.union(changes))
 
     def fault(self, path: KeyPath, message: Sentence, column: int = 0, *, at_key: bool = False) -> Fault:
         """Return a fault at a value, or at its key; `column` counts inside the value's text (1 = its first character)."""
+        if spell_path(path) in self.made:
+            name = path[-1] if path[0] == "time" else path[1]
+            return Fault(message, place=say("place.datum", variant=Path(self.file).stem, name=str(name)))
         line, start = self.positions.find(path, key=at_key)
         place = ".".join(str(part + 1) if isinstance(part, int) else part for part in path)
         if len(path) > 1 and path[0] == "constraint" and isinstance(path[1], int):
