@@ -208,7 +208,8 @@ class Parts:
                 few = len(self.faults) < _ADVISED
                 kinds = {"point"} if wanted == "vector" else _SCOPES[scope]  # a name alone in the place of a point
                 allowed = [known for known, its in self.names.kinds.items() if its in kinds] if few else []
-                allowed += [] if wanted == "vector" else ["pi"] if scope == "still" else ["t", "pi"]
+                built_in = () if wanted == "vector" else ("pi",) if scope == "still" else ("t", "pi")
+                allowed += [one for one in built_in if one == name.casefold()]  # an undeclared psi is not meant as pi
                 advice = self.names.meant(tree.name) or closest(name, allowed)
                 advice = advice or say(f"fault.part.declare.{'place' if wanted == 'vector' else scope}")
                 self.undeclared(path, _SCOPES[scope], say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
