@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
 
 from coursework.system.frozen import frozen
 from coursework.variant.dimensions.exponents import NUMBER, Dimension, dimension_of, unit_like, units_shown, what
 from coursework.variant.dimensions.formulas import Clash, Term
+from coursework.variant.formula.made import unsigned
 from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.places import Place
 from coursework.variant.toml.positions import KeyPath
@@ -128,13 +128,5 @@ def _named(term: Term, solved: Solved) -> Sentence | None:
 
 def text_of(tree: Formula) -> str:
     """Return a term for a message: without its sign, shortened."""
-    text = spelled(_unsigned(tree))
+    text = spelled(unsigned(tree))
     return text if len(text) <= _MOST_LETTERS else f"{text[:_MOST_LETTERS]}…"
-
-
-def _unsigned(tree: Formula) -> Formula:
-    if tree.op == "neg":
-        return _unsigned(tree.args[0])
-    if tree.op in {"*", "/", "@"}:
-        return replace(tree, args=(_unsigned(tree.args[0]), *tree.args[1:]))
-    return tree

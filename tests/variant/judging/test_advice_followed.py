@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import coursework
+from coursework.commands.contradictions import terms_named
 
 SAW = """
 format = 1
@@ -205,3 +206,9 @@ def test_an_equation_that_repeats_another_is_told_at_its_line() -> None:
 def test_a_velocity_in_the_place_of_an_angle_is_told_as_that(argument: str, code: str, advice: str) -> None:
     (told,) = refused(SAW.replace("om*cos(q)", f"om*cos({argument})"))
     assert (told[:4], advice in told) == (code, True), told
+
+
+def test_a_term_is_named_without_the_sign_at_its_begin() -> None:
+    variant = coursework.parse_variant(SAW.replace("l*om*cos(q) +", "-l*om*cos(q) +"))
+    with pytest.raises(coursework.InputError, match=r"the sign of l\*om\*cos\(q\) differs"), terms_named(variant):
+        coursework.solve(variant, quantities=["table"]).columns()
