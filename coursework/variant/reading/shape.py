@@ -174,7 +174,8 @@ def _fault(path: KeyPath, entry: Entry, source: Source) -> Fault:
         if len(path) == 1:
             told = say("fault.V012", name=key, example=_example(key, f"[{key}]"))
         else:
-            told = say("fault.V013", name=key, example=_example(key, _EXAMPLES.get(key, f"{key} = …")))
+            example = 'of = "t"' if (path[0], key) == ("drive", "of") else _EXAMPLES.get(key, f"{key} = …")
+            told = say("fault.V013", name=key, example=_example(key, example))
         return source.fault(path[:-1], told, at_key=True)
     if key == "[key]":
         name = str(path[-2]) if len(path) > 1 else ""

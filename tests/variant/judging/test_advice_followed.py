@@ -212,3 +212,16 @@ def test_a_term_is_named_without_the_sign_at_its_begin() -> None:
     variant = coursework.parse_variant(SAW.replace("l*om*cos(q) +", "-l*om*cos(q) +"))
     with pytest.raises(coursework.InputError, match=r"the sign of l\*om\*cos\(q\) differs"), terms_named(variant):
         coursework.solve(variant, quantities=["table"]).columns()
+
+
+def test_a_tabulated_drive_without_its_argument_is_of_time() -> None:
+    law = {"law.csv": "".join(f"{place * 0.1:.1f},9\n" for place in range(8)).encode()}
+    text = SAW.replace('om = "n"', 'om = { table = "law.csv" }')
+    with pytest.raises(coursework.InputError, match=r'V013 variant:9:1 .* the key "of" is missing. Write of = "t"\.$'):
+        coursework.parse_variant(text, tables=law)
+    coursework.parse_variant(text.replace('"law.csv"', '"law.csv", of = "t"'), tables=law)
+
+
+def test_laws_in_a_circle_are_told_once_at_the_first() -> None:
+    (told,) = refused(SAW.replace("[points]", '[functions]\nf = "g + l"\ng = "f - l"\n[points]'))
+    assert told == "V057 variant:26:5  functions.f: no law can depend on itself: f → g → f."
