@@ -152,7 +152,7 @@ def step_of(step: float | str | None, variant: Variant) -> float | None:
         return variant.time.step / int(parts)
     found = seconds(step)
     if isinstance(found, str):
-        raise InputError(say("fault.C031", text=step))
+        raise InputError(say("fault.C031", text=step, hint=say("hint.point") if "," in step else ""))
     return found
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from coursework.api import make_run, variant_of
 from coursework.commands.line.screen import tell, tell_own_file
-from coursework.system.files.whole_files import write_bytes
+from coursework.system.files.whole_files import write_bytes, wrong_ending
 from coursework.words.sentences import load_phrases, say
 
 FRAMES_A_ROW = 2
@@ -19,6 +19,8 @@ def animate_variant(variant: str, out: Path | None, scheme: str | None, language
     """Write the picture and return 0."""
     from coursework.report.graphs.moving_picture import moving_picture
 
+    if out is not None and out.suffix.lower() != ".gif":
+        raise wrong_ending(out, ".gif")
     tell_own_file(variant)
     read = variant_of(variant)
     run = make_run(read, scheme, quantities=("table",))

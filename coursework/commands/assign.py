@@ -26,7 +26,7 @@ def assign_class(
 ) -> int:  # fmt: skip
     """Give each student of a roster a variant and return the exit status."""
     words = load_words(language)
-    listed = read_roster(read_file(roster), str(roster))
+    listed = read_roster(read_file(roster), str(roster), "id,name,email")
     if not listed:
         raise InputError(say("fault.A006", file=str(roster)))
     tell_own_file(template)

@@ -15,6 +15,7 @@ from coursework.motion.geometry.judging.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_ties
 from coursework.run import Run
+from coursework.scene.quantities import ENERGY, FORCES
 from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
 from coursework.variant.record.held import followed
@@ -37,6 +38,8 @@ def _tell(run: Run) -> int:
     tell_remarks(run)
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
+    if chosen.motor is None and {FORCES.name, ENERGY.name} & {*run.asked} and len(scene.motion.t):
+        run.of(FORCES)  # raises what `run` would find wrong with masses and forces
     free = chosen.motor.rates if chosen.motor is not None else ()
     if chosen.sought:  # if forces move each link by itself, nothing is left to solve
         helping = {name for law in chosen.drive for formula in law.formulas for name in formula.names()}

@@ -10,7 +10,6 @@ Enters: a path.  Leaves: `Policy`.  Raises `InputError` with every fault.  Used 
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
@@ -18,7 +17,7 @@ from typing import Any
 
 from coursework.desk.job import Policy
 from coursework.report.output.formats import chosen
-from coursework.variant.toml.source import read_bytes
+from coursework.variant.toml.source import read_bytes, read_source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, load_phrases, say
@@ -26,11 +25,7 @@ from coursework.words.sentences import closest, load_phrases, say
 
 def read_policy(path: Path) -> Policy:
     """Return the policy in a file.  Raises `InputError`."""
-    content = read_bytes(path)
-    try:
-        data = tomllib.loads(content.decode("utf-8-sig"))
-    except ValueError as error:
-        raise InputError([Fault(say("fault.C081", reason=str(error)), str(path))]) from None
+    data = read_source(read_bytes(path), str(path), {}).data
     if faults := list(_faults(data)):
         raise InputError([Fault(fault, str(path)) for fault in faults])
     read: dict[str, Any] = {key: tuple(value) if isinstance(value, list) else value for key, value in data.items()}

@@ -62,7 +62,9 @@ def precheck(submission: Submission, variant: Variant, named: Callable[[str, tup
         told.append(work.review)
     fine &= work.review is None
     whole = work.table is not None and (work.equations is not None or key.free is not None)  # of motion: a person marks them
-    return Prechecked(fine, whole, work.table is not None, tuple(told), tuple(note.text for note in work.notes))
+    why = work.trouble.text if work.table is None and work.trouble else ""  # told beside the table that was not read
+    notes = tuple(note.text for note in work.notes if not why or why not in note.text)
+    return Prechecked(fine, whole, work.table is not None, tuple(told), notes)
 
 
 def _kinds(entry: FileEntry) -> Sentence:

@@ -272,9 +272,9 @@ def known_quantities() -> dict[str, Quantity[Any]]:
 
 
 def no_quantity(name: str, columns: Iterable[str] = ()) -> Sentence:
-    """Return the sentence that there is no quantity with this name, and which there are."""
-    known = list(known_quantities())
-    return say("fault.C002", name=name, hint=closest(name, [*known, *columns]), known=", ".join(known))
+    """Return the sentence that there is no quantity with this name, and which there are, with the columns of a table."""
+    known, columns = list(known_quantities()), list(columns)
+    return say("fault.C002", name=name, hint=closest(name, [*known, *columns]), known=", ".join([*known, *columns]))
 
 
 def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:

@@ -7,6 +7,7 @@ import pytest
 from coursework.words.data_folders import folder
 from tests.command import call
 from tests.mechanisms.library import mechanism
+from tests.variant.judging.test_advice_followed import FORCES, SAW
 
 pytestmark = pytest.mark.usefixtures("folder")
 
@@ -60,3 +61,15 @@ def test_the_term_of_an_equation_that_contradicts_is_named_and_others_are_not(tm
 def test_freedoms_that_do_not_agree_are_told_with_what_to_do(name, told):
     Path("own.toml").write_text(mechanism(name), encoding="utf-8")
     assert told in call("check", "own.toml").stdout
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "code"),
+    [('inertia = "rod"', 'inertia = "disc"', "V726"), ('rails = [ { through = "B", angle = "0" } ]', "", "V722"), ("", "", "")],
+)
+def test_what_a_run_would_find_wrong_with_forces_is_told_before_it(right, wrong, code):
+    asked = '[ask]\nquantities = ["table", "forces"]\n'
+    Path("own.toml").write_text((SAW + FORCES + asked).replace(right, wrong, 1), encoding="utf-8")
+    told, ran = call("check", "own"), call("run", "own", "--format", "csv")
+    assert told.exit_code == ran.exit_code == (2 if code else 0), told.output
+    assert code in told.stderr and code in ran.stderr

@@ -146,7 +146,7 @@ WRONG = {
     "auto without wish": (["run", "31", "--step", "auto"], "--step auto needs the wish: --error 0.001"),
     "wish without auto": (["run", "31", "--error", "0.1"], "--error is a wish for --step auto"),
     "precision": (["run", "31", "--precision", "quad"], 'C054 --precision takes one of "double" or "single".'),
-    "no argument": (["run"], "C052 VARIANT... is missing."),
+    "no argument": (["run"], "C052 VARIANT is missing."),
     "no option": (["run", "31", "--nope"], "C051 there is no option --nope."),
     "no command": (["rnu"], 'C053 there is no command "rnu". Did you mean "run"?'),
     "new name of the catalogue": (

@@ -61,7 +61,7 @@ def test_a_policy_says_what_is_offered(folder):
 @pytest.mark.parametrize(
     ("text", "codes"),
     [
-        ("equations = 1", ["C083"]), ("equation = true", ["C082"]), ("x", ["C081"]), ('formats = ["doc"]', ["C015"]),
+        ("equations = 1", ["C083"]), ("equation = true", ["C082"]), ("x", ["V009"]), ('formats = ["doc"]', ["C015"]),
         ('language = "de"', ["L002"]), ('exact = 1\nlanguage = "de"\nformats = ["doc"]', ["C083", "L002", "C015"]),
     ],
 )  # fmt: skip

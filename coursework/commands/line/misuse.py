@@ -6,6 +6,7 @@ Enters: an exception of click.  Leaves: a line on standard error, below the usag
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 
 import click
@@ -16,6 +17,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, closest, either, say
 
 VARIABLE = "COURSEWORK_LANGUAGE"
+_TOO_MANY = re.compile(r"Got unexpected extra arguments? \((.*)\)\Z", re.DOTALL)
 
 
 def tell_misuse(error: click.ClickException, words: Sequence[str]) -> None:
@@ -32,7 +34,7 @@ def tell_misuse(error: click.ClickException, words: Sequence[str]) -> None:
 def fault_of(error: click.ClickException) -> Sentence:
     """Return the sentence for a kind of misuse; for a rare kind it contains click's own message."""
     if isinstance(error, click.NoSuchOption):
-        hint = closest(error.option_name, list(error.possibilities or ()))
+        hint = closest(error.option_name, [name for name in error.possibilities or () if name != "--help"])
         return say("fault.C051", name=error.option_name, hint=hint)
     if isinstance(error, click.MissingParameter):
         return say("fault.C052", name=_name(error))
@@ -49,6 +51,8 @@ def fault_of(error: click.ClickException) -> Sentence:
         return say("fault.C056", name=_name(error), least=kind.min, most=kind.max)
     if isinstance(error, click.BadParameter) and kind in {click.FLOAT, click.INT}:
         return say("fault.C057", name=_name(error))
+    if too_many := _TOO_MANY.match(error.format_message()):
+        return say("fault.C060", found=too_many[1])
     return say("fault.C058", reason=error.format_message())
 
 
@@ -56,7 +60,7 @@ def _name(error: click.BadParameter) -> str:
     """Return the name of an option or argument as the help writes it."""
     if error.param is None or error.ctx is None:
         return str(error.param_hint or "")
-    return error.param.get_error_hint(error.ctx).strip("'")
+    return error.param.get_error_hint(error.ctx).strip("'").removesuffix("...")
 
 
 def _asked_for(words: Sequence[str]) -> str:

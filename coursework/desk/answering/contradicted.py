@@ -29,6 +29,7 @@ from coursework.grading.marking.equations.numbers import value_of
 from coursework.grading.marking.key.key import key_of
 from coursework.mechanism.mechanism import build
 from coursework.scene.quantities import TABLE
+from coursework.variant.formula.made import unsigned
 from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.entries import Constraint
 from coursework.variant.record.variant import Variant
@@ -135,7 +136,7 @@ def _edited(tree: Formula, edit: Edit) -> Formula:
 
 
 def _shown(term: Formula) -> str:
-    text = spelled(term)
+    text = spelled(unsigned(term))
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 

@@ -210,7 +210,10 @@ _WHERE = {"*": "product", "/": "denominator", "^": "power", "call": "function"}
 def _non_linear(tree: Formula, names: set[str]) -> FormulaFault:
     """Return the fault of a velocity equation that is not linear in the unknown velocities."""
     where = say(f"equation.within.{_WHERE[tree.op]}")
-    return FormulaFault(tree.column, say("fault.V402", names=tuple(sorted(names)), where=where, text=spelled(tree)[:60]))
+    of_size = tree.op == "^" or tree.name in {"sqrt", "abs"}
+    advice = say(f"equation.linear.{'size' if of_size else 'angle' if tree.op == 'call' else 'factor'}", function=tree.name)
+    told = say("fault.V402", names=tuple(sorted(names)), where=where, text=spelled(tree)[:60], advice=advice)
+    return FormulaFault(tree.column, told)
 
 
 def _linear(tree: Formula, unknown: set[str], symbols: Symbols) -> Speed:

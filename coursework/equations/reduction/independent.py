@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from coursework.equations.algebra.calculus import derivative
-from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.matching import match, over_and_under
 from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import LinearSystem, compile_system, compile_values
@@ -62,7 +62,8 @@ def choose(
         told = say("fault.V750", names=names_tied)
         raise InputError([Fault(told, equations.variant.file, equations.variant.nearest_line("motor", "rates"))])
     if conflicts or len(kept) < len(equations.unknowns):
-        raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
+        of_positions = [Fault(say("fault.V405", name=one.name), equations.variant.file, one.line) for one in _still(equations)]
+        raise InputError(of_positions or [_fault(equations, base, kept, sames, conflicts, rows, owner)])
     notes = tuple(say("equation.redundant", same=_same(names)) for names in sames)
     return tuple(kept), notes
 
@@ -154,6 +155,16 @@ def _too_near(equations: VelocityEquations, nearly: list[tuple[str, list[str], f
     return Fault(told, equations.variant.file, line)
 
 
+def _still(equations: VelocityEquations) -> Iterator[VelocityEquation]:
+    """Yield the written equations that contain coordinates and no velocity."""
+    variant = equations.variant
+    coordinates, moving = {one.name for one in variant.coordinates}, {*variant.velocities, *(law.name for law in variant.drive)}
+    for one in equations.equations:
+        names = {name for side in one.written or () for name in side.names()}
+        if names & coordinates and not names & moving:
+            yield one
+
+
 def _same(pair: tuple[str, list[str]]) -> str:
     name, others = pair
     if not others:
@@ -184,17 +195,22 @@ def _fault(
         else:
             sentences.append(say("equation.drive_less", drive=driven) if len(drive) > 1 else say("equation.correct"))
     sentences += [say("equation.dependent", sentence=_same(pair)) for pair in sames]
+    idle = () if is_whole else tuple(law.name for law in drive if not _moves(law.name, equations))
+    if idle and not conflicts:
+        sentences.insert(0, say("equation.idle", names=idle, rate=equations.variant.coordinates[0].rate))
     if not is_whole:
-        sentences.append(say("equation.missing", names=tuple(_undetermined(matrix, kept, unknowns))))
-        sentences += _structure(equations, rows, owner)
-        if not conflicts:
+        open_to = _undetermined(matrix, kept, unknowns)
+        sentences.append(say("equation.missing", names=tuple(open_to)))
+        told = _structure(equations, rows, owner)
+        sentences += told
+        nowhere = any(one.key.startswith("equation.in_none") and one.values["involved"] == tuple(open_to) for one in told)
+        if not (conflicts or nowhere or idle):  # an idle drive prescribes nothing
             sentences.append(say_count("equation.ways", len(unknowns) - len(kept), drives=len(drive)))
-        if idle := tuple(law.name for law in drive if not _moves(law.name, equations)):
-            rate = equations.variant.coordinates[0].rate
-            sentences.append(say("equation.idle", names=idle, rate=rate))
     file = equations.variant.file
     lines = {equation.name: equation.line for equation in equations.equations}
-    own = {lines[name] for name, _, _ in conflicts}
+    own = {lines[name] for name, *_ in conflicts or sames}
+    if idle and not conflicts:
+        own = {equations.variant.nearest_line("drive", idle[0])}
     line = own.pop() if len(own) == 1 else equations.variant.nearest_line("coordinates")
     code = "fault.V403" if conflicts else _MISSING
     return Fault(say_count(code, len(kept), **counts, why=joined(sentences)), file, line)

@@ -6,7 +6,6 @@ Used by the commands, before anything is graded.
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import field, replace
 from datetime import datetime
@@ -17,6 +16,7 @@ from coursework.grading.marking.late import Late, span
 from coursework.system.frozen import frozen
 from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.record.variant import Variant
+from coursework.variant.toml.source import Source, read_source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
@@ -98,20 +98,15 @@ class Rubric:
 
 def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     """Return the rubric that a file's text describes.  Raises `InputError` with every fault."""
-    try:
-        found = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError([Fault(say("fault.G046", error=error), name)]) from error
-    except RecursionError:
-        raise InputError([Fault(say("fault.G065"), name)]) from None
-    return _Reader(name).rubric(found)
+    source = read_source(text.encode("utf-8"), name, {})
+    return _Reader(source).rubric(source.data)
 
 
 class _Reader:
     """Reads the sections of one file and gathers its faults."""
 
-    def __init__(self, name: str) -> None:
-        self.name = name
+    def __init__(self, source: Source) -> None:
+        self.source = source
         self.faults: list[Fault] = []
 
     def rubric(self, found: Mapping[str, Any]) -> Rubric:
@@ -147,7 +142,11 @@ class _Reader:
         )  # fmt: skip
 
     def _fault(self, place: str, key: str, **values: object) -> None:
-        self.faults.append(Fault(say(key, **values), self.name, place=place))
+        path = tuple(
+            int(part) - 1 if part.isdecimal() else part for part in f"{place}.{values.get('key_', '')}".split(".") if part
+        )
+        line = self.source.positions.find(path, key=True)[0]
+        self.faults.append(Fault(say(key, **values), self.source.file, line, place=place))
 
     def _refuse_unknown(self, section: Mapping[str, Any], known: tuple[str, ...], place: str) -> None:
         for key in section:

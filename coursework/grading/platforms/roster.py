@@ -32,22 +32,22 @@ class Student:
     line: int = 0
 
 
-def read_roster(content: bytes, file: str) -> tuple[Student, ...]:
-    """Return all students of the class, in the order of the file.
+def read_roster(content: bytes, file: str, head: str = "id,name,email,variant") -> tuple[Student, ...]:
+    """Return all students of the class, in the order of the file; `head` is the first line that is advised.
 
     Raises `InputError` with every fault: no column "id", or an id that is missing or not unique.
     """
     cells = read_cells(content, file)
     if not cells.records:
-        raise InputError([Fault(say("fault.G017"), file)])
-    head = cells.titles
+        raise InputError([Fault(say("fault.G017", line=head), file)])
+    titles = cells.titles
     if "id" not in cells.columns:
-        advice = closest("id", head) or say("hint.first_line", line="id,name,email,variant")
-        raise InputError([Fault(say("fault.G018", head=", ".join(head[:10]), advice=advice), file, 1)])
+        advice = closest("id", titles) or say("hint.first_line", line=head)
+        raise InputError([Fault(say("fault.G018", head=", ".join(titles[:10]), advice=advice), file, 1)])
     students: list[Student] = []
     faults: list[Fault] = []
     seen: dict[str, int] = {}
-    more = {title: place for place, title in enumerate(head) if title.casefold() not in COLUMNS}
+    more = {title: place for place, title in enumerate(titles) if title.casefold() not in COLUMNS}
     for record, told in cells.named(COLUMNS):
         line = cells.records[record][0].line
         if not any(cell.value.strip() for cell in cells.records[record]):

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping
 from fractions import Fraction
 
-from coursework.variant.formula.motion_units import KINDS, UNITS
-from coursework.variant.formula.units import advised_unit, kind_of, measured
+from coursework.variant.formula.motion_units import KINDS, UNITS, advised_unit
+from coursework.variant.formula.units import kind_of, measured
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 

@@ -6,6 +6,7 @@ Enters and leaves: `Formula`.  Used on every floor.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
 from math import degrees, isclose, radians
@@ -78,3 +79,17 @@ def as_read(tree: Formula) -> str:
         return named(f"{found}°") if found else mapped(part, turned)
 
     return spelled(turned(tree))
+
+
+def unsigned(tree: Formula) -> Formula:
+    """Return a term without the sign at its begin, as a message names it.
+
+    >>> from coursework.variant.formula.reader import parse
+    >>> spelled(unsigned(parse("-l*om*cos(q)")))
+    'l*om*cos(q)'
+    """
+    if tree.op == "neg":
+        return unsigned(tree.args[0])
+    if tree.op in {"*", "/", "@"}:
+        return replace(tree, args=(unsigned(tree.args[0]), *tree.args[1:]))
+    return tree

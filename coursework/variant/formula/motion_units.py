@@ -1,6 +1,6 @@
 """Units of motion: lengths, angles, times, and their quotients.
 
-Enters: nothing.  Leaves: `UNITS` and `KINDS`.  Units that contain a mass are in `mass_units.py`.
+Enters: nothing.  Leaves: `UNITS` and `KINDS`, and units as advice writes them.  Units that contain a mass are in `mass_units.py`.
 Used by `units.py` and by all code that needs the list of units.
 """
 
@@ -77,3 +77,23 @@ def in_latin(unit: str) -> str:
 
         known = known | mass_units.LATIN_OF
     return _CYRILLIC_WORD.sub(lambda word: known.get(word[0], word[0]), unit)
+
+
+def advised_unit(si: str) -> str:
+    """Return an SI unit in the form used in advice.
+
+    >>> advised_unit("1/s"), advised_unit("m")
+    ('rad/s', 'm')
+    """
+    return KINDS[si][1].partition(",")[0] if si in KINDS else si
+
+
+def in_order(text: str, wanted: str) -> str:
+    """Return how to write a value whose number is missing, in groups ("1 200 mm") or behind its unit ("mm 1200")."""
+    groups = re.fullmatch(
+        r"\s*([-+−]?\d{1,3}(?:[\s'’_]\d{3})+)\s*([^\W\d_].*?)?\s*|\s*([^\W\d_]+)\s*=?\s*([-+−]?[\d.]+)\s*", text
+    )
+    last = ((groups[2] or groups[3]) if groups else text.split()[-1] if text.split() else "") or ""
+    fits = last in UNITS and wanted in {"", UNITS[last][1]}
+    number = re.sub(r"[^-+−\d.]", "", groups[1] or groups[4]) if groups else "0.5"
+    return f"{number} {last if fits else advised_unit(wanted) or 'm'}"

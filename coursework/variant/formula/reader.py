@@ -120,6 +120,7 @@ class _Reader:
     """Precedence climbing over the tokens; the numbers of nodes and of nested levels are bounded."""
 
     def __init__(self, text: str, vectors: bool) -> None:
+        self.text = text
         self.tokens = _tokens(text)
         self.end = len(text) + 1
         self.vectors = vectors
@@ -166,6 +167,8 @@ class _Reader:
         token = self.peek()
         if token.kind != "end":
             self.misplaced(token)
+            if token.text == "=":
+                raise FormulaFault(token.column, say("fault.V146"))
             raise FormulaFault(token.column, say("fault.V119", text=token.text))
 
     def misplaced(self, token: _Token) -> None:
@@ -175,12 +178,11 @@ class _Reader:
             if before.kind == "number" and (unit := self.unit()):
                 raise FormulaFault(token.column, say("fault.V143", number=before.text, unit=unit))
             raise FormulaFault(token.column, say("fault.V120", text=token.text))
-        if token.text == ")":
-            raise FormulaFault(token.column, say("fault.V144"))
-        if token.text == ",":
-            raise FormulaFault(token.column, say("fault.V121"))
-        if token.text == ".":
-            raise FormulaFault(token.column, say("fault.V122"))
+        told = {")": "fault.V144", ",": "fault.V121", ".": "fault.V122"}
+        if self.vectors and token.text == "," and not re.match(r"\d,\d", self.text[token.column - 2 : token.column + 1]):
+            told[","] = "fault.V145"
+        if token.text in told:
+            raise FormulaFault(token.column, say(told[token.text]))
 
     def unit(self) -> str:
         """Return the unit that the next tokens are, "" if none."""

@@ -14,7 +14,7 @@ from functools import lru_cache, partial
 
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import foreign_letter, in_one_alphabet
-from coursework.variant.formula.motion_units import KINDS, LATIN_OF, UNITS
+from coursework.variant.formula.motion_units import KINDS, LATIN_OF, UNITS, in_order
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
@@ -25,6 +25,7 @@ VALUE = re.compile(
 )
 _WORDED = re.compile(r"(?:[^\W\d_]+(?:/[^\W\d_]+(?:\^2)?)?|1/[^\W\d_]+(?:\^2)?|°(?:/[^\W\d_]+(?:\^2)?)?)\Z")
 _PER = re.compile(r"(?:([^\W\d_]+|°)[·⋅*]?)?(s|с|min|мин)\^[-−]([12])\Z")
+_NO_CARET = re.compile(r"(?<=[^\W\d_])2(?!\w)")
 _SIGNS = str.maketrans({"º": "°", "˚": "°", "²": "^2", "⁻": "^-", "¹": "1"})
 _LOOK_ALIKE = str.maketrans("acop", "асор")
 _WORD = re.compile(r"[^\W\d_]+")
@@ -141,6 +142,8 @@ def quantity(written: str, size: tuple[Fraction, str], unit: str, text: str) -> 
 def plain_unit(unit: str) -> str:
     """Return a unit in the spelling of `UNITS`: powers with ^2, divisions with a slash ("м·с⁻²" becomes м/с^2)."""
     plain = "".join(unit.split()).translate(_SIGNS).replace("**", "^").replace("^-^", "^-")
+    if plain not in UNITS:
+        plain = _NO_CARET.sub("^2", plain)  # m/s2, kg*m2
     if plain not in UNITS and not re.search("[A-Za-z]", cyrillic := plain.translate(_LOOK_ALIKE)):
         plain = cyrillic  # a second in Latin letters on a Cyrillic keyboard: 1/c
     if per := _PER.match(plain):
@@ -169,15 +172,6 @@ def is_quantity(text: str) -> bool:
         return False
     unit = plain_unit(match["unit"] or "")
     return not unit or unit in UNITS or (_WORDED.match(unit) is not None and not unit.startswith(("π", "pi")))
-
-
-def advised_unit(si: str) -> str:
-    """Return an SI unit in the form used in advice.
-
-    >>> advised_unit("1/s"), advised_unit("m")
-    ('rad/s', 'm')
-    """
-    return KINDS[si][1].partition(",")[0] if si in KINDS else si
 
 
 def size_of(unit: str) -> float:
@@ -237,9 +231,7 @@ def unknown(text: str, unit: str, wanted: str = "", *, of_mass: bool = False) ->
     if re.match(r"\s*[-+−]?\d+,\d", text):
         return say("fault.V106", found=found, advised=found.replace(",", ".", 1).strip())
     if not unit or not re.search(r"[^\W\d_]|°", unit):
-        last = text.split()[-1:] or [""]
-        fits = last[0] in UNITS and wanted in {"", UNITS[last[0]][1]}
-        return say("fault.V107", found=found, unit=last[0] if fits else advised_unit(wanted) or "m")
+        return say("fault.V107", found=found, advised=in_order(text, wanted))
     if unit.lower() in _HERTZ and wanted in {"", "1/s"}:
         return say("fault.V108", found=found)
     meant = _nearest(unit, (wanted,) if wanted else tuple(KINDS))
@@ -274,7 +266,7 @@ def known_units(*, of_mass: bool = False) -> str:
 @lru_cache(maxsize=1000)
 def _nearest(unit: str, wanted: tuple[str, ...]) -> str:
     # "km" is not a misspelt "m": only a word that is nearly a unit is taken for it.
-    if f"1{unit}" in UNITS:
+    if unit and f"1{unit}" in UNITS:
         return say("hint.closest", name=f"1{unit}")
     if unit.partition("/")[0] in {"o", "о"}:  # a turn in some language; it looks like a degree but is 360 times larger
         return ""

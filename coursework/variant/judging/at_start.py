@@ -25,9 +25,11 @@ def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fa
     """
     laws = {law.name: law for law in (*variant.functions, *variant.drive)}
     places = {name: source.path_of(variant.path_of(name)) for name in laws}
-    circles = {name: circle for name in laws if (circle := _circle(name, laws))}
+    circles = {
+        frozenset(circle): circle for name in reversed(laws) if (circle := _circle(name, laws))
+    }  # each once, at its first law
     if circles:
-        return [source.fault(places[name], say("fault.V057", circle=" → ".join(circle))) for name, circle in circles.items()]
+        return [source.fault(places[circle[0]], say("fault.V057", circle=" → ".join(circle))) for circle in circles.values()]
     placed = [c for c in variant.coordinates if c.start is not None and not broken.has("coordinates", c.name)]
     values = {"t": 0.0, **broken.sound(variant).values, **{c.name: c.start for c in placed if c.start is not None}}
     faults: list[Fault] = []

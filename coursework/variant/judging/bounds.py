@@ -70,4 +70,4 @@ def number_of_seconds(value: object, name: str) -> float:
     with suppress(TypeError, ValueError):
         if not isinstance(value, bool):
             return float(value)  # type: ignore[arg-type]
-    raise InputError(say("fault.C012", name=name, value=value))
+    raise InputError(say("fault.C012", name=name, value=value, hint=say("hint.point") if "," in str(value) else ""))

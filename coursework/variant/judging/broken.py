@@ -29,12 +29,13 @@ class Broken:
         """Return the variant without the stand-ins of faulty data, so that formulas with such data have no value."""
         return replace(variant, given=tuple(given for given in variant.given if not self.has("given", given.name)))
 
-    def without_groups(self, variant: Variant) -> Variant:
-        """Return the variant with each faulty group emptied, because its kind is uncertain."""
+    def without_doubtful(self, variant: Variant) -> Variant:
+        """Return the variant with each faulty group emptied, because its kind is uncertain, and faulty unknowns of any unit."""
         groups = tuple(
             replace(group, start_points=(), lengths=(), guides=(), coordinates=(), angle=None)
             if self.has("group", index)
             else group
             for index, group in enumerate(variant.groups)
         )
-        return replace(variant, groups=groups)
+        unknowns = tuple((name, "" if self.has("unknowns", name) else si) for name, si in variant.unknowns)
+        return replace(variant, groups=groups, unknowns=unknowns)

@@ -5,12 +5,13 @@ Enters: a `Place`, its `Clash`.  Leaves: sentences.  Used by `dimension_check.py
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from dataclasses import replace
 
 from coursework.system.frozen import frozen
 from coursework.variant.dimensions.exponents import NUMBER, Dimension, dimension_of, unit_like, units_shown, what
 from coursework.variant.dimensions.formulas import Clash, Term
+from coursework.variant.formula.made import unsigned
 from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.places import Place
 from coursework.variant.toml.positions import KeyPath
@@ -48,6 +49,8 @@ class Blame:
         """Return how to write it with that dimension."""
         assert self.must is not None
         unit = unit_like(self.unit, self.must)
+        if unit == "rad" and self.text and self.unit not in {"", "1"} and abs(float(self.text.replace("−", "-"))) > math.tau:
+            unit = "deg"  # nobody writes 25 rad
         if unit:
             return say("fault.measures.write", text=f"{self.text} {unit}".strip())
         return say("fault.measures.correct")
@@ -125,13 +128,5 @@ def _named(term: Term, solved: Solved) -> Sentence | None:
 
 def text_of(tree: Formula) -> str:
     """Return a term for a message: without its sign, shortened."""
-    text = spelled(_unsigned(tree))
+    text = spelled(unsigned(tree))
     return text if len(text) <= _MOST_LETTERS else f"{text[:_MOST_LETTERS]}…"
-
-
-def _unsigned(tree: Formula) -> Formula:
-    if tree.op == "neg":
-        return _unsigned(tree.args[0])
-    if tree.op in {"*", "/", "@"}:
-        return replace(tree, args=(_unsigned(tree.args[0]), *tree.args[1:]))
-    return tree

@@ -9,9 +9,9 @@ import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from coursework.variant.dimensions.exponents import LENGTH
-from coursework.variant.formula.motion_units import UNITS
+from coursework.variant.formula.motion_units import UNITS, advised_unit
 from coursework.variant.formula.tree import Formula, terms
-from coursework.variant.formula.units import advised_unit, size_of
+from coursework.variant.formula.units import size_of
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.judging.dimension_words import text_of
 from coursework.variant.judging.unused import Found, parts_unused
@@ -39,8 +39,10 @@ def remarks_on(
     """Return every remark on a file, in file order."""
     angles = tuple(_terms_of_angles(dimensions.places))
     phases = {term.name for _, term in angles if term.op == "name"}  # names that are a whole term of an angle
+    slips = [*_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions)]
+    told = {path for _, path, _ in slips}  # where a number looks wrong for want of a unit, that is said once
     found = [
-        *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
+        *slips, *(bare for bare in _bare(variant, dimensions, phases) if bare[1] not in told),
         *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *parts_unused(variant, dimensions),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip

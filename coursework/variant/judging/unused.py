@@ -103,7 +103,8 @@ def _idle(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
 def _stiff_springs(variant: Variant) -> Iterator[Found]:
     """Yield springs and dampers between two points whose distance is the same wherever the coordinates are."""
     known = {"pi": math.pi, **variant.values}
-    anywhere = ({c.name: at + k for k, c in enumerate(variant.coordinates)} for at in (0.3, 0.8, 1.7))
+    # Of two coordinates neither the difference nor the sum stays the same from place to place.
+    anywhere = ({c.name: at * (k + 1) + k for k, c in enumerate(variant.coordinates)} for at in (0.3, 0.8, 1.7))
     positions = [with_points(known | somewhere, variant.points) for somewhere in anywhere]
     for spring in variant.forces.springs if variant.forces else ():
         one, other = spring.ends

@@ -38,13 +38,16 @@ def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPat
     # The start of a dyad follows from its closure; a crank starts where the file says.
     dyads = [group for group in variant.groups if not (group.kind in GROUP_SHAPES and GROUP_SHAPES[group.kind].driven)]
     in_groups = {name for group in dyads for name in group.coordinates}
-    for coordinate in () if broken.has("group") else variant.coordinates:
+    of_groups = faults_of_groups(variant, GROUP_SHAPES, broken)
+    for coordinate in () if broken.has("group") or of_groups else variant.coordinates:
         if coordinate.start is None and not (coordinate.name in in_groups or broken.has("coordinates", coordinate.name)):
             message = say("fault.V073", unit=coordinate.unit)
             faults.append(source.fault(("coordinates", coordinate.name), message))
     laws = {law.name for law in variant.drive}
     if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
-        message = say("fault.V048", point=variant.driven, missing=tuple(missing))
+        turned = tuple(rate for rate in variant.rates if rate in laws)
+        hint = say("hint.not_driven", rates=turned) if turned and len(missing) == 2 else ""
+        message = say("fault.V048", point=variant.driven, missing=tuple(missing), hint=hint)
         faults.append(source.fault(("closure", "driven"), message))
-    faults += faults_of_names(variant, source) + faults_of_groups(variant, GROUP_SHAPES, broken)
+    faults += faults_of_names(variant, source) + of_groups
     return faults + faults_of_lengths(broken.sound(variant), source)

@@ -46,7 +46,9 @@ def _mass(key: str, entry: schema.Mass | str | float, parts: Parts) -> Mass:
         return Mass(_body(key, parts), _value(path, entry, "kg", parts, True), None, None)
     shape = str(entry.inertia).strip() if entry.inertia is not None else ""
     inertia: Formula | str | None = shape if shape in SHAPES else None
-    if entry.inertia is not None and inertia is None:
+    if shape.isalpha() and inertia is None and parts.names.canonical(shape) not in parts.names.kinds:
+        parts.say((*path, "inertia"), say("fault.V751", found=shape[:40]))
+    elif entry.inertia is not None and inertia is None:
         inertia = _value((*path, "inertia"), entry.inertia, "kg*m^2", parts, True)
     centre = parts.formula((*path, "centre"), entry.centre, "vector") if entry.centre is not None else None
     return Mass(_body(key, parts), _value((*path, "mass"), entry.mass, "kg", parts, True), inertia, centre)
@@ -126,7 +128,7 @@ def _motor(file: schema.VariantFile, coordinates: Sequence[Coordinate], parts: P
     if rates is None:
         for key in file.motor:
             if key != "flywheel":
-                parts.say(("motor", key), say("fault.V710"))
+                parts.say(("motor", key), say("fault.V710", rate=coordinates[0].rate if coordinates else "w1"))
         return None
     units = {coordinate.rate: coordinate.unit for coordinate in coordinates}
     found = _free(rates, list(units), parts)
@@ -147,7 +149,7 @@ def _motor(file: schema.VariantFile, coordinates: Sequence[Coordinate], parts: P
         if key in _OF_MOTOR:
             continue
         if not isinstance(entry, schema.MotorEntry):
-            parts.say(("motor", key), of_motor(key))
+            parts.say(("motor", key), of_motor(key, file.links))
             continue
         torque = _value(("motor", key, "torque"), entry.torque, "N*m", parts)
         source = _FRAME if entry.source is None else _body(str(entry.source), parts)
@@ -174,6 +176,6 @@ def _free(rates: object, known: list[str], parts: Parts) -> tuple[str, ...]:
 def _flywheel(entry: object, parts: Parts) -> Flywheel | None:
     path: KeyPath = ("motor", "flywheel")
     if not isinstance(entry, schema.Flywheel):
-        parts.say(path, of_motor("flywheel"))
+        parts.say(path, of_motor("flywheel", ()))
         return None
     return Flywheel(_body(str(entry.on), parts), **_values(path, entry, ("inertia", "unevenness"), parts, True))

@@ -15,7 +15,7 @@ from typing import Literal
 from coursework.variant.formula import reader, units
 from coursework.variant.formula.arms import with_arms
 from coursework.variant.formula.made import part_of_pi
-from coursework.variant.formula.motion_units import UNITS
+from coursework.variant.formula.motion_units import UNITS, advised_unit
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, spelled
 from coursework.variant.reading.names import Names
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
@@ -38,7 +38,7 @@ _SCOPES = {
 }
 _ADVISED = 100
 _TYPED = 9  # characters of a number that a person types
-_FORMULA_AND_UNIT = re.compile(r"\s*(.*[*/+)(].*?)\s+((?:[^\W\d_]|°)[^\s*()]*)\s*")
+_FORMULA_AND_UNIT = re.compile(r"\s*(.*[*/+)(].*?)\s+((?:1/)?(?:[^\W\d_]|°)[^\s*()]*)\s*")
 _ENDS_IN_NUMBER = re.compile(r"(?<![\w./])[\d.]+$")
 Kind = Literal["scalar", "vector", "any"]
 
@@ -56,7 +56,7 @@ class Parts:
         self.times: dict[KeyPath, Formula] = {}
         self.grads: list[tuple[KeyPath, str]] = []
         self.broken: set[KeyPath] = set()  # paths with a fault
-        self._unread: list[tuple[KeyPath, Callable[[str], Sentence]]] = []
+        self._unread: list[tuple[KeyPath, Callable[[str], Sentence | None]]] = []
 
     def say(self, path: KeyPath, message: Sentence, column: int = 0) -> None:
         """Keep a fault."""
@@ -87,21 +87,25 @@ class Parts:
                 self.grads.append((path, f"{read.text} {read.unit}"))
             return read
         except units.UnitFault as fault:
-            if advice := _written_out(str(value), wanted) or _without_unit(str(value)) or self._as_function(path, str(value)):
+            written_out = _written_out(str(value), wanted)
+            later = partial(_written_out, str(value)) if written_out else fault.advised
+            if advice := None if written_out else self._as_function(path, str(value)) or _without_unit(str(value)):
                 self.say(path, advice)
-            elif fault.advised and not wanted:
-                self._unread.append((path, fault.advised))
+            elif later and not wanted:
+                self._unread.append((path, later))
                 self.broken.add(path)
+            elif written_out:
+                self.say(path, written_out)
             else:
                 self.say(path, fault.message)
             return _NOTHING
 
     def _as_function(self, path: KeyPath, text: str) -> Sentence | None:
         """Return the message about a datum that is a formula of others, such as "2*h - b"; None for any other value."""
-        tree, _, _ = _split(text)
+        tree, formula, _ = _split(text)
         if path[0] != "given" or tree is None or not {*tree.names()} <= self.names.kinds.keys() | {"pi"}:
             return None
-        return say("fault.V164", found=text[:60])
+        return say("fault.V164", found=text[:60], line=f'{path[1]} = "{formula.strip()[:60]}"')
 
     @property
     def sound(self) -> bool:
@@ -112,7 +116,8 @@ class Parts:
         """Keep a fault for each missing or unknown unit; `wanted` gives the SI unit that a name must have, "" for any."""
         for path, advised in self._unread:
             name = self.names.canonical(str(path[1])) if len(path) > 1 else ""
-            self.say(path, advised(wanted(name)))
+            if told := advised(wanted(name)):
+                self.say(path, told)
         self._unread = []
 
     def unit(self, path: KeyPath, text: str) -> str:
@@ -127,13 +132,13 @@ class Parts:
     def number(self, path: KeyPath, value: str | int | float, si: str) -> float:
         """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"; nan after a fault."""
         if isinstance(value, str) and not self.is_quantity(value):
-            tree = self.times[path] = self.formula(path, value, "scalar", "time")
+            tree = self.times[path] = self.formula(path, value, "scalar", "still")
             try:
                 return evaluate(tree, self.values) if self.sound else math.nan
             except FormulaFault as fault:
                 self.say(path, say("fault.V060", message=fault.message), fault.column)
-            except KeyError as missing:
-                self.undeclared(path, {"given"}, say("fault.V061", missing=str(missing)))
+            except KeyError:  # a datum whose section is misspelt, which is told
+                self.broken.add(path)
             return math.nan
         read = self.quantity(path, value, si)
         if read.si not in {"", si}:
@@ -175,7 +180,7 @@ class Parts:
             advice = _without_unit(text, "s" if path[0] == "time" else "")
             self.say(path, advice or fault.message, 0 if advice else fault.column)
             return ZERO
-        tree = self._resolve(path, tree, scope)
+        tree = self._resolve(path, tree, scope, kind)
         found = self._kind(path, tree)
         if kind != "any" and found not in {kind, "?"}:
             wants = "fault.V050" if kind == "vector" else "fault.V051"
@@ -189,7 +194,7 @@ class Parts:
             self.undeclared(path, {"point"}, say("fault.V059", name=name, hint=closest(name, points)))
         return self.names.canonical(name)
 
-    def _resolve(self, path: KeyPath, tree: Formula, scope: str) -> Formula:
+    def _resolve(self, path: KeyPath, tree: Formula, scope: str, wanted: Kind = "any") -> Formula:
         if tree.op != "name":
             return mapped(tree, lambda arg: self._resolve(path, arg, scope))
         name = self.names.canonical(tree.name)
@@ -201,9 +206,12 @@ class Parts:
             else:
                 # Finding the closest name takes time; after so many faults nobody reads the advice.
                 few = len(self.faults) < _ADVISED
-                allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
-                advice = self.names.meant(tree.name) or closest(name, [*allowed, "t", "pi"])
-                advice = advice or say(f"fault.part.declare.{scope}")
+                kinds = {"point"} if wanted == "vector" else _SCOPES[scope]  # a name alone in the place of a point
+                allowed = [known for known, its in self.names.kinds.items() if its in kinds] if few else []
+                built_in = () if wanted == "vector" else ("pi",) if scope == "still" else ("t", "pi")
+                allowed += [one for one in built_in if one == name.casefold()]  # an undeclared psi is not meant as pi
+                advice = self.names.meant(tree.name) or closest(name, allowed)
+                advice = advice or say(f"fault.part.declare.{'place' if wanted == 'vector' else scope}")
                 self.undeclared(path, _SCOPES[scope], say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
         return tree if name == tree.name else Formula("name", (), name, tree.column)
 
@@ -268,7 +276,7 @@ def _written_out(text: str, wanted: str) -> Sentence | None:
     value = None if tree is None else _value(tree)
     if tree is None or value is None or (tree.args[0] if tree.op == "neg" else tree).op == "number":
         return None
-    meant = unit or units.advised_unit(wanted) or ("rad" if "pi" in tree.names() else "")
+    meant = unit or advised_unit(wanted) or ("rad" if "pi" in tree.names() else "")
     degrees = f"{math.degrees(value):.12g}"
     advised = f"{degrees} deg" if meant == "rad" and len(degrees) <= _TYPED else f"{value:.15g} {meant}".strip()
     return say("fault.V162", found=text[:60], advised=advised)

@@ -100,7 +100,7 @@ def _build(source: Source, name: str, path: Path | None, judge: Judge | None = N
     parts = Parts(source, Names.declared(file), shape.hidden)
     parts.broken |= shape.broken
     variant = _assemble(file, parts, name, path)
-    dimensions = check_dimensions(Broken(parts.broken).without_groups(variant), source, parts.times)
+    dimensions = check_dimensions(Broken(parts.broken).without_doubtful(variant), source, parts.times)
     parts.tell_unread(dimensions.si_of)
     doubtful = parts.names.faults(source)
     parts.faults += shape.faults + doubtful
@@ -229,7 +229,8 @@ def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constrain
     text = entry.closure if entry.closure is not None else entry.equation
     if text is None or (entry.closure is not None and entry.equation is not None):
         wrong = "fault.V055" if text is not None else "fault.V056"
-        parts.say(("constraint", index), say(wrong))
+        if text is not None or not any(path[:2] == ("constraint", index) for path in parts.broken):  # a misspelt key is told
+            parts.say(("constraint", index), say(wrong))
         text = "0 = 0"
     left, right = parts.equation(path, text, closure=entry.closure is not None)
     name = str(entry.name)[:40] or str(index + 1)

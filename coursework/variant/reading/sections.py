@@ -119,9 +119,9 @@ def read_group(index: int, entry: schema.Group, parts: Parts) -> Group:
         )
         for at, g in listed
     )
+    known = [parts.names.canonical(name) for name, kind, _ in parts.names.declarations if kind == "coordinate"]
     for place, coordinate in enumerate(entry.coordinates):
-        if coordinate != NAMELESS and parts.names.kinds.get(parts.names.canonical(coordinate)) != "coordinate":
-            known = [name for name, kind in parts.names.kinds.items() if kind == "coordinate"]
+        if coordinate != NAMELESS and parts.names.canonical(coordinate) not in known:
             text = say("fault.V080", coordinate=coordinate, hint=closest(coordinate, known))
             parts.undeclared((*path, "coordinates", place), {"coordinate"}, text)
     return Group(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import copy
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from coursework.system.frozen import frozen
@@ -64,7 +64,8 @@ def _mended(source: Source) -> Shape:
             return Shape(fitted(schema.VariantFile, data), faults, frozenset(hidden), frozenset(repaired))
         except ValidationError as error:
             found = _entries(error.errors(include_url=False), data)
-            faults += [_fault(path, entry, source) for path, entry in found.items() if path not in repaired]
+            new = {path: entry for path, entry in found.items() if path not in repaired and not _is_misspelt(path, found)}
+            faults += [_fault(path, entry, source) for path, entry in new.items()]
             if found.keys() <= repaired:
                 raise InputError(faults) from error
             data = data if repaired else copy.deepcopy(data)
@@ -72,6 +73,14 @@ def _mended(source: Source) -> Shape:
             repaired |= found.keys()
             for path, entry in found.items():
                 stand_in(data, path, entry)
+
+
+def _is_misspelt(path: KeyPath, found: Mapping[KeyPath, Entry]) -> bool:
+    """Return whether what is missing at a path stands beside it, misspelt: then the unknown key is the one fault."""
+    if path[0] == "given" and len(path) < 4 and found[path]["type"] != "extra_forbidden":
+        return any(other[:2] == path[:2] and len(other) > 2 and found[other]["type"] == "extra_forbidden" for other in found)
+    unknown = (other for other in found if other[:-1] == path[:-1] and found[other]["type"] == "extra_forbidden")
+    return found[path]["type"] == "missing" and any(closest(str(other[-1]), [str(path[-1])]) for other in unknown)
 
 
 def _of_another_file(data: dict[str, Any]) -> list[str]:
@@ -157,25 +166,30 @@ def _fault(path: KeyPath, entry: Entry, source: Source) -> Fault:
     if problem == "extra_forbidden":
         known = sorted(_keys_of(path[:-1], source.data))
         advice = closest(key, known) or say("hint.known", known=", ".join(known))
+        line, above = (source.positions.find(place, key=True)[0] for place in (path, path[:-1]))
+        if path[0] == "given" and len(path) > 2 and line != above:  # r.1 = … is a key of a table r that no line begins
+            advice = say("hint.no_point", name="".join(map(str, path[1:])))
         return source.fault(path, say("fault.V011", name=key, hint=advice), at_key=True)
     if problem == "missing":
         if len(path) == 1:
             told = say("fault.V012", name=key, example=_example(key, f"[{key}]"))
         else:
-            told = say("fault.V013", name=key, example=_example(key, _EXAMPLES.get(key, f"{key} = …")))
+            example = 'of = "t"' if (path[0], key) == ("drive", "of") else _EXAMPLES.get(key, f"{key} = …")
+            told = say("fault.V013", name=key, example=_example(key, example))
         return source.fault(path[:-1], told, at_key=True)
     if key == "[key]":
         name = str(path[-2]) if len(path) > 1 else ""
         return source.fault(path[:-2], say("fault.V014", name=name[:50]), at_key=True)
     if path[0] == "motor" and len(path) == 2 and key not in {"rates", "start"}:
-        return source.fault(path, of_motor(key))
+        return source.fault(path, of_motor(key, source.data.get("links", ())))
     shown = _shown(entry.get("input"))
     return source.fault(path, say("fault.V015", what=_expected(path, entry), found=shown, hint=_closest(entry)))
 
 
-def of_motor(key: str) -> Sentence:
-    """Return how to write the flywheel or a torque of [motor]."""
-    return say("fault.V716") if key == "flywheel" else say("fault.V713", name=key)
+def of_motor(key: str, links: Iterable[str]) -> Sentence:
+    """Return how to write the flywheel or a torque of [motor], which stands under the name of its link."""
+    name = key if key.isdecimal() or key in links else next(iter(links), "1")
+    return say("fault.V716") if key == "flywheel" else say("fault.V713", name=name)
 
 
 def _example(key: str, plain: str) -> str:
@@ -261,9 +275,10 @@ def _keys_of(path: KeyPath, data: dict[str, Any]) -> list[str]:
     return [*model.keys()]
 
 
-_NAMED = {"coordinates", "links", "text", "unknowns", "masses", "forces", "friction", "motor"}  # tables under any name
+_NAMED = {"given", "coordinates", "links", "text", "unknowns", "masses", "forces", "friction", "motor"}  # tables under any name
 _MODELS: dict[str | int, Any] = {
-    "text": schema.Texts, "time": schema.Time, "constraint": schema.Constraint, "group": schema.Group, "links": schema.Link,
+    "text": schema.Texts, "given": schema.Datum, "time": schema.Time,
+    "constraint": schema.Constraint, "group": schema.Group, "links": schema.Link,
     "unknowns": schema.Unknown, "frame": schema.Frame, "closure": schema.Closure, "ask": schema.Ask,
     "coordinates": schema.Coordinate, "guide": schema.Guide, "guides": schema.Guide, "rails": schema.Rail,
     "circles": schema.Circle, "masses": schema.Mass, "forces": schema.Load, "friction": schema.FrictionEntry,

@@ -14,8 +14,8 @@ from pathlib import Path
 import numpy as np
 
 from coursework.system.arrays import Array
-from coursework.variant.formula.motion_units import UNITS
-from coursework.variant.formula.units import advised_unit, plain_unit
+from coursework.variant.formula.motion_units import UNITS, advised_unit
+from coursework.variant.formula.units import plain_unit
 from coursework.variant.record.entries import last_place
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source

@@ -59,7 +59,7 @@ def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyP
     """Yield constraints, geometry, drive, functions, forces and times; `times` are the formulas of [time] and of pieces."""
     for constraint in variant.constraints:
         # An equation that is not linear is refused for that reason later, by the code that solves it.
-        if constraint.is_closure or max(_degree(side, variant.velocities) for side in constraint.sides) <= 1:
+        if constraint.is_closure or max(_degree(side, variant.sought) for side in constraint.sides) <= 1:
             yield _constraint(constraint)
     yield from _geometry(variant)
     for path, formula in variant.formulas_of_laws():

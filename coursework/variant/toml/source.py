@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.system.frozen import frozen
-from coursework.variant.formula.alphabet import foreign_letter, spell
+from coursework.variant.formula.alphabet import foreign_letter, spell, spell_path
 from coursework.variant.toml.positions import KeyPath, Positions, locate
 from coursework.words.errors import Fault, InputError, reason_of
 from coursework.words.sentence import Sentence
@@ -34,6 +34,8 @@ _NOT_STRUCTURE = re.compile(
 _BRACKET = re.compile(r"[\[\]{}]")
 _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
 _OPEN_KEY = re.compile(r"[ \t]*([\w-]+)[ \t]*=")
+_SINGLE = re.compile(r"[ \t]*\[[ \t]*(constraint|group|quote)[ \t]*\]")  # these sections stand in double brackets
+_STRANGE_NAME = re.compile(r"[\w-]+[^\w=\[{\"#-][^=\[{\"#]*=")  # a name with a prime or a space in it, before its sign
 QUOTES = re.compile("[“”„«»‘’]")
 _KEY_EXPECTED = re.compile(r"Invalid statement|Invalid initial character|Expected '=' after|Expected '\]'")
 # Start of the TOML reader's message -> the last part of the key of the advice.
@@ -59,12 +61,16 @@ _ADVICE = (
 
 @frozen
 class Source:
-    """One variant file as data; `file` is its name in messages, `folder` the folder of files beside it, or these by name."""
+    """One variant file as data; `file` is its name in messages, `folder` the folder of files beside it, or these by name.
+
+    A fault of a value in `made`, which was set for this run, names no line: the file does not have that value.
+    """
 
     file: str
     folder: Path | Mapping[str, bytes]
     data: dict[str, Any]
     positions: Positions
+    made: frozenset[KeyPath] = frozenset()
 
     def changed(self, changes: Mapping[KeyPath, Any]) -> Source:
         """Return the file with other values; names in `changes` are in the tool's spelling."""
@@ -77,10 +83,13 @@ class Source:
             if path[0] == "given" and isinstance(inner[key], dict):  # the meaning of the datum stays
                 inner, key = inner[key], "value"
             inner[key] = value
-        return replace(self, data=data)
+        return replace(self, data=data, made=self.made.union(changes))
 
     def fault(self, path: KeyPath, message: Sentence, column: int = 0, *, at_key: bool = False) -> Fault:
         """Return a fault at a value, or at its key; `column` counts inside the value's text (1 = its first character)."""
+        if spell_path(path) in self.made:
+            name = path[-1] if path[0] == "time" else path[1]
+            return Fault(message, place=say("place.datum", variant=Path(self.file).stem, name=str(name)))
         line, start = self.positions.find(path, key=at_key)
         place = ".".join(str(part + 1) if isinstance(part, int) else part for part in path)
         if len(path) > 1 and path[0] == "constraint" and isinstance(path[1], int):
@@ -204,8 +213,17 @@ def explained(message: str, text: str, file: str) -> Fault:
     line, column = (int(match[2]), int(match[3])) if match and match[2] else (len(text.rstrip("\n").split("\n")), 0)
     if not match:
         line = 0
+    single = _SINGLE.match(lines[line - 1]) if reason.startswith("Cannot declare") else None
+    if reason.startswith("Cannot overwrite") and _SINGLE.match(lines[line - 1].replace("[[", "[").replace("]]", "]")):
+        begun = ((number, _SINGLE.match(one)) for number, one in enumerate(_structure(text), start=1))
+        line, single = next(((number, one) for number, one in begun if one), (line, None))
+    if reason.startswith("Unclosed array") and line and not lines[line - 1][: max(column - 1, 0)].strip():
+        above = lines[: line - bool(column)]  # at the end of the text no column is named
+        line = max((number for number, one in enumerate(above, start=1) if one.strip() and one.lstrip()[0] != "#"), default=line)
+        column = len(lines[line - 1].rstrip()) + 1
     found = lines[line - 1].strip() if 0 < line <= len(lines) else ""
     advice = _strange(lines[line - 1], column - 1) if found and column and _KEY_EXPECTED.match(reason) else None
+    advice = say("fault.toml.double", name=single[1]) if single else advice or _of_key(reason, lines[line - 1], column - 1)
     advice = advice or _advice(reason, found)
     return Fault(_told(advice, found), file, line, column)
 
@@ -220,6 +238,17 @@ def _strange(line: str, at: int) -> str | None:
     if strange := foreign_letter(key):
         return say("fault.toml.letter", number=strange[0] + 1, strange=strange[1])
     return None if key.isascii() else say("fault.toml.greek", key=key)
+
+
+def _of_key(reason: str, line: str, at: int) -> str | None:
+    """Return the advice about what stands at offset `at` of a line in place of a key; None for any other fault."""
+    if reason.startswith("Expected '=' after") and _STRANGE_NAME.match(line.strip()) and at < line.find("="):
+        return say("fault.toml.key")
+    if reason.startswith("Invalid initial character") and "{" in line[:at]:
+        if line[:at].rstrip().endswith(","):
+            return say("fault.toml.last_comma") if line[at : at + 1] == "}" else None
+        return say("fault.toml.open_table") if not line[at:].strip() else None
+    return None
 
 
 def _with_other_keys(first: Fault, text: str) -> list[Fault]:
@@ -256,4 +285,4 @@ def _after_a_value(found: str) -> str:
         return say("fault.toml.point")
     if unit := re.match(r"([-+]?[\d.]+\s*[A-Za-z°/][\w/^]*)", value):
         return say("fault.toml.unit", value=unit[1])
-    return say("fault.toml.after")
+    return say("fault.toml.after_text" if value[:1] in {'"', "'"} else "fault.toml.after")

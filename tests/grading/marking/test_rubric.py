@@ -40,7 +40,16 @@ def test_answers_and_confusions():
         ('missing_part = "nothing"\n', '"review" or "zero"'),
         ('missing_part = ["review"]\n', '"review" or "zero"'),
         ("missing_part = { zero = 1 }\n", '"review" or "zero"'),
-        ("points = \n", "this is not TOML"),
+        (
+            "points = \n",
+            'V009 rubric.toml:1:10  the file is not TOML here: a number, or a text in quotation marks " ", was expected',
+        ),
+        (
+            "points = 60\n[answers]\n[answers]\n",
+            "V009 rubric.toml:3:9  the file is not TOML here: the section [answers] occurs twice",
+        ),
+        ("points = 60\n[table]\ncarreid = 1\n", 'G042 rubric.toml:3  table: unknown key "carreid". Did you mean "carried"?'),
+        ("points = 60\n[parts]\ntable = -60\n", "G038 rubric.toml:3  parts.table: a number from 0"),
         ("[answers]\nw = 3\n", "the quantity was expected"),
         ('[answers]\nw = { of = "w2", row = 0 }\n', "a row from 1"),
     ],
@@ -96,7 +105,7 @@ def answer(**changes):
     ("[late]\ndeadline = 2026-05-05T12:00:00Z\ngrace = 5", "G082 late.grace"),
     ("[late]\ndeadline = 2026-05-05T12:00:00Z\nlost_per_day = 1\nat_most = 1", ""),
     ("[late]\ndeadline = 2026-05-05T12:00:00Z\nlost_per_day = 1.1\nat_most = -1", "G038 late.lost_per_day, G038 late.at_most"),
-    ("a = [", "G046 "), ("a = " + "[" * 5000, "G065 "), ("[table]\nforces = 'M1'", ""),
+    ("a = [", "V009 "), ("a = " + "[" * 5000, "V008 "), ("[table]\nforces = 'M1'", ""),
 ])  # fmt: skip
 def test_each_fault_of_a_rubric_is_told_where_it_stands(text, codes):
     try:

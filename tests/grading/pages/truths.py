@@ -166,7 +166,7 @@ def long_numbers() -> Case:
 def lacking() -> Case:
     first, third = EQUATIONS[0], EQUATIONS[2]
     lines = (
-        "r1*sin(phi1) = 0",
+        "VMy*sin(phi1) = 0",
         "sin(phi1)^2 + cos(phi1)^2 = 1",
         "w1*w2 = 3",
         first,

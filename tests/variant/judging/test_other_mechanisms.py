@@ -65,7 +65,7 @@ def test_of_a_written_equation_and_the_geometry_the_written_one_is_told() -> Non
     [
         ('w1 = "6"', 'w1 = "6*k"', "in [given] or [drive]."),
         ('"(0, -0.25)"', '"Z + 1 @ 0"', "in [points], as what a group meets, in [given], [drive] or [coordinates]."),
-        ('["R", "Q"]', '["Z", "Q"]', "in [points], as what a group meets, in [given], [drive] or [coordinates]."),
+        ('["R", "Q"]', '["Z", "Q"]', "in [points], or as what a group meets."),
     ],
 )
 def test_a_name_is_declared_where_it_can_stand(old: str, new: str, where: str) -> None:

@@ -38,13 +38,7 @@ def line_of(begin):
     ("written", "other", "begin", "told"),
     [
         ('"4.35 rad"', '"249.2 rad"', "alpha", [("ANGLE", "alpha = 249.2 rad is 39.7 turns; 249.2 deg?")]),
-        (
-            '"4.35 rad"', "249.2", "alpha",
-            [
-                ("ANGLE", "alpha = 249.2 rad is 39.7 turns; 249.2 deg?"),
-                ("NO-UNIT", "alpha = 249.2 has no unit, other data have one; it is read as 249.2 rad."),
-            ],
-        ),
+        ('"4.35 rad"', "249.2", "alpha", [("ANGLE", "alpha = 249.2 rad is 39.7 turns; 249.2 deg?")]),  # told once
         (
             '"V1*sin(p*t + alpha)"', '"V1*sin(p*t + 249.2)"', "VMy",
             [("ANGLE", "in VMy, 249.2 rad is 39.7 turns; 249.2 deg?")],
@@ -52,24 +46,14 @@ def line_of(begin):
         ('"V1*sin(p*t + alpha)"', '"V1*sin(p*t + 6.28)"', "VMy", []),
         ('"V1*sin(p*t + alpha)"', '"V1*sin(p*t + 6.29)"', "VMy", [("ANGLE", "in VMy, 6.29 rad is 1 turn; 6.29 deg?")]),
         ('"1.63 rad"', '"193 rad"', "phi1", [("ANGLE", "phi1 = 193 rad is 30.7 turns; 193 deg?")]),
-        (
-            '"1.63 rad"', "93.4", "phi1",
-            [
-                ("ANGLE", "phi1 = 93.4 rad is 14.9 turns; 93.4 deg?"),
-                ("NO-UNIT", "phi1 = 93.4 has no unit, other data have one; it is read as 93.4 rad."),
-            ],
-        ),
+        ('"1.63 rad"', "93.4", "phi1", [("ANGLE", "phi1 = 93.4 rad is 14.9 turns; 93.4 deg?")]),
+        ('"1.63 rad"', "1.63", "phi1", [("NO-UNIT", "phi1 = 1.63 has no unit, other data have one; it is read as 1.63 rad.")]),
         ('"0.953 m"', '"953 m"', "r1", [("LENGTH", "r1 = 953 m beside 0.847 m: 953 mm?")]),
         ('"0.953 m"', '"0.953 mm"', "r1", [("LENGTH", "r1 = 0.953 mm beside 0.457 m: 0.953 m?")]),
         ('"0.953 m"', '"953 м"', "r1", [("LENGTH", "r1 = 953 м beside 0.847 m: 953 мм?")]),
         ('"0.953 m"', '"0.0001 m"', "r1", [("LENGTH", "r1 = 0.0001 m beside 0.457 m: is the number right?")]),
-        (
-            '"0.953 m"', "953", "r1",
-            [
-                ("LENGTH", "r1 = 953 m beside 0.847 m: 953 mm?"),
-                ("NO-UNIT", "r1 = 953 has no unit, other data have one; it is read as 953 m."),
-            ],
-        ),
+        ('"0.953 m"', "953", "r1", [("LENGTH", "r1 = 953 m beside 0.847 m: 953 mm?")]),
+        ('"0.953 m"', "0.953", "r1", [("NO-UNIT", "r1 = 0.953 has no unit, other data have one; it is read as 0.953 m.")]),
         ('"13.08 1/s"', "13.08", "p ", [("NO-UNIT", "p = 13.08 has no unit, other data have one; it is read as 13.08 rad/s.")]),
         ('"4.35 rad"', '"249.2 grad"', "alpha", [("GRAD", "grad is read as degrees: 249.2 grad is 249.2 deg.")]),
         (

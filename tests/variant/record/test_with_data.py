@@ -152,7 +152,7 @@ def test_changes_add_up_and_survive_a_pickle():
         ({"start": {"phi1": "1 m"}}, '31, phi1: an angle was expected: rad, deg (found "1 m").'),
         ({"start": {"w1": 1}}, '31: "w1" is no coordinate. Known: phi1, phi2, phi3.'),
         ({"drive": {"VMz": "0"}}, '31: "VMz" is no drive. Did you mean "VMy"?'),
-        ({"step": -1}, "time.step: the step must be greater than 0, found -1 s."),
+        ({"step": -1}, "31, step: the step must be greater than 0, found -1 s."),
         ({"given": {"r1": 0}}, "the link of length r1 has zero length"),
         ({"given": {"p": 0}}, "time.period"),
     ],

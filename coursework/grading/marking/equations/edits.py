@@ -16,6 +16,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.numbers import NoValue, combined, computed
 from coursework.system.frozen import frozen
+from coursework.variant.formula.made import unsigned
 from coursework.variant.formula.tree import Formula, named, number, replaced, spelled
 
 Kind = Literal["sign", "function", "name", "factor"]
@@ -138,14 +139,14 @@ def applied(tree: Formula, edit: Edit) -> Formula:
 
 
 def term_of(tree: Formula, edit: Edit) -> Formula:
-    """Return the innermost term of a sum that an edit changes; of a plus or minus, the term behind it."""
+    """Return the innermost term of a sum that an edit changes, without its sign; of a plus or minus, the term behind it."""
     way = [tree]
     for place in edit.path:
         way.append(way[-1].args[place])
     if way[-1].op in _OPPOSITE or way[-1].op == "neg":
-        return way[-1].args[-1]
+        return unsigned(way[-1].args[-1])
     terms = [node for above, node in pairwise(way) if above.op in _SUMS and node.op not in _SUMS]
-    return terms[-1] if terms else way[-1]
+    return unsigned(terms[-1] if terms else way[-1])
 
 
 def unlikeliness(tree: Formula, edit: Edit, *, is_new_sign: bool) -> tuple[int, ...]:

@@ -34,7 +34,8 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Varia
                 return say("feedback.lack.any_motion")
             if verdict == "wrong" and (law := law_of(tree, variant)):
                 return say("feedback.lack.drive", law=law)
-            key = "position" if verdict == ON_CLOSURE else "no_velocity"
+            still = named & {one.name for one in variant.coordinates} and not named & driven - {"t"}
+            key = "position" if still or verdict == ON_CLOSURE else "no_velocity"
             return say(f"feedback.lack.{key}", names=tuple(variant.sought))
         if not line.is_affine:
             return say("feedback.lack.not_linear")

@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.meanings import Meanings, in_smaller_units, meaning_of, put_in
-from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
+from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, place_of_name, spellings_of
 from coursework.grading.reading.equations.notation.degrees import with_angles_in_degrees
 from coursework.grading.reading.equations.notation.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_units, plain
@@ -153,7 +153,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
             if isinstance(read, Fault):
                 # Only a name was not understood: report this fault, at the place of the name in the line as handed in.
                 if read.place and not named:
-                    fault = named = Fault(read.message, column=max(text.find(read.place), 0) + 1)
+                    fault = named = Fault(read.message, column=place_of_name(read.place, text) + 1)
             else:
                 found += [
                     replace(one, guessed=one.guessed or closely)
@@ -285,7 +285,10 @@ def _strict(text: str, names: Names) -> Formula | Fault:
             continue
         meaning = meaning_of(node.name, names.expected, names.own)
         if meaning is None:
-            advice = closest(node.name, sorted(names.spellings.known))
+            built_in = {"t", "pi"} - {node.name.casefold()}  # an undeclared phi or psi is not meant as pi
+            variant = names.expected.variant
+            task = ", ".join((*(one.name for one in variant.coordinates), *variant.velocities, *variant.values))
+            advice = closest(node.name, sorted(names.spellings.known - built_in)) or say("hint.known", known=task)
             return Fault(say("fault.G061", name=node.name[:40], hint=advice), column=node.column, place=node.name)
         meant[node.name] = meaning
     whole = put_in(tree, meant) if meant else tree

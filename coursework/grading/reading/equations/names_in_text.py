@@ -126,3 +126,9 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     data = {entry.name: entry.si for entry in variant.given}
     angles = frozenset(name for name, unit in (data | units).items() if unit == "rad")
     return Spellings(frozenset((*names, *BUILT_IN)), known, rates, frozenset(data), angles=angles)
+
+
+def place_of_name(name: str, text: str) -> int:
+    """Return the offset of a name in a text that may write it in Greek letters, 0 if it does not stand there."""
+    written = (word.start() for word in re.finditer(r"\w+", text) if spell(word[0]) == name)
+    return next(written, max(text.find(name), 0))

@@ -1,0 +1,50 @@
+"""What precheck and the pages of feedback tell of a frame saw's work: once, at the right place, with a lead that can be right."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import coursework
+from tests.command import call
+from tests.variant.judging.test_advice_followed import SAW
+
+pytestmark = pytest.mark.usefixtures("folder")
+RIGHT = "-l*om*sin(q) - L*ws*sin(s) = vB\nl*om*cos(q) + L*ws*cos(s) = 0\n"
+
+
+def handed_in(table: str | None = None, equations: str = RIGHT) -> Path:
+    Path("saw.toml").write_text(SAW, encoding="utf-8")
+    place = Path("work/ada")
+    place.mkdir(parents=True)
+    plain = coursework.solve("saw", quantities=["table"]).table.reset_index().round(5).to_csv(index=False)
+    (place / "table.csv").write_text(plain if table is None else table, encoding="utf-8")
+    (place / "equations.txt").write_text(equations, encoding="utf-8")
+    return place
+
+
+def prechecked(place: Path) -> str:
+    return str(call("precheck", *sorted(place.iterdir()), "--variant", "saw").output)
+
+
+def test_a_table_that_cannot_be_read_is_told_once() -> None:
+    told = prechecked(handed_in("t,q,s\n0,00,0,43,-0,12\n0,01,0,53,-0,14\n0,02,0,62,-0,16\n"))
+    assert told.count("Save with semicolons, or as xlsx.") == 1
+    assert "kept for your instructor" not in told
+
+
+def test_greek_letters_of_ones_own_are_no_misspelt_pi_and_have_their_place() -> None:
+    told = prechecked(place := handed_in(equations="vB = -l*om*sin φ - L*ws*sin(s)\nl*om*cos(q) + L*ws*cos(s) = 0\n"))
+    assert 'symbol "phi" is not declared. Known: q, s, om, ws, vB, l, L, n.' in told and "pi" not in re.findall('"(..)"', told)
+    call("grade", place.parent, "--variant", "saw", "--out", "marks")
+    assert "Column 16: symbol" in re.sub("<[^>]*>", "", Path("marks/feedback/ada.html").read_text(encoding="utf-8"))
+
+
+def test_an_equation_of_positions_is_told_as_that_even_where_the_start_is_not_quite_closed() -> None:
+    place = handed_in(equations="l*sin(q) + L*sin(s) = 0\nl*om*cos(q) + L*ws*cos(s) = 0\n")
+    call("grade", place.parent, "--variant", "saw", "--out", "marks")
+    page = re.sub("<[^>]*>", "", Path("marks/feedback/ada.html").read_text(encoding="utf-8"))
+    assert "It is an equation of positions and names none of the velocities" in page
+    assert "its derivative with respect to time is wanted" in page
