@@ -39,3 +39,21 @@ def test_how_fast_both_motions_are_where_a_drive_only_touches_is_told_in_any_tim
     speed = 4 * pace * math.sqrt(0.8 * 3 / 4)
     assert stop.kind == "change point" and stop.time == pytest.approx(math.pi / 8 / pace, rel=1e-5)
     assert sorted(one["wt"] for one in stop.branches) == pytest.approx([-speed, speed], rel=1e-3)
+
+
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
+@pytest.mark.parametrize("speed", [1e-6, 1e-4, 1.0, 1e6])
+def test_a_slide_passes_its_pivot_in_any_size_and_time(size, speed):
+    """A crank as long as the pivot is high: the lever turns half as fast, and the slide runs through zero with its sign."""
+    begin = math.pi / 4 + 0.15
+    text = scene(
+        f'th = {{ start = "0.3 rad", rate = "w" }}\nq = {{ start = "{begin!r} rad", rate = "wq" }}\n'
+        f's = {{ start = "{2 * size * math.cos(begin - math.pi / 2)!r} m", rate = "u" }}',
+        given=f'a = "{size!r} m"', drive=f'w = "{3 * speed!r} rad/s"', step=0.01 / speed, end=2.5 / speed,
+        closures=["(0, a) + a @ th = s @ q"],
+    )  # fmt: skip
+    run = solve(text, "rk4")
+    half = begin + 1.5 * speed * run.motion.t
+    assert run.stop is None and len(run.motion.t) == 251
+    assert run.motion.column("q") == pytest.approx(half, abs=1e-5)
+    assert run.motion.column("s") / size == pytest.approx(2 * np.cos(half - math.pi / 2), abs=1e-5)

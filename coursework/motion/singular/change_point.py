@@ -151,7 +151,7 @@ def branches_at(
     pace = max(1.0, 1.0 / end, known)
     found = _branches(flow, block, time, start, pace, min(1.0 / pace, end))
     fastest = max([known, *(abs(value) for one in found or () for value in one.values())])
-    if found and fastest and not 1 / _PACES < fastest / pace < _PACES:
+    if found is not None and fastest and not 1 / _PACES < fastest / pace < _PACES:
         found = _branches(flow, block, time, start, fastest, min(1.0 / fastest, end)) or found
     return found
 
