@@ -112,3 +112,19 @@ def platform(factor: float) -> str:
 def test_six_equations_are_followed_to_the_end(factor):
     scene = solve(platform(factor), "rk4").scene
     assert scene.search.goes_on and scene.flow.evaluations < 6000
+
+
+@pytest.mark.parametrize("factor", [1e-9, 1e-3, 1.0, 1e6])
+@pytest.mark.parametrize(("longer", "kind"), [(0.0, "change point"), (1e-7, "dead point"), (1e-3, "dead point"), (-1e-6, None)])
+def test_one_equation_alone_is_told_alike_whatever_its_size(longer, kind, factor):
+    """A crank as long as its rod brings it upright where it is upright itself; a longer one never gets there."""
+    crank = 1.0 + longer
+    text = scene(
+        f'th = {{ start = "0.3 rad", rate = "w" }}\nps = {{ start = "{-math.asin(crank * math.sin(0.3))!r} rad", rate = "wp" }}',
+        given=f'r = "{crank!r} m"\nl = "1 m"', drive='w = "2"', step=0.01,
+        equations=[f"{factor!r}*r*w*cos(th) + {factor!r}*l*wp*cos(ps) = 0"],
+    )  # fmt: skip
+    event = solve(text, "rk4").scene.search.event
+    assert (None if event is None else event.kind) == kind
+    if event is not None:
+        assert event.time == pytest.approx((math.asin(1 / crank) - 0.3) / 2, abs=1e-7)

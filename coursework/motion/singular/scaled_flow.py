@@ -211,8 +211,8 @@ def _largest_seen(seen: Sequence[Sequence[float]], place: BlockColumns) -> float
 
 
 def _factors(seen: Sequence[Sequence[float]], entries: Sequence[int], size: int) -> tuple[float, ...]:
-    """Return for each row of a block the power of 2 that brings its largest coefficient between a half and 1."""
-    if not seen:
+    """Return for each row of a block the power of 2 that brings its largest coefficient between a half and 1; 1 for one alone."""
+    if size == 1 or not seen:
         return (1.0,) * size
     largest = np.fmax.reduce(np.abs(np.array(seen)[:, entries])).reshape(size, size).max(axis=1)
     return tuple((0.5 ** np.frexp(np.where(np.isfinite(largest), largest, 1.0))[1].clip(-1000, 1000)).tolist())
