@@ -20,7 +20,7 @@ from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.effects.dynamics.known_rows import COARSER, LOOKS, known_rows
 from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.dynamics.regime import Regime, find_regime
-from coursework.effects.dynamics.why_ended import LIMIT
+from coursework.effects.dynamics.why_ended import CHANGE, LIMIT
 from coursework.effects.friction.held import Held
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.scheme import read_scheme
@@ -44,7 +44,9 @@ if TYPE_CHECKING:
     from coursework.results.accuracy.record import AccuracyStudy
 
 
-_SAID = {"dead point": "dead", LIMIT: "limit", "not finite": "far", "too steep": "steep", TOO_LARGE: "wide"}
+_SAID = {
+    "dead point": "dead", LIMIT: "limit", CHANGE: "crossing", "not finite": "far", "too steep": "steep", TOO_LARGE: "wide",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -209,7 +211,7 @@ class MotorScene(Scene):
         """Return the rows of a scheme; if no position closes, the exact motion decides whether links or step are the cause."""
         if found.ended != "dead point":
             return found
-        return replace(found, ended={"": TOO_LARGE, LIMIT: LIMIT}.get(self._true.ended, found.ended))
+        return replace(found, ended={"": TOO_LARGE, LIMIT: LIMIT, CHANGE: CHANGE}.get(self._true.ended, found.ended))
 
     def _motion_of(self, found: FreeMotion, scheme: str, label: str = "", stop: Stop | None = None) -> Motion:
         variant, count = self.variant, len(found.t)

@@ -147,7 +147,7 @@ class WayToMotion:
         from coursework.motion.singular.change_point import branches_at
 
         at = (event.block, event.time, event.position.tolist())
-        branches = branches_at(self.flow, *at) if event.kind == "change point" else ()
+        branches = branches_at(self.flow, *at, self.variant.time.end) if event.kind == "change point" else ()
         return explain(event, self.equations, self.reduction, self.variant.time.step, branches)
 
     @computed("search", "equations", "reduction", "start")

@@ -52,3 +52,37 @@ def test_a_root_that_ends_with_the_run_is_told_that_the_row_s_time_is_rounded(la
     with pytest.raises(InputError, match="no real number" if is_rounding else "value") as told:
         _ = solve(text, "rk4").motion
     assert ("the time of a row is a product of floating-point numbers" in str(told.value)) == is_rounding
+
+
+@pytest.mark.parametrize("apart", [0.3, 0.4999, 0.7])
+def test_at_the_pole_of_a_tangent_a_formula_has_no_value_and_no_rate_is_blamed(apart):
+    """The lever turns with 1 to 6 rad/s where it stands upright; both sides of tan(q) = y/x go to infinity there."""
+    pin = 0.5 * math.cos(0.3), apart + 0.5 * math.sin(0.3)
+    text = scene(
+        f'th = {{ start = "0.3 rad", rate = "w" }}\nq = {{ start = "{math.atan2(pin[1], pin[0])!r} rad", rate = "wq" }}',
+        given=f'a = "0.5 m"\nd = "{apart} m"', drive='w = "3"', step=0.01, end=2.5,
+        closures=["tan(q) = (d + a*sin(th))/(a*cos(th))"],
+    )  # fmt: skip
+    with pytest.raises(InputError, match=r"^V512 .* beyond t = .* a formula has no value there") as told:
+        _ = solve(text, "rk4").motion
+    turned = 0.3 + 3 * numbers(str(told.value).split("beyond t =")[1])[0]  # upright once a half turn
+    assert math.remainder(turned - math.pi / 2, math.pi) == pytest.approx(0.0, abs=2e-5)  # of six digits
+
+
+def touching(more: float = 0.0, sharp: float = 1.0) -> str:
+    """Return x' cos(x)^2 = 1 from 1 rad, `more` added to the square: x is as steep as it can be at a quarter turn."""
+    return scene(
+        'x = { start = "1 rad", rate = "w" }', given=f'k = "1 1/s"\nq = "{more!r}"\nm = "{sharp!r}"', step=0.001, end=0.2,
+        equations=["w*(cos(x)^2 + q)*m = k*m"],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("sharp", [1.0, 1e6, 1e-6])
+@pytest.mark.parametrize(("more", "is_one"), [(0.0, True), (0.9e-12, True), (1.1e-12, False), (1e-6, False)])
+def test_a_determinant_that_only_touches_zero_as_its_own_coordinate_moves_ends_the_motion(more, is_one, sharp):
+    """t = x/2 + sin(2x)/4 less its value at the start."""
+    event = solve(touching(more, sharp), "rk4").scene.search.event
+    assert (event is not None) == is_one
+    if event is not None:
+        assert event.kind == "dead point" and event.position[0] == pytest.approx(math.pi / 2, abs=1e-8)
+        assert event.time == pytest.approx(math.pi / 4 - 0.5 - math.sin(2) / 4, abs=1e-11)

@@ -43,8 +43,8 @@ class FreeMotion:
     """The rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f), and the number of `slopes` evaluated.
 
     `ended` is "" if it reached its end, else "dead point", "too steep" (the forces), "not finite", "held" or "locked" (by
-    friction at the point `by`), "sensitive" (unknown beyond), "limit position" (of the free coordinates alone); `at` is the time
-    (s), and `lost` holds time, coordinates and free rates at which something had no value.
+    friction at the point `by`), "sensitive" (unknown beyond), "limit position" (of the free coordinates alone), "change point";
+    `at` is the time (s), and `lost` holds time, coordinates and free rates at which something had no value.
     """
 
     t: Array

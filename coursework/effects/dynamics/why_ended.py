@@ -15,14 +15,15 @@ from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.system.arrays import Array
 
 LIMIT = "limit position"  # of the free coordinates alone: a dead point that the links pass
+CHANGE = "change point"
 _SMALL = 0.1  # a determinant below this share of its largest value counts as vanishing
 
 
 class Open(ArithmeticError):
     """No closed position is nearby: the mechanism is at a dead point, or a step was too wide; `at` is the time (s), if known.
 
-    `kind` is "too steep" if the forces, not the links, make the motion impossible to follow, and `LIMIT` if the links move on and
-    only the free coordinates turn back.
+    `kind` is "too steep" if the forces, not the links, make the motion impossible to follow, `LIMIT` if the links move on and
+    only the free coordinates turn back, and `CHANGE` if two motions meet.
     """
 
     def __init__(self, at: float = math.nan, kind: str = "dead point") -> None:
@@ -35,7 +36,7 @@ def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[fl
 
     `passed` holds time, all coordinates and free rates of the first row and of each state since the last row.  Near a vanishing
     determinant the other velocities are those of the free coordinates divided by it.  A link with mass cannot become that fast;
-    then the free coordinates come to rest there and turn back.
+    then the free coordinates come to rest there and turn back.  Where they do not slow down either, it is a change point.
     """
     rows = np.array(passed)
     if motion.others and len(rows) > 2:
@@ -43,9 +44,11 @@ def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[fl
         least = min(found[-motion.determinants :], key=lambda one: float(one[-1] / one.max()))
         if least[-1] < _SMALL * least.max():
             fastest = np.max([found[place] for place in motion.others], axis=0)
+            free = np.max(np.abs(rows[:, -len(motion.free) :]), axis=1)
             # The limit lies halfway: rates of massless links grow as 1/determinant, other rates do not grow at all.
             as_fast = fastest[-1] ** 2 * least[-1] < fastest[1] ** 2 * least[1]
-            return Open(_vanishes(rows[:, 0], least), LIMIT if as_fast else "dead point")
+            as_free = fastest[-1] ** 2 * least[-1] * free[1] ** 2 < fastest[1] ** 2 * least[1] * free[-1] ** 2
+            return Open(_vanishes(rows[:, 0], least), CHANGE if as_free else LIMIT if as_fast else "dead point")
     return Open(at, "too steep")
 
 

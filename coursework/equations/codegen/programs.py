@@ -241,12 +241,18 @@ def _solve(entries: tuple[float, ...]) -> tuple[float, ...]:
 
 
 def _adjugate(entries: tuple[float, ...]) -> tuple[float, ...]:
-    """Return adj(A) b and the determinant of a block of size n from its n*n + n entries."""
+    """Return adj(A) b and the determinant of a block of size n from its n*n + n entries.
+
+    Rows are multiplied by powers of 2 that make them alike: singular values are right to a rounding error of the largest only.
+    """
     size = _size(len(entries))
-    u, sizes, v = np.linalg.svd(np.array(entries[: size * size]).reshape(size, size))
+    matrix = np.array(entries[: size * size]).reshape(size, size)
+    exponents = np.frexp(np.max(np.abs(matrix), axis=1))[1]
+    u, sizes, v = np.linalg.svd(np.ldexp(matrix, -exponents[:, None]))
     others = np.array([np.prod(np.delete(sizes, i)) for i in range(size)])
     sign = np.linalg.det(u) * np.linalg.det(v)
-    return (*(sign * (v.T * others) @ (u.T @ np.array(entries[size * size :]))).tolist(), float(sign * np.prod(sizes)))
+    solution = sign * (v.T * others) @ (u.T @ np.ldexp(entries[size * size :], -exponents))
+    return (*np.ldexp(solution, exponents.sum()).tolist(), float(np.ldexp(sign * np.prod(sizes), exponents.sum())))
 
 
 def _solve_rows(entries: tuple[Any, ...]) -> tuple[Any, ...]:

@@ -14,13 +14,15 @@ from typing import Any
 
 import numpy as np
 
-from coursework.equations.algebra.expression import Expression
+from coursework.equations.algebra.calculus import derivative
+from coursework.equations.algebra.expression import MINUS, ONE, Expression
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.matching import blocks as block_order
 from coursework.equations.reduction.matching import match
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drives.drive import integrals
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags, as_columns
 from coursework.system.frozen import caching
 from coursework.variant.record.variant import Variant
@@ -48,6 +50,7 @@ class Closure:
     `function(t, *q)` gives the values and their derivatives by the free coordinates, `rows` the same over arrays (n,).
     `blocks` are solved in turn: each is a matrix (r, k) that adds and subtracts equations so that only r free coordinates are
     left in them, the columns of these in the Jacobian, and their places among all coordinates.
+    `turning` are the equations that give an angle by itself, q = atan2(...): they hold up to whole turns.
     `agreed` names the written velocity equations that the geometry confirms; `unjudged` those it cannot judge, each with its
     undetermined velocities; `unseen` those with terms whose signs have no effect; `asked` caches computed targets.
     """
@@ -62,6 +65,7 @@ class Closure:
     rows: Callable[..., Any]
     equations: VelocityEquations
     blocks: tuple[tuple[Array, list[int], list[int]], ...]
+    turning: tuple[int, ...] = ()
     agreed: tuple[str, ...] = ()
     unjudged: tuple[tuple[str, tuple[str, ...]], ...] = ()
     unseen: tuple[tuple[str, tuple[str, ...]], ...] = ()
@@ -144,7 +148,10 @@ class Closure:
         else:
             values = np.array(self.function(t, *q.tolist()), dtype=float)
         count = len(self.names)
-        return values[..., :count] - target, values[..., count:].reshape(*values.shape[:-1], count, len(self.free))
+        open_by = values[..., :count] - target
+        for place in self.turning:
+            open_by[..., place] -= whole_turns(open_by[..., place])
+        return open_by, values[..., count:].reshape(*values.shape[:-1], count, len(self.free))
 
     def correction(self, t: float | Array, q: Array, target: Array) -> Array:
         """Return one Newton correction of the coordinates (m,), block after block; (n, m) for n rows."""
@@ -234,8 +241,15 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
     blocks = equations.once("closure blocks", lambda: _blocks([p.expression for p in positions], names, equations, free))
     return Closure(
         tuple(p.name for p in positions), free, driven, followed, origin, np.array(start, dtype=float), function, rows, equations,
-        blocks,
+        blocks, equations.once("turning", lambda: _turning(equations)),
     )  # fmt: skip
+
+
+def _turning(equations: VelocityEquations) -> tuple[int, ...]:
+    """Return the places of position equations in rad in which an angle stands alone, with one sign or the other."""
+    angles = [symbol(one.name) for one in equations.variant.coordinates if one.unit == "rad"]
+    rows = ([derivative(one.expression, angle) for angle in angles if one.unit == "rad"] for one in equations.positions)
+    return tuple(place for place, slopes in enumerate(rows) if ONE in slopes or MINUS in slopes)
 
 
 def _without_value(equations: VelocityEquations, wanted: list[Expression], start: Sequence[float]) -> list[str]:

@@ -23,10 +23,11 @@ _CLOSE = 1e-13  # rad or m; size of Newton's last correction
 _ZERO = 1e-9  # relative to their size: determinant and demand at the crossing
 _STRAYED = 10.0  # multiple of the distance allowed: beyond it Newton would find another point, if any
 _NUDGE = 1e-6  # rad or m; step of the differences in Newton's matrix
-_STEP = 1e-5  # s along the motion; central difference, error about 1e-10
-_SAME = 1e-6  # rad/s or m/s; velocities that differ by less are one motion
+_STEP = 1e-5  # rad or m along the motion, and a share of the run; central difference, error about 1e-10
+_SAME = 1e-6  # share of the fastest; velocities that differ by less are one motion
+_PACES = 10.0  # velocities that differ by this factor from those they were looked for with are looked for again
 _FLAT = 1e-6  # a coefficient of the quadratic below this share of the largest counts as zero
-_TOLD = 1e3 * float(np.finfo(float).eps) / _STEP  # relative to the matrix; smaller differences have fewer than three digits
+_TOLD = 1e3 * float(np.finfo(float).eps)  # relative to the matrix; smaller differences have fewer than three digits
 _ALIKE = 1e-5  # sides that differ by less, for every velocity, are alike: differences over _STEP are no more exact
 # Two-point Gauss rule for the closure error between two positions; exact to the fourth order of their distance.
 _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
@@ -137,34 +138,52 @@ def _own(flow: Flow, block: int) -> tuple[tuple[int, int], ...]:
     return tuple((i, unknowns.index(c)) for i, (driven, c) in enumerate(flow.rates) if not driven and c in unknowns)
 
 
-def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...] | None:
+def branches_at(
+    flow: Flow, block: int, time: float, position: Sequence[float], end: float = 1.0
+) -> tuple[dict[str, float], ...] | None:
     """Return the velocities possible at a change point; empty if they cannot be told apart, None if there are none.
+
+    `end` (s) is that of the run.  What is known does not say how fast the unknown velocities are: they are looked for once more
+    where they turn out to be far slower or faster.
+    """
+    start = np.array(position, dtype=float)
+    known = float(np.max(np.abs(flow.part(time, start.tolist(), block)[2]), initial=0.0))
+    pace = max(1.0, 1.0 / end, known)
+    found = _branches(flow, block, time, start, pace, min(1.0 / pace, end))
+    fastest = max([known, *(abs(value) for one in found or () for value in one.values())])
+    if found is not None and fastest and not 1 / _PACES < fastest / pace < _PACES:
+        found = _branches(flow, block, time, start, fastest, min(1.0 / fastest, end)) or found
+    return found
+
+
+def _branches(flow: Flow, block: int, time: float, start: Array, pace: float, span: float) -> tuple[dict[str, float], ...] | None:
+    """Return what `branches_at` does, for velocities of about a `pace` (rad/s, m/s), by differences within a `span` (s).
 
     There A u = b has a line of solutions u + x v.  The second derivative of the closure selects those with
     w (dA/dt u - db/dt) = 0, where w A = 0: a quadratic equation in x.
     """
-    start = np.array(position, dtype=float)
+    step = _STEP * span
     matrix, right, velocities = flow.part(time, start.tolist(), block)
     left, sizes, directions = np.linalg.svd(matrix)
     scale = float(np.max(np.abs(matrix))) if len(sizes) > 1 else flow.largest[block]  # a single coefficient is nought here
     if len(sizes) > 1 and sizes[-2] < 1e-6 * sizes[0]:
         return ()
-    w, v = left[:, -1], directions[-1]
+    w, v = left[:, -1], pace * directions[-1]
     particular = directions[:-1].T @ ((left[:, :-1].T @ right) / sizes[:-1])  # any other solution differs by a multiple of v
 
     def demand(u: Array) -> tuple[float, float]:
         motion = velocities.copy()
         for coordinate, unknown in _own(flow, block):
             motion[coordinate] = u[unknown]
-        after, before = (flow.part(time + side * _STEP, (start + side * _STEP * motion).tolist(), block)[:2] for side in (1, -1))
-        left, right = w @ ((after[0] - before[0]) @ u) / (2 * _STEP), w @ (after[1] - before[1]) / (2 * _STEP)
+        after, before = (flow.part(time + side * step, (start + side * step * motion).tolist(), block)[:2] for side in (1, -1))
+        left, right = w @ ((after[0] - before[0]) @ u) / (2 * step), w @ (after[1] - before[1]) / (2 * step)
         return float(left - right), float(max(abs(left), abs(right)))
 
     found_at = {x: demand(particular + x * v) for x in (-1.0, 0.0, 1.0)}
     at, sides = {x: gap for x, (gap, _) in found_at.items()}, max(side for _, side in found_at.values())
     square, slope, constant = (at[1.0] + at[-1.0]) / 2 - at[0.0], (at[1.0] - at[-1.0]) / 2, at[0.0]
     largest = max(abs(square), abs(slope), abs(constant), 1e-300)
-    if largest < max(_TOLD * scale, _ALIKE * sides):
+    if largest < max(_TOLD * scale * pace / step, _ALIKE * sides):
         return ()  # lengths so different that the differences are round-off, or both sides alike whatever the velocity
     if abs(square) < _FLAT * largest:
         roots = [-constant / slope] if abs(slope) > _FLAT * largest else []
@@ -178,17 +197,17 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
     for x in roots:
         every = flow.velocities(time, start.tolist(), block, (particular + x * v).tolist())
         found.append({n: float(value) for n, value in zip(flow.system.unknowns, every, strict=True) if value is not None})
-    return distinct(found)
+    return distinct(found, pace)
 
 
-def distinct(found: Sequence[dict[str, float]]) -> tuple[dict[str, float], ...]:
-    """Return the distinct motions: two whose velocities agree to 1e-6 are one, and there is nothing to choose.
+def distinct(found: Sequence[dict[str, float]], pace: float = 1.0) -> tuple[dict[str, float], ...]:
+    """Return the distinct motions: two whose velocities agree to 1e-6 of a `pace` are one, and there is nothing to choose.
 
     >>> distinct([{"w": 1.0}, {"w": 1.0 + 5e-7}])
     ({'w': 1.0},)
     """
     kept: list[dict[str, float]] = []
     for branch in found:
-        if all(any(abs(value - other.get(name, np.inf)) > _SAME for name, value in branch.items()) for other in kept):
+        if all(any(abs(value - other.get(name, np.inf)) > _SAME * pace for name, value in branch.items()) for other in kept):
             kept.append(branch)
     return tuple(kept)

@@ -67,8 +67,10 @@ def explain(
         is_removable = len(branches) == 1 or (not branches and comes_anyway)  # no other motion leads here
         key = "event.removable" if is_removable else "event.change"
         meaning = say(key, holds=holds, branches=_branches(branches), kept=kept)
-    told = tuple(_tidied_all(branch) for branch in branches)
-    return Stop(event.kind, event.time, row, block.unknowns, _tidied_all(coordinates), cause, meaning, told)
+    told = tuple(_tidied_rates(branch) for branch in branches)
+    return Stop(
+        event.kind, event.time, row, block.unknowns, {n: _tidied(q) for n, q in coordinates.items()}, cause, meaning, told
+    )
 
 
 def _away(coordinates: dict[str, float], equations: VelocityEquations) -> tuple[str, ...]:
@@ -131,13 +133,16 @@ def _branches(branches: tuple[dict[str, float], ...]) -> str:
 
 
 def _velocities(branch: Mapping[str, float]) -> Sentence:
-    return joined([say("event.velocity", name=name, value=value) for name, value in _tidied_all(branch).items()], "join.numbers")
+    return joined(
+        [say("event.velocity", name=name, value=value) for name, value in _tidied_rates(branch).items()], "join.numbers"
+    )
 
 
-def _tidied_all(values: Mapping[str, float]) -> dict[str, float]:
-    return {name: _tidied(value) for name, value in values.items()}
+def _tidied_rates(branch: Mapping[str, float]) -> dict[str, float]:
+    fastest = max(map(abs, branch.values()), default=0.0)
+    return {name: _tidied(value, fastest) for name, value in branch.items()}
 
 
-def _tidied(value: float) -> float:
-    """Return a value (rad, m, or per second) with rounding errors around zero removed."""
-    return 0.0 if abs(value) < _ROUNDING else value
+def _tidied(value: float, size: float = 1.0) -> float:
+    """Return a value (rad, m, or per second) with rounding errors around zero removed, which are a share of a `size`."""
+    return 0.0 if abs(value) <= _ROUNDING * size else value

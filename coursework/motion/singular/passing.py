@@ -41,7 +41,7 @@ def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, withi
     """
     if event.kind != "change point" or len(event.together) > 1:
         return None
-    branches = branches_at(flow, event.block, event.time, event.position.tolist()) or ()
+    branches = branches_at(flow, event.block, event.time, event.position.tolist(), end) or ()
     if len(branches) != 1 or set(branches[0]) != set(flow.system.unknowns):
         return None
     middle = _state(flow, event.time, event.position, branches[0], event.block)

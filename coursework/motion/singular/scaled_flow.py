@@ -36,13 +36,15 @@ class BlockColumns:
 
     `entries` are those of its matrix, row by row; -1, the zero after all values, stands for no entry.  `rights` are those of its
     right side.  `earlier` lists for each row the terms (entry, unknown) with velocities found before; it is empty if there are
-    none.  `unknowns` are the columns the block determines.
+    none.  `unknowns` are the columns the block determines.  `factors` bring the largest coefficient of every row near 1, so that
+    lengths, teeth and equations multiplied by any number weigh alike; they are powers of 2, which round nothing.
     """
 
     entries: tuple[int, ...]
     rights: tuple[int, ...]
     earlier: tuple[tuple[tuple[int, int], ...], ...]
     unknowns: tuple[int, ...]
+    factors: tuple[float, ...]
 
 
 @changing
@@ -86,7 +88,10 @@ class Flow:
         return partial(self.clocks[block], sign / self.largest[block])
 
     def part(self, t: float, q: Sequence[float], block: int) -> tuple[Array, Array, Array]:
-        """Return A (k, k) and b (k,) of one block, with earlier velocities moved to b, and the rates (m,) known so far."""
+        """Return A (k, k) and b (k,) of one block, with earlier velocities moved to b, and the rates (m,) known so far.
+
+        The rows of A and b are multiplied by the block's `factors`.
+        """
         values = self._values(t, q)
         u = [0.0] * len(self.system.unknowns)
         for place in self.places[:block]:
@@ -95,7 +100,8 @@ class Flow:
         place = self.places[block]
         known = values[len(self.system.entries) + len(self.system.names) : -1]
         velocities = np.array([known[index] if driven else u[index] for driven, index in self.rates])
-        return _matrix(values, place), np.array(_rest(values, place, u)), velocities
+        factors = np.array(place.factors)
+        return factors[:, None] * _matrix(values, place), factors * _rest(values, place, u), velocities
 
     def velocities(self, t: float, q: Sequence[float], block: int, chosen: Sequence[float]) -> list[float | None]:
         """Return every unknown velocity if those of `block` are `chosen`; None from a later singular block on."""
@@ -119,6 +125,8 @@ class Flow:
     def demand(self, t: float, q: Sequence[float], block: int) -> float:
         """Return the part of the drive's demand that a singular block cannot meet (in the units of the equations)."""
         matrix, right, _ = self.part(t, q, block)
+        factors = np.array(self.places[block].factors)
+        matrix, right = matrix / factors[:, None], right / factors
         left = np.linalg.svd(matrix)[0][:, -1]
         return float(abs(left @ right))
 
@@ -148,6 +156,8 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
     names = list(system.names)
     entry_at = {place: entry for entry, place in enumerate(system.entries)}
     count = len(system.entries)
+    begin = list(start) if start is not None else [c.start_or_guess or 0.0 for c in equations.variant.coordinates]
+    seen = _seen(system, begin, equations.variant.time.end)
     places = []
     for block in reduction.blocks:
         rows = [names.index(name) for name in block.equations]
@@ -157,16 +167,13 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
             tuple((entry, column) for (other, column), entry in entry_at.items() if other == row and column not in columns)
             for row in rows
         )
-        places.append(BlockColumns(entries, tuple(count + row for row in rows), earlier if any(earlier) else (), tuple(columns)))
+        rights, earlier = tuple(count + row for row in rows), earlier if any(earlier) else ()
+        places.append(BlockColumns(entries, rights, earlier, tuple(columns), _factors(seen, entries, len(columns))))
     rates = tuple(
         (rate in system.known, (system.known if rate in system.known else system.unknowns).index(rate))
         for rate in equations.variant.rates
     )
-    begin = list(start) if start is not None else [c.start_or_guess or 0.0 for c in equations.variant.coordinates]
-    largest = tuple(
-        block.largest or _largest_seen(system, place, begin, equations.variant.time.end)
-        for block, place in zip(reduction.blocks, places, strict=True)
-    )
+    largest = tuple(block.largest or _largest_seen(seen, place) for block, place in zip(reduction.blocks, places, strict=True))
     return Flow(equations, system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block))
 
 
@@ -184,17 +191,31 @@ def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: in
     return compile_function("clock", arguments, body, [f"_pace * {result}" for result in results])
 
 
-def _largest_seen(system: LinearSystem, place: BlockColumns, begin: Sequence[float], end: float) -> float:
-    """Return the largest |determinant| at the start and at some positions and times around it; 1 if none is found."""
-    found = 0.0
+def _seen(system: LinearSystem, begin: Sequence[float], end: float) -> list[tuple[float, ...]]:
+    """Return the values of the system at the start and at some positions and times around it, where it has any."""
+    found = []
     for look in range(_LOOKS):
         # Any fixed irrational shifts will do; the first point is the start itself.
         q = [value + 0.5 * look * (0.618 * (i + 1) % 1.0) / _LOOKS for i, value in enumerate(begin)]
         try:
-            found = max(found, abs(_determinant((*system.scalar(look / _LOOKS * end, *q), 0.0), place)))
+            found.append((*system.scalar(look / _LOOKS * end, *q), 0.0))
         except (ArithmeticError, ValueError, OutsideTable):
             continue
+    return found
+
+
+def _largest_seen(seen: Sequence[Sequence[float]], place: BlockColumns) -> float:
+    """Return the largest |determinant| in values of the system; 1 if none is found."""
+    found = max([0.0, *(abs(_determinant(values, place)) for values in seen)])
     return found if 0.0 < found < float("inf") else 1.0
+
+
+def _factors(seen: Sequence[Sequence[float]], entries: Sequence[int], size: int) -> tuple[float, ...]:
+    """Return for each row of a block the power of 2 that brings its largest coefficient between a half and 1; 1 for one alone."""
+    if size == 1 or not seen:
+        return (1.0,) * size
+    largest = np.fmax.reduce(np.abs(np.array(seen)[:, entries])).reshape(size, size).max(axis=1)
+    return tuple((0.5 ** np.frexp(np.where(np.isfinite(largest), largest, 1.0))[1].clip(-1000, 1000)).tolist())
 
 
 def _rest(values: Sequence[float], place: BlockColumns, u: Sequence[float]) -> list[float]:

@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
+from itertools import dropwhile, takewhile
 
 import numpy as np
 
@@ -49,6 +50,8 @@ ROOT = 1e-13
 MAX_STEPS = 15_000
 # A coordinate beyond this (rad or m) turns for ever or grows without end: a hundred million revolutions.
 BOUNDLESS = 1e9
+# A determinant this many times its usual size stands at a pole: an equation divides by zero there, and no rate need be large.
+POLE = 1e9
 # MANY steps together shorter than SHORT times the time so far mean an unbounded rate; no step is below NOTHING times the run.
 MANY, SHORT, NOTHING = 100, 1e-11, 1e-20
 _HALVINGS = 30
@@ -120,7 +123,11 @@ class Walk:
         raise GivenUp(float(self.state[-1]))
 
     def _boundless(self, state: Array) -> NotFollowed:
-        """Return the fault of a coordinate that has gone too far, else of a rate that grows while time stands still."""
+        """Return the fault of a formula at its pole, of a coordinate gone too far, else of a rate that grows as time stands."""
+        sizes = [max(map(abs, self._determinants(one))) for one in self.way]
+        if first := list(dropwhile(lambda k: not sizes[k] > POLE, range(len(sizes)))):
+            pole = max(takewhile(lambda k: sizes[k] > POLE, first), key=sizes.__getitem__)
+            return without_value(float(self.way[pole][-1]), say("event.no_value"))
         variant, time, bound = self.flow.equations.variant, float(state[-1]), say("event.no_bound")
         name = variant.rates[int(np.argmax(np.abs(self.slope[:-1])))]
         if (far := np.abs(state[:-1])).max() > BOUNDLESS:
@@ -217,8 +224,9 @@ class Walk:
         """Return the length within a step at which a determinant has its minimum; 0 if the minimum is at an end."""
 
         def falls(state: Array) -> bool:
-            nudged = self._determinants(state + 1e-4 * reach * clock.slope(state))[block]
-            return bool((nudged - self._determinants(state)[block]) * self.scaled[block] < 0)
+            nudge = 1e-4 * reach * clock.slope(state)  # to both sides: one alone would look for the minimum half of it too early
+            after, before = (self._determinants(state + side * nudge)[block] for side in (1, -1))
+            return bool((after - before) * self.scaled[block] < 0)
 
         if not falls(self.state) or falls(ahead):
             return 0.0

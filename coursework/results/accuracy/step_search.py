@@ -151,34 +151,35 @@ class _Search:
         part = _FINER
         while steps <= most:
             if self.error(steps) <= self.wish and self.runs(self.scheme.name, self.end / steps):
-                return Need(
-                    title_of(self.scheme), steps, steps * self.scheme.slopes, self.error(steps), ruled=steps > fewest
-                )  # fmt: skip
+                # Without a row at a break some fewer steps may do as well.
+                ruled = steps > fewest or (self.rules.pace > 1 and self.error(steps - 1) <= self.wish)
+                return Need(title_of(self.scheme), steps, steps * self.scheme.slopes, self.error(steps), ruled)
             steps = self.rules.rounded(steps + math.ceil(part * steps))
             part += _FINER
         raise TooLong(steps)
 
     def fewest(self) -> int:
-        """Return the smallest number of steps whose error is under the wish.  Raises `TooLong`."""
-        steps = first = min(max(1, round(self.end / self.step)), MOST_STEPS)
-        low, high = 0, MOST_STEPS + 1  # the error is above the wish at `low`, not at `high`; neither end is computed
+        """Return the smallest number of steps whose error is under the wish, with a row at each break.  Raises `TooLong`."""
+        pace, most = self.rules.pace, MOST_STEPS // self.rules.pace
+        parts = first = min(max(1, round(self.end / self.step / pace)), most)
+        low, high = 0, most + 1  # the error is above the wish at `low`, not at `high`; neither end is computed
         while high - low > 1:
-            error = self.error(steps)
+            error = self.error(parts * pace)
             if not np.isfinite(error):
-                guess = 2.0 * steps
+                guess = 2.0 * parts
             else:
-                guess = steps * (error / self.wish) ** (1 / self.scheme.order) if error > 0 else 1.0
+                guess = parts * (error / self.wish) ** (1 / self.scheme.order) if error > 0 else 1.0
             if error <= self.wish:
-                high = steps
-                steps = min(high - 1, max(low + 1, math.floor(guess)))
+                high = parts
+                parts = min(high - 1, max(low + 1, math.floor(guess)))
             else:
-                low = steps
-                if guess > 1.3 * MOST_STEPS:
-                    if steps > _COARSE * first:
-                        raise TooLong(guess)
-                    guess = min(_COARSE * 2 * first, MOST_STEPS)  # coarse steps predict little: look once more
-                steps = max(low + 1, min(high - 1, math.ceil(guess)))
-        return high
+                low = parts
+                if guess > 1.3 * most:
+                    if parts > _COARSE * first:
+                        raise TooLong(guess * pace)
+                    guess = min(_COARSE * 2 * first, most)  # coarse steps predict little: look once more
+                parts = max(low + 1, min(high - 1, math.ceil(guess)))
+        return high * pace
 
     def error(self, steps: int) -> float:
         """Return the largest error (rad or m) over all rows of a run with `steps` steps."""

@@ -15,6 +15,7 @@ from coursework.results.accuracy.step_rules import StepRules, _pace, step_rules
 from coursework.results.accuracy.step_search import choose_step
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
+from tests.hard.scenes import scene as lines_of
 
 
 @pytest.fixture(scope="module")
@@ -245,3 +246,30 @@ def test_the_time_that_a_search_would_take_is_that_of_eight_trials(scene, monkey
     rates, start = scene.rates, tuple(scene.start)
     search = step_search._Search(SCHEMES["euler"], rates, start, 0.02, 0.48, 1e-7, None, lambda *_: True)
     assert told in str(search.refused(100_000)).replace("\u00a0", " ").replace("\u202f", " ")
+
+
+def heun_of_a_reversal(steps):
+    """Return the largest error of y' (2 + cos y) = 4, from 0.513 s on -4, by Heun's scheme written out: 2 y + sin y is known."""
+    y, worst, step = 0.0, 0.0, 1.0 / steps
+    for row in range(steps):
+        rate = 4.0 if row < round(0.513 * steps) else -4.0
+        slope = rate / (2 + np.cos(y))
+        y += step / 2 * (slope + rate / (2 + np.cos(y + step * slope)))
+        t = (row + 1) * step
+        wanted, true = 4 * min(t, 0.513) - 4 * max(t - 0.513, 0.0), y
+        for _ in range(8):
+            true -= (2 * true + np.sin(true) - wanted) / (2 + np.cos(true))
+        worst = max(worst, abs(y - true))
+    return worst
+
+
+@pytest.mark.parametrize(("share", "steps"), [(1.01, 1000), (0.99, 2000)])
+def test_where_a_row_stands_at_a_break_a_scheme_needs_no_more_steps_than_without_one(share, steps):
+    """With other steps the error is of first order, and a hundred thousand were asked for."""
+    text = lines_of(
+        'x = { start = "0 rad", rate = "w" }\ny = { start = "0 rad", rate = "u" }', given='n = "4 rad/s"',
+        drive='w = { pieces = [["0 s", "n"], ["0.513 s", "-n"]] }', equations=["u*(2 + cos(y)) = w"],
+    )  # fmt: skip
+    wish = share * heun_of_a_reversal(1000)
+    found = coursework.solve(coursework.parse_variant(text), "heun", step="auto", error=wish, quantities=["table"])
+    assert len(found.table) == steps + 1

@@ -14,7 +14,7 @@ from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.gaps import gaps
 from coursework.motion.geometry.judging.rigid import bent_by_start
 from coursework.motion.integration.integrate import TOO_LARGE
-from coursework.results.checks.evidence import Evidence
+from coursework.results.checks.evidence import NO_ERROR, Evidence
 from coursework.results.checks.result import Finding, skipped
 from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
@@ -36,7 +36,7 @@ def stopped(evidence: Evidence) -> Finding:
     if stop is None and given_up is not None:
         told = say("check.STOP.given_up", rows=len(evidence.motion.t), time=given_up)
         return replace(skipped(told), headline=told)
-    if stop is None and evidence.variant.motor is None and not (evidence.restricted or np.any(evidence.motion.velocities)):
+    if stop is None and evidence.variant.motor is None and not (evidence.restricted or _moves(evidence)):
         told = say("check.STOP.still", rows=len(evidence.motion.t))
         return replace(skipped(told), headline=told)
     if stop is None:
@@ -45,6 +45,14 @@ def stopped(evidence: Evidence) -> Finding:
     # A dead or change point belongs to the mechanism; a step too large to the scheme: a smaller one gives all rows.
     own = stop.kind == TOO_LARGE and evidence.stop is None
     return Finding("COARSE" if own else "FAIL", stop.sentence, stop.time, evidence.variant.time.end, "s", None, row)
+
+
+def _moves(evidence: Evidence) -> bool:
+    """Return whether a velocity is not zero in some row, or something has moved between two rows, in a pulse that none shows."""
+    if np.any(evidence.motion.velocities):
+        return True
+    rows = [motion.coordinates for motion in (evidence.motion, evidence.exact) if motion is not None and len(motion.t)]
+    return any(np.max(np.ptp(each, axis=0)) > NO_ERROR for each in rows)
 
 
 def start(evidence: Evidence) -> Finding:

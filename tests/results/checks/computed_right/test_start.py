@@ -3,6 +3,7 @@
 import math
 import re
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -120,6 +121,16 @@ def test_a_mechanism_that_nothing_drives_is_no_table_that_passes():
     run = coursework.solve(coursework.parse_variant(text), "rk4")
     assert next(one for one in run.checks if one.code == "STOP").verdict == "SKIP"
     assert run.summary.startswith("Nothing moves: every velocity is zero in each of the 21 rows.")
+
+
+@pytest.mark.parametrize(("turned", "moves"), [(0.5, True), (1.1e-10, True), (0.9e-10, False)])
+@pytest.mark.parametrize("scheme", ["exact", "rk4"])
+def test_what_moves_between_two_rows_only_moves(scheme, turned, moves):
+    """The crank turns so far (rad) in a pulse of a few microseconds; in every row all velocities are zero."""
+    law = f"{turned!r}*exp(-((t - 0.5037)/1e-6)^2)/(1e-6*sqrt(pi))"
+    run = coursework.solve(coursework.parse_variant(changed(four_bar(LOOP), w1=law, step="0.05 s", end="1 s")), scheme)
+    assert not np.any(run.motion.velocities)
+    assert run.summary.startswith("Nothing moves") != moves
 
 
 def test_a_dead_point_at_the_start_is_no_lack_of_the_file(tmp_path):
