@@ -6,6 +6,7 @@ Used by `scene/motion_results.py`.  Words stand under [check.CODE]; to add one: 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -26,7 +27,7 @@ POWER_SHARE = 1e-3
 LEAST_DIGITS = 6.0
 _ALL_DIGITS = 16.0
 _CLOSE = 0.05  # share of the largest drive
-_BESIDE, _JUMP = 1e-9, 1e-6  # the drive jumps if it changes by more than _JUMP of its size within _BESIDE of a break
+_BESIDE, _JUMP = 1e-9, 1e-6  # the drive jumps if it changes by more than _JUMP of its largest within _BESIDE of a break
 
 
 def _graded(
@@ -99,9 +100,10 @@ def _sum(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
 
 def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     """Return the finding about power and energy; what acts between the rows and shows in none of them is told first of all."""
-    of, found = exact or own, _balance(own, exact)
-    blows = [say("check.STEP.time", time=time) for time in _blows(of)]
-    told = [say("check.POWER.blow", times=joined(blows, "join.numbers"))] if blows else []
+    of = exact or own
+    blows = _blows(of)
+    times, found = [say("check.STEP.time", time=time) for time in blows], _balance(own, exact, blows)
+    told = [say("check.POWER.blow", times=joined(times, "join.numbers"))] if times else []
     for one in unseen_loads(of):
         key = "check.POWER.pole" if one.is_pole else "check.POWER.jump"
         told.append(say(key, name=one.name, row=one.row + 1, next=one.row + 2, time=one.time))
@@ -110,8 +112,8 @@ def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     return replace(found, headline=joined(told)) if told else found
 
 
-def _balance(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
-    """Return whether the power given is the change of the energy."""
+def _balance(own: ForceAnalysis, exact: ForceAnalysis | None, blows: Sequence[float] = ()) -> Finding:
+    """Return whether the power given is the change of the energy; at the times (s) of `blows` the drive jumps."""
     of = exact or own
     t = of.rows.motion.t
     if len(t) < NODES or not np.isfinite(of.reactions.rows).all():
@@ -126,7 +128,8 @@ def _balance(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
         return skipped(say("check.forces.none"))
     off = (np.abs(given - changed) / scale)[2:-2]  # the one-sided formulas at the ends are far less accurate
     for time in breaks(of.equations.variant):  # a change of formula makes a kink in the energy: five rows across it give no slope
-        off[np.abs(t[2:-2] - time) < 2 * step * (1 - AT_ROW)] = -1.0
+        # A row on a kink ends five good ones; one on a jump has the energy behind it and ends none before it.
+        off[np.abs(t[2:-2] - time) < 2 * step * (1 + (AT_ROW if time in blows else -AT_ROW))] = -1.0
     if off.max() < 0:
         return skipped(say("check.POWER.skip"))
     row, value = int(np.argmax(off)) + 3, float(off.max())
@@ -141,7 +144,9 @@ def _blows(of: ForceAnalysis) -> list[float]:
     if not (len(times) and names and of.rows.scheme.forces.masses):
         return []
     before, after = (drive_values(of.equations, names, times * (1 + side * _BESIDE)) for side in (-1, 1))
-    jumps = np.abs(after - before) > _JUMP * np.maximum(np.abs(before), np.abs(after))
+    # Against the largest of all rows: a drive that grows from rest is small on both sides, but it does not jump.
+    usual = np.abs(drive_values(of.equations, names, t)).max(axis=0)
+    jumps = np.abs(after - before) > _JUMP * np.maximum(usual, np.maximum(np.abs(before), np.abs(after)))
     return [float(time) for time in times[jumps.any(axis=1)]]
 
 

@@ -209,6 +209,25 @@ def test_a_drive_that_jumps_is_told_as_a_blow_first_of_all(after, is_blow):
     assert ("jumps" in run.summary) == is_blow
 
 
+@pytest.mark.parametrize(("first", "second"), [("0", "w0*(t - 0.3)*a"), ("w0*(t - 0.3)*a", "0"), ("0", "w0*sin(t - 0.3)^2")])
+def test_a_drive_that_starts_from_rest_or_comes_to_rest_evenly_is_no_blow(first, second):
+    """Near the break the drive is as good as zero on both sides, so a change there is no share of what it is there."""
+    pieces = f'{{ pieces = [["0 s", "{first}"], ["0.3 s", "{second}"]] }}'
+    run = coursework.solve(
+        coursework.parse_variant(mechanism("example-1-forces", w1=pieces).replace("[given]", '[given]\na = "2 1/s"'))
+    )
+    assert "jumps" not in run.summary and "blow" not in run.summary
+
+
+@pytest.mark.parametrize("rows", [36, 360])
+def test_power_is_not_read_across_a_row_on_which_the_drive_jumps(rows):
+    """The row on the jump has the energy behind it: the five rows that end there would show a change that no power makes."""
+    text = mechanism("example-1-forces", w1='{ pieces = [["0 s", "w0"], ["pi/w0", "w0/2"]] }')
+    run = coursework.solve(coursework.parse_variant(text), step=2 * np.pi / 10 / rows)
+    (power,) = [one for one in run.checks if one.code == "POWER"]
+    assert power.value < 0.02 * (36 / rows) ** 4
+
+
 def test_a_blow_is_told_where_too_few_rows_show_power():
     """Four rows, three thirds of the time: the crank changes its speed at the second one."""
     pieces = '{ pieces = [["0 s", "w0"], ["0.05 s", "w0/2"]] }'
