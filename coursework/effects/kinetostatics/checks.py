@@ -151,27 +151,39 @@ def _blows(of: ForceAnalysis) -> list[float]:
 
 
 def contacts(own: ForceAnalysis) -> list[tuple[str, Array, Array]]:
-    """Return name, N and |T|/N (n,) of each rolling contact."""
-    names = own.reactions.names
-    return [
-        (name, own.column(name), np.abs(own.column(f"T{name[1:]}")) / np.abs(own.column(name)))
-        for name in names if name[0] == "N" and f"T{name[1:]}" in names
-    ]  # fmt: skip
+    """Return name, N and |T|/N (n,) of each rolling contact, in the rows where they have a value; inf where T alone acts."""
+    names, found = own.reactions.names, list[tuple[str, Array, Array]]()
+    for name in names:
+        if name[0] == "N" and (beside := f"T{name[1:]}") in names:
+            normal, along = own.column(name), np.abs(own.column(beside))
+            known = np.isfinite(normal) & np.isfinite(along)
+            bare = np.where(along > 0, np.inf, 0.0)
+            share = np.divide(along, np.abs(normal), out=bare, where=known & (normal != 0))
+            found.append((name, np.where(known, normal, np.nan), np.where(known, share, np.nan)))
+    return found
 
 
 def _contact(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     found = contacts(own)
     if not found or not own.reactions.rows.size:
         return skipped(say("check.CONTACT.skip"))
+    found = [one for one in found if np.isfinite(one[1]).any()]
+    if not found:
+        return skipped(say("check.CONTACT.open"))
     # The worst contact: one that lifts off, or that needs the most friction.
-    name, normal, share = max(found, key=lambda one: (bool((one[1] <= 0).any()), float(one[2].max())))
-    lifted = int((normal <= 0).sum())
+    name, normal, share = max(found, key=lambda one: (bool(_lifted(*one[1:]).any()), float(np.nanmax(one[2]))))
+    worst, friction, lifted = int(np.nanargmax(share)) + 1, float(np.nanmax(share)), int(_lifted(normal, share).sum())
     told = say(
-        "check.CONTACT.lifts" if lifted else "check.CONTACT.pass",
-        name=name, least=float(normal.min()), most=float(normal.max()), count=lifted, number=len(normal),
-        friction=float(share.max()),
+        "check.CONTACT.bare" if np.isinf(friction) else "check.CONTACT.lifts" if lifted else "check.CONTACT.pass",
+        name=name, least=float(np.nanmin(normal)), most=float(np.nanmax(normal)), count=lifted,
+        number=int(np.isfinite(normal).sum()), friction=friction, row=worst,
     )  # fmt: skip
-    return Finding("PASS", told, float(share.max()), None, "", name, int(np.argmax(share)) + 1)
+    return Finding("PASS", told, friction if np.isfinite(friction) else None, None, "", name, worst)
+
+
+def _lifted(normal: Array, share: Array) -> Array:
+    """Return the rows (n,) in which nothing presses, although the contact has to hold."""
+    return np.asarray((normal < 0) | np.isinf(share))
 
 
 def _condition(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:

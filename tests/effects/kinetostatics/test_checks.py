@@ -83,26 +83,31 @@ def rolling(**columns):
 
 @pytest.mark.parametrize(("columns", "told"), [
     ({"N1": [10, 5], "T1": [-2, 2]}, ("pass", "N1", 0.4, 2, 0)), ({"N1": [10, -5], "T1": [1, 1]}, ("lifts", "N1", 0.2, 2, 1)),
-    ({"N1": [10, 0.0], "T1": [1, 1]}, ("lifts", "N1", math.inf, 2, 1)),
+    ({"N1": [10, 0.0], "T1": [1, 1]}, ("bare", "N1", None, 2, 1)), ({"N1": [10, 0.0], "T1": [1, 0]}, ("pass", "N1", 0.1, 1, 0)),
+    ({"N1": [NAN, 5], "T1": [NAN, 1]}, ("pass", "N1", 0.2, 2, 0)), ({"N1": [NAN, NAN], "T1": [1, 1]}, None),
     ({"N1": [10, 5], "T1": [9, 1], "N2": [-1, 4], "T2": [0, 0]}, ("lifts", "N2", 0.0, 1, 1)),
     ({"N1": [10, 5], "T1": [1, 1], "N2": [4, 4], "T2": [1, 2]}, ("pass", "N2", 0.5, 2, 0)),
     ({"N1": [10, 5], "R01": [1, 1]}, None),
     ({"R1": [10, 5], "T1": [1, 1]}, None),
 ])  # fmt: skip
 def test_of_several_contacts_the_one_that_lifts_is_told_else_the_one_that_rubs_most(columns, told):
-    with np.errstate(divide="ignore"):
-        found = _contact(rolling(**columns), None)
+    found = _contact(rolling(**columns), None)
     if told is None:
         assert found.verdict == "SKIP"
         return
     key, name, share, row, count = told
     values = found.sentence.values
-    assert (found.sentence.key, found.column, found.value, found.row) == (f"check.CONTACT.{key}", name, pytest.approx(share), row)
+    assert (found.sentence.key, found.column, found.value, found.row) == (
+        f"check.CONTACT.{key}",
+        name,
+        share and pytest.approx(share),
+        row,
+    )
     assert (values["count"], values["least"], values["most"], values["number"]) == (
         count,
-        min(columns[name]),
-        max(columns[name]),
-        2,
+        np.nanmin(columns[name]),
+        np.nanmax(columns[name]),
+        np.isfinite(columns[name]).sum(),
     )
 
 
