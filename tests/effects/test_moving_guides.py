@@ -49,6 +49,18 @@ def test_start_values_measured_on_a_drawing_leave_the_pins_in_their_links(start,
             _ = run.results.forces
 
 
+def test_a_start_that_leaves_the_links_open_is_told_instead_of_the_pins_that_seem_to_move_for_it():
+    """The rocker counted from D to B, as students do: the pin D of link 3 seemed to need a drive of its own."""
+    text = mechanism("roberts", ("109.471220634 deg", "-70.528779366 deg"))
+    run = coursework.solve(coursework.parse_variant(text, "own.toml"))
+    line = text[: text.index("[coordinates]")].count("\n") + 1
+    with pytest.raises(coursework.InputError) as caught:
+        _ = run.results.forces
+    (told,) = str(caught.value).splitlines()
+    assert told.startswith(f"V737 own.toml:{line}  The start values leave the mechanism open by 0.566 m")
+    assert told.endswith("phi3 = -196.098933951 deg. Correct it first: no force passes between links that do not meet.")
+
+
 SLEEVE = mechanism("bar-through-a-sleeve")
 
 

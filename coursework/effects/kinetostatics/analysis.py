@@ -23,9 +23,11 @@ from coursework.effects.scheme import read_scheme
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.joints import FRAME
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.geometry.closure import compile_closure
 from coursework.motion.geometry.judging.misfits import misfits
 from coursework.motion.geometry.judging.rigid import may_be_hinges
 from coursework.motion.integration.motion import Motion
+from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.system.arrays import Array, Complex
 from coursework.variant.formula.tree import Formula, spelled
@@ -170,7 +172,15 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
         faults.append(Fault(told, variant.file, variant.nearest_line(*path), 0, ".".join(path)))
     faults += [fault for one in scheme.unknowns if (fault := _moving_guide(rows, one, variant, share, doubt)) is not None]
     if faults:
-        raise InputError(faults)
+        raise InputError([found] if (found := _open_start(rows, equations)) is not None else faults)
+
+
+def _open_start(rows: Rows, equations: VelocityEquations) -> Fault | None:
+    """Return the fault of start values that leave the mechanism open: then links seem to change their shape for that alone."""
+    variant, begun = equations.variant, start_of(compile_closure(equations, rows.motion.coordinates[0].tolist()))
+    if begun.verdict != "FAIL":
+        return None
+    return Fault(say("fault.V737", start=begun.sentence), variant.file, variant.nearest_line("coordinates"))
 
 
 def _is_fixed(rows: Rows, body: Body, own: Formula | None, at: Formula, share: float) -> bool:
