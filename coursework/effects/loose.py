@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import driven_freedoms, in_order
 from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.judging.unused import bare_hinges
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
@@ -25,7 +26,9 @@ def loose(mechanism: Mechanism, near: Callable[[], Pairs] | None) -> Fault:
     if mobility is None or not 0 < drives < mobility.degrees:
         return Fault(say("fault.V722.none"), variant.file, 1)
     found = near() if near is not None else ()
-    told = [say("fault.meet.pair", one=one, other=other) for one, other in found]
+    told = [remark.sentence for remark in variant.plausibility if remark.code == "PIVOT"]
+    told += [say("fault.meet.bare", point=point) for point in bare_hinges(variant)]
+    told += [say("fault.meet.pair", one=one, other=other) for one, other in found]
     gears = {links: name for name, links in reversed([*_turning_together(variant)])}
     told += [say("fault.meet.gears", equation=name, links=links) for links, name in gears.items()]
     nothing: Sentence | str = "" if near is None else say("fault.meet.none")
