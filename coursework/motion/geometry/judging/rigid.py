@@ -1,7 +1,7 @@
 """Whether [links] and [frame] agree with the points of a file: links keep their shape, hinges rest, guides lie along the motion.
 
 Enters: velocity equations and their closure.  Leaves: hinges with two names.  Raises `InputError` naming each link, rail, circle.
-Used by `unseen_signs.py`, `beginning.py`, `equations.py` and `commands/check.py`.
+Used by `unseen_signs.py`, `beginning.py`, `equations.py` and `commands/mobility.py`.
 A guide across the motion of its slider changes no column of the table, but drawings, plans and forces depend on it.
 """
 
