@@ -100,3 +100,14 @@ def test_two_wheels_of_one_shaft_are_no_pair_left_out():
     check, run = told_of("gears-and-crank")
     assert "= 2, but 1 freedom is driven: links 2 and 3 have one rate and a common point, so they turn as one" in check
     assert "Mobility" not in run
+
+
+@pytest.mark.parametrize(("slip", "how"), [
+    (("u = -L*w1*sin(al)", "u = L*w1*sin(al)"), "the sign of u differs"),
+    (("h = L*w1*cos(al)", "h = -L*w1*cos(al)"), "the sign of L*w1*cos(al) differs"),
+    (("us*cos(be) - s*w2", "us*cos(be) + s*w2"), "the sign of s*w2*sin(be) differs"),
+])  # fmt: skip
+def test_a_slip_is_found_under_a_drive_in_pieces_too(slip, how):
+    """Such a motion is computed from the text read anew: the wrong equation stood there again, and nothing was found."""
+    for told in told_of("scissor", slip):
+        assert f"One slip would explain it: {how}." in told
