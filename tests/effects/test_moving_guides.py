@@ -3,6 +3,7 @@
 import math
 import re
 
+import numpy as np
 import pytest
 
 import coursework
@@ -59,6 +60,13 @@ def test_a_start_that_leaves_the_links_open_is_told_instead_of_the_pins_that_see
     (told,) = str(caught.value).splitlines()
     assert told.startswith(f"V737 own.toml:{line}  The start values leave the mechanism open by 0.566 m")
     assert told.endswith("phi3 = -196.098933951 deg. Correct it first: no force passes between links that do not meet.")
+
+
+def test_a_guide_does_not_move_because_the_pin_in_it_stands_still():
+    """With both bars on one line the slider stays in O for ever: its velocity, and that of its guide, are round-off."""
+    run = coursework.solve(coursework.parse_variant(mechanism("scott-russell", ("160 deg", "20 deg"))))
+    assert np.abs(np.asarray(run.points["A"].velocity)).max() < 1e-14
+    assert {one.code: one.verdict for one in run.checks}["VIRTUAL-POWER"] == "PASS"
 
 
 SLEEVE = mechanism("bar-through-a-sleeve")

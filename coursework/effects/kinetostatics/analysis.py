@@ -40,6 +40,7 @@ from coursework.words.sentences import say, say_count
 # A point belongs to a link only if its velocity differs from the link's by less than this share of the largest speed: rounding in
 # a chain, which closes exactly, else what start values with two digits leave open.
 _OFF_AXES, _MEASURED = 1e-7, 0.02
+_ROUND_OFF = 1e-13  # of a velocity
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,7 +222,11 @@ def _moving_guide(rows: Rows, one: Unknown, variant: Variant, share: float, doub
 
 
 def _are_equal(rows: Rows, share: float, found: Array | Complex, wanted: Array | Complex, *beside: Array | Complex) -> bool:
-    """Return whether two velocities differ by no more than a `share` of the largest, in the rows whose positions do not drift."""
+    """Return whether two velocities differ by no more than a `share` of the largest, in the rows whose positions do not drift.
+
+    Where all of them are but round-off of the motion, as about a point that stands still, they do not differ.
+    """
     kept = slice(None) if rows.motion.scheme == EXACT else slice(1)
     largest = max(np.abs(one[kept]).max() for one in (found, wanted, *beside))
-    return bool(np.abs(found - wanted)[kept].max() <= share * largest)
+    least = _ROUND_OFF * rows.length * float(np.abs(rows.motion.velocities).max())
+    return bool(np.abs(found - wanted)[kept].max() <= share * largest + least)
