@@ -7,17 +7,17 @@ from __future__ import annotations
 
 from itertools import combinations
 
+from coursework.mechanism.left_out import left_out
 from coursework.mechanism.structure import driven_freedoms
 from coursework.motion.geometry.judging.rigid import hinges_with_two_names
 from coursework.run import Run
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
-from coursework.variant.judging.unused import bare_hinges
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 
-def left_out(run: Run) -> list[Sentence]:
+def of_pairs_left_out(run: Run) -> list[Sentence]:
     """Return what `check` says where [links] and [frame] leave more freedoms than are driven, else nothing."""
     mobility, drives = run.scene.mechanism.mobility, driven_freedoms(run.variant)
     if mobility is None or run.variant.motor is not None or not 0 < drives < mobility.degrees:
@@ -37,7 +37,7 @@ def of_mobility(run: Run) -> list[Sentence]:
     if drives and mobility.degrees != drives:
         joints = _joints_of_two_names(run)
         if mobility.degrees > drives:
-            joints += [say("fault.meet.bare", point=point) for point in bare_hinges(run.variant)]
+            joints += left_out(run.scene.mechanism)
             verdict = _as_one(run.variant, mobility.degrees - drives) or say("screen.driven_missing", drives=drives)
         else:
             way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from coursework.mechanism.left_out import left_out
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import driven_freedoms, in_order
 from coursework.variant.formula.tree import Formula, spelled
-from coursework.variant.judging.unused import bare_hinges
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
@@ -27,12 +27,12 @@ def loose(mechanism: Mechanism, near: Callable[[], Pairs] | None) -> Fault:
         return Fault(say("fault.V722.none"), variant.file, 1)
     found = near() if near is not None else ()
     told = [remark.sentence for remark in variant.plausibility if remark.code == "PIVOT"]
-    told += [say("fault.meet.bare", point=point) for point in bare_hinges(variant)]
     told += [say("fault.meet.pair", one=one, other=other) for one, other in found]
     gears = {links: name for name, links in reversed([*_turning_together(variant)])}
     told += [say("fault.meet.gears", equation=name, links=links) for links, name in gears.items()]
-    nothing: Sentence | str = "" if near is None else say("fault.meet.none")
-    meet = say("fault.meet.some", pairs=joined(told)) if told else nothing
+    nothing = [] if told or near is None else [say("fault.meet.none")]
+    told += [*left_out(mechanism), *nothing]
+    meet: Sentence | str = say("fault.meet.some", pairs=joined(told)) if told else ""
     line = variant.nearest_line("links", variant.links[0].name) if variant.links else 1
     return Fault(say("fault.V722.loose", degrees=mobility.degrees, drives=drives, meet=meet), variant.file, line)
 

@@ -1,7 +1,7 @@
 """Parts of a file that nothing uses or counts: links and pivots left out, sleeves pinned, guides without a partner, idle data.
 
 Enters: a `Variant`, the dimensions of its names.  Leaves: remarks by the path of what they are about; pivots that no link has.
-Used by `plausibility.py`, `loose.py`, `mobility.py`.
+Used by `plausibility.py` and `left_out.py`.
 """
 
 from __future__ import annotations

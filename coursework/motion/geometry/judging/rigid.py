@@ -133,7 +133,7 @@ def _of_two_links(variant: Variant, points: Iterable[str]) -> list[tuple[str, st
 
 def _faults(equations: VelocityEquations, closure: Closure) -> list[Fault]:
     seen = _seen(equations, closure)
-    return [*seen.of_links(), *seen.of_hinges(), *seen.of_rails(), *seen.of_circles()]
+    return [*seen.of_links(), *seen.of_wheels(), *seen.of_hinges(), *seen.of_rails(), *seen.of_circles()]
 
 
 def _seen(equations: VelocityEquations, closure: Closure) -> _Seen:
@@ -180,6 +180,13 @@ class _Seen:
             if lost is not None:
                 known = {"link": link.name, "point": points[lost], "bar": link.slides, **self._between(offs[lost][0])}
                 yield self._fault(("links", link.name), say("fault.V315", **known))
+
+    def of_wheels(self) -> Iterator[Fault]:
+        """Yield a fault for each wheel whose contact lies in its centre at some time."""
+        for link in self.variant.links:
+            if link.wheel and link.contact and self.apart(link.wheel, link.contact).min() <= _TOLERANCE * self.scale:
+                known = {"link": link.name, "centre": link.wheel, "contact": link.contact}
+                yield self._fault(("links", link.name), say("fault.V325", **known))
 
     def of_hinges(self) -> Iterator[Fault]:
         """Yield a fault for each hinge of the frame that moves."""

@@ -73,6 +73,12 @@ def test_wheels_that_roll_on_each_other_need_no_circle():
         (mechanism("epicyclic"), ('R0 @ phi1"  ', 'R0*(1.1 + 0.1*sin(phi1)) @ phi1"  '), "V317 .*contact P is 0.132 m from O"),
         (mechanism("31"), ('P = "C - (0, r3/2)"', 'P = "C - (r3/20, r3/2)"'), "V318 .*wheel 4 .*from C to P"),
         (mechanism("31"), ('hinges = ["D"]', 'hinges = ["D", "A"]'), "V319 .*A moves: at t = .*Take it out of hinges"),
+        (
+            mechanism("31"),
+            ('wheel = "C", contact = "P"', 'wheel = "C", contact = "C"'),
+            "V325 .*wheel 4 .*contact C lies in its centre C",
+        ),
+        (mechanism("31"), ('P = "C - (0, r3/2)"', 'P = "C + 0*(C - B)"'), "V325 .*wheel 4 .*contact P lies in its centre C"),
         (mechanism("epicyclic"), ('P = "O + R0 @ phi1"', 'P = "O + R0 @ (phi1 + 0.01)"'), "V318 .*wheel 2 .*from C to P"),
     ],
     ids=[
@@ -85,6 +91,8 @@ def test_wheels_that_roll_on_each_other_need_no_circle():
         "circle at the start",
         "contact on a rail",
         "moving hinge",
+        "contact that is its centre",
+        "contact in its centre",
         "contact in a ring",
     ],
 )
