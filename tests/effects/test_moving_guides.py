@@ -69,6 +69,11 @@ def test_a_guide_does_not_move_because_the_pin_in_it_stands_still():
     assert {one.code: one.verdict for one in run.checks}["VIRTUAL-POWER"] == "PASS"
 
 
+def test_a_likelier_slip_is_told_beside_an_open_start():
+    with pytest.raises(coursework.InputError, match=r"V737 .* A likelier slip: phi1 = 70.53 rad is 11.2 turns; 70.53 deg"):
+        _ = coursework.solve(coursework.parse_variant(mechanism("roberts", ("70.528779366 deg", "70.53 rad")))).results.forces
+
+
 SLEEVE = mechanism("bar-through-a-sleeve")
 
 

@@ -23,6 +23,7 @@ from coursework.effects.scheme import read_scheme
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.joints import FRAME
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.geometry.closed_start import likelier
 from coursework.motion.geometry.closure import compile_closure
 from coursework.motion.geometry.judging.misfits import misfits
 from coursework.motion.geometry.judging.rigid import may_be_hinges
@@ -181,7 +182,9 @@ def _open_start(rows: Rows, equations: VelocityEquations) -> Fault | None:
     variant, begun = equations.variant, start_of(compile_closure(equations, rows.motion.coordinates[0].tolist()))
     if begun.verdict != "FAIL":
         return None
-    return Fault(say("fault.V737", start=begun.sentence), variant.file, variant.nearest_line("coordinates"))
+    return Fault(
+        say("fault.V737", start=begun.sentence, hint=likelier(variant)), variant.file, variant.nearest_line("coordinates")
+    )
 
 
 def _is_fixed(rows: Rows, body: Body, own: Formula | None, at: Formula, share: float) -> bool:
