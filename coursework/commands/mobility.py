@@ -41,7 +41,8 @@ def of_mobility(run: Run) -> list[Sentence]:
             verdict = _as_one(run.variant, mobility.degrees - drives) or say("screen.driven_missing", drives=drives)
         else:
             way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
-            verdict = way or say("screen.driven_special", drives=drives)
+            is_bare = any(remark.code == "CONTACT" for remark in run.variant.plausibility)
+            verdict = way or say("screen.driven_untouched" if is_bare else "screen.driven_special", drives=drives)
     if not drives or run.variant.motor is not None:
         verdict = say("screen.as_listed")
     return [say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict), *joints]

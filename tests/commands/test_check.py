@@ -114,3 +114,11 @@ def test_a_slip_is_found_under_a_drive_in_pieces_too(slip, how):
     """Such a motion is computed from the text read anew: the wrong equation stood there again, and nothing was found."""
     for told in told_of("scissor", slip):
         assert f"One slip would explain it: {how}." in told
+
+
+def test_a_wheel_that_touches_nothing_of_the_file_is_no_special_dimension():
+    """The second gear is listed as a bar: the first one counts as rolling on the frame, and nothing moves."""
+    bar = ('2 = { wheel = "Q", contact = "P", points = ["A2"]', '2 = { points = ["Q", "A2"]')
+    check, _ = told_of("press-with-two-gears", bar)
+    assert "the file does not list what wheel 1 touches at P" in check and "special dimensions" not in check
+    assert "but 1 freedom is driven: a wheel is counted as rolling on the frame where the file does not list what" in check
