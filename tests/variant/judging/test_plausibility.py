@@ -290,21 +290,3 @@ def test_data_of_a_place_are_told_with_the_point_that_they_place() -> None:
 def test_a_unit_is_advised_that_brings_a_number_within_thirty_times_the_usual_length(text: str, unit: str, better: str) -> None:
     """The usual length is 0.8 m; 24 m and 2.67 cm are thirty times as long and as short."""
     assert _nearer(SimpleNamespace(text=text, unit=unit), SimpleNamespace(value=-0.8)) == better
-
-
-@pytest.mark.parametrize(("gravity", "told"), [
-    ("9810 m/s^2", "gravity of 9810 m/s² is 1000 times that of the Earth: is its unit right?"),
-    ("(0, -G)", None), ("9810 mm/s^2", None), ("0 m/s^2", None), ("1.62 m/s^2", None),
-    ("295 m/s^2", "gravity of 295 m/s² is 30.07 times"), ("294 m/s^2", None), ("0.328 m/s^2", None),
-    ("0.326 m/s^2", "gravity of 0.326 m/s² is 0.03323 times"),
-])  # fmt: skip
-def test_a_gravity_of_no_planet_is_remarked_on(gravity, told):
-    if gravity.startswith("("):
-        text = mechanism(
-            "wheel-on-a-rail", ('gravity = "9.81 m/s^2"', 'gravity = "(0, -G)"'), ("[given]", '[given]\nG = "9.81 m/s^2"')
-        )
-    else:
-        text = mechanism("wheel-on-a-rail", ("9.81 m/s^2", gravity))
-    found = [remark for remark in parse_variant(text).plausibility if remark.code == "GRAVITY"]
-    assert [str(remark.sentence).startswith(told) for remark in found] == [True] * bool(told)
-    assert all(text.splitlines()[remark.line - 1].startswith("gravity") for remark in found)

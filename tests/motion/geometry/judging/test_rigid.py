@@ -7,7 +7,7 @@ import re
 import pytest
 
 import coursework
-from coursework.motion.geometry.judging.rigid import _degrees, _is_arm
+from coursework.motion.geometry.judging.rigid import _degrees
 from coursework.variant.formula.reader import parse
 from tests.commands.test_cli import call
 from tests.mechanisms.library import mechanism
@@ -173,7 +173,7 @@ def test_a_crank_does_not_grow_to_the_slider_whose_way_is_measured_from_its_pivo
     ],
 )  # fmt: skip
 def test_an_arm_is_one_vector_from_its_base(end, base, is_arm):
-    assert _is_arm(parse(end, vectors=True), "A", parse(base, vectors=True)) is is_arm
+    assert is_arm(parse(end, vectors=True), "A", parse(base, vectors=True)) is is_arm
 
 
 def bare31(hinges: str, *changes: tuple[str, str]) -> str:
