@@ -9,6 +9,7 @@ import pytest
 import coursework
 from coursework.motion.geometry.judging.rigid import _degrees
 from coursework.variant.formula.reader import parse
+from coursework.variant.record.held import is_arm
 from tests.commands.test_cli import call
 from tests.mechanisms.library import mechanism
 from tests.motion.geometry.judging.test_turning import closure
@@ -165,15 +166,15 @@ def test_a_crank_does_not_grow_to_the_slider_whose_way_is_measured_from_its_pivo
 
 
 @pytest.mark.parametrize(
-    ("end", "base", "is_arm"),
+    ("end", "base", "is_one"),
     [
         ("A + r @ phi", "(1, 0)", True), ("A - r @ phi", "(1, 0)", True), ("r @ phi", "(0, 0)", True),
         ("r @ phi", "(1, 0)", False), ("A + (r, 0)", "(1, 0)", False),
         ("A + r @ phi + b @ psi", "(1, 0)", False), ("B + r @ phi", "(1, 0)", False),
     ],
 )  # fmt: skip
-def test_an_arm_is_one_vector_from_its_base(end, base, is_arm):
-    assert is_arm(parse(end, vectors=True), "A", parse(base, vectors=True)) is is_arm
+def test_an_arm_is_one_vector_from_its_base(end, base, is_one):
+    assert is_arm(parse(end, vectors=True), "A", parse(base, vectors=True)) is is_one
 
 
 def bare31(hinges: str, *changes: tuple[str, str]) -> str:
