@@ -8,19 +8,15 @@ from __future__ import annotations
 from coursework.api import make_run, variant_of
 from coursework.commands.contradictions import terms_named
 from coursework.commands.line.screen import tell, tell_own_file, title_of
+from coursework.commands.mobility import of_mobility
 from coursework.commands.run_on_screen import tell_remarks
 from coursework.equations.reduction.textbook.cramer import cramer
-from coursework.mechanism.structure import driven_freedoms
-from coursework.motion.geometry.judging.rigid import hinges_with_two_names
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_ties
 from coursework.run import Run
 from coursework.scene.quantities import ENERGY, FORCES
 from coursework.variant.formula.made import as_read
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
 from coursework.variant.record.held import followed
-from coursework.variant.record.variant import Variant
-from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
 
@@ -49,7 +45,8 @@ def _tell(run: Run) -> int:
         tell(say("screen.counts", **size, unknowns=", ".join(chosen.sought)))
     if free:
         tell(say_count("dynamics.free", len(free), rates=", ".join(free)))
-    _tell_mobility(run)
+    for line in of_mobility(run):
+        tell(line)
     closure = scene.closure
     for note in reduction.notes:
         tell(note)
@@ -89,52 +86,3 @@ def _tell(run: Run) -> int:
     if scene.phases:
         tell(scene.phases)
     return 1
-
-
-def _tell_mobility(run: Run) -> None:
-    mobility = run.scene.mechanism.mobility
-    if mobility is None:
-        return
-    sum_of = say("screen.mobility_sum", links=mobility.links, lower=mobility.lower_pairs, higher=mobility.higher_pairs)
-    drives = driven_freedoms(run.variant)
-    verdict = say("screen.driven", number=drives)
-    joints: list[Sentence] = []
-    if drives and mobility.degrees != drives:
-        joints = _joints_of_two_names(run)
-        way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
-        verdict = way or say(f"screen.driven_{'missing' if mobility.degrees > drives else 'special'}", drives=drives)
-    if not drives or run.variant.motor is not None:
-        verdict = say("screen.as_listed")
-    tell(say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict))
-    for joint in joints:
-        tell(joint)
-
-
-def _joints_of_two_names(run: Run) -> list[Sentence]:
-    """Return a sentence for each pair of points that may be one hinge, although they share no name."""
-    closure = run.scene.closure
-    pairs = hinges_with_two_names(run.scene.equations, closure) if closure is not None else ()
-    return [say("screen.two_names", one=one, other=other) for one, other in pairs]
-
-
-def _along_its_guide(variant: Variant) -> Sentence | None:
-    """Return which law to write if the driven point moves along a guide of the frame, which leaves it one velocity; else None."""
-    point = variant.driven
-    angle = next((angle for through, angle in variant.frame.rails if through == named(point or "")), None)
-    if not point or angle is None:
-        return None
-    cosine, sine = (_multiple(function, angle) for function in ("cos", "sin"))
-    law = " + ".join(f"V{point}{axis}{part}" for axis, part in zip("xy", (cosine, sine), strict=True) if part is not None)
-    x, y = (
-        f"{point}.{axis}{'' if part is None else f' - s{point}{part}'}" for axis, part in zip("xy", (cosine, sine), strict=True)
-    )
-    return say("screen.driven_along", drives=driven_freedoms(variant), point=point, law=law, x=x, y=y)
-
-
-def _multiple(function: str, angle: Formula) -> str | None:
-    """Return a factor cos or sin of an angle as text after another factor, "" if it is 1, None if it is 0."""
-    try:
-        value = evaluate(Formula("call", (angle,), function), {})
-    except (FormulaFault, KeyError):
-        return f"*{function}({spelled(angle)})"
-    return None if abs(value) < 1e-12 else "" if value > 1 - 1e-12 else f"*{function}({spelled(angle)})"

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from coursework.commands.line.screen import in_language, speaks_english, tell, tell_wrapped, title_of
+from coursework.commands.mobility import of_pairs_left_out
 from coursework.results.checks.result import GROUPS, OF_THE_SCALE, Finding, beside, digits_apart, never_more
 from coursework.run import Run
 from coursework.scene.quantities import CHECKS
@@ -39,6 +40,8 @@ def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     for line in (*_about_rows(run), *_first_and_last(run), *_why_stopped(run)):
         tell(line)
     tell_remarks(run)
+    for line in of_pairs_left_out(run):
+        tell(line)
     if run.asks(CHECKS):
         tell_checks(run)
     tell(say("screen.written_to", out=folder, files=", ".join(written)))
@@ -60,6 +63,8 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     for line in _why_stopped(run):
         tell_wrapped(line)
     tell_remarks(run)
+    for line in of_pairs_left_out(run):
+        tell_wrapped(line)
     advice: dict[str, None] = {}  # in the order of the checks, without repetition
     for finding in findings:
         if finding.says_more:

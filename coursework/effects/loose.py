@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from coursework.mechanism.left_out import left_out
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import driven_freedoms, in_order
 from coursework.variant.formula.tree import Formula, spelled
@@ -25,11 +26,13 @@ def loose(mechanism: Mechanism, near: Callable[[], Pairs] | None) -> Fault:
     if mobility is None or not 0 < drives < mobility.degrees:
         return Fault(say("fault.V722.none"), variant.file, 1)
     found = near() if near is not None else ()
-    told = [say("fault.meet.pair", one=one, other=other) for one, other in found]
+    told = [remark.sentence for remark in variant.plausibility if remark.code == "PIVOT"]
+    told += [say("fault.meet.pair", one=one, other=other) for one, other in found]
     gears = {links: name for name, links in reversed([*_turning_together(variant)])}
     told += [say("fault.meet.gears", equation=name, links=links) for links, name in gears.items()]
-    nothing: Sentence | str = "" if near is None else say("fault.meet.none")
-    meet = say("fault.meet.some", pairs=joined(told)) if told else nothing
+    nothing = [] if told or near is None else [say("fault.meet.none")]
+    told += [*left_out(mechanism), *nothing]
+    meet: Sentence | str = say("fault.meet.some", pairs=joined(told)) if told else ""
     line = variant.nearest_line("links", variant.links[0].name) if variant.links else 1
     return Fault(say("fault.V722.loose", degrees=mobility.degrees, drives=drives, meet=meet), variant.file, line)
 

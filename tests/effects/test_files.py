@@ -52,6 +52,21 @@ def test_forces_and_energy_as_the_contract_says(folder):
     assert contact.startswith("In 11 of 25 rows the rail would have to pull") and "from -266 to 2846 N" in contact
 
 
+@pytest.mark.parametrize(("changes", "told"), [
+    ([(', centre = "C + 0.05 @ (psi + 0.3)"', ""), ('gravity = "9.81 m/s^2"', "")], "In row 1 nothing presses the wheel"),
+    ([("R*psi", "psi*R")], "The contact presses in every row"),
+])  # fmt: skip
+def test_a_wheel_that_nothing_presses_is_told_and_its_files_are_written(folder, changes, told):
+    """Without weight N is 0 in every row, so |T|/N is no number; such a run was refused as a fault of the tool."""
+    Path("wheel.toml").write_text(mechanism("wheel-on-a-rail", *changes), encoding="utf-8")
+    done = call("run", "wheel", "--quantities", "table,checks,forces", "--format", "csv", "--out", "out")
+    assert done.exit_code == 0, done.output
+    (contact,) = [
+        one for one in json.loads(Path("out/run.json").read_text(encoding="utf-8"))["checks"] if one["code"] == "CONTACT"
+    ]
+    assert contact["sentence"].startswith(told) and (contact["value"] is None) == told.startswith("In row")
+
+
 def test_what_is_not_unique_is_empty(folder):
     Path("p.toml").write_text(PARALLEL, encoding="utf-8")
     assert call("run", "p", "--quantities", "forces", "--format", "csv", "--out", "out").exit_code == 0

@@ -3,6 +3,7 @@
 import math
 import re
 
+import numpy as np
 import pytest
 
 import coursework
@@ -47,6 +48,30 @@ def test_start_values_measured_on_a_drawing_leave_the_pins_in_their_links(start,
             coursework.InputError, match=r"V735 own.toml:\d+  masses.3: .*or correct the start.*point C does not stand still"
         ):
             _ = run.results.forces
+
+
+def test_a_start_that_leaves_the_links_open_is_told_instead_of_the_pins_that_seem_to_move_for_it():
+    """The rocker counted from D to B, as students do: the pin D of link 3 seemed to need a drive of its own."""
+    text = mechanism("roberts", ("109.471220634 deg", "-70.528779366 deg"))
+    run = coursework.solve(coursework.parse_variant(text, "own.toml"))
+    line = text[: text.index("[coordinates]")].count("\n") + 1
+    with pytest.raises(coursework.InputError) as caught:
+        _ = run.results.forces
+    (told,) = str(caught.value).splitlines()
+    assert told.startswith(f"V737 own.toml:{line}  The start values leave the mechanism open by 0.566 m")
+    assert told.endswith("phi3 = -196.098933951 deg. Correct it first: no force passes between links that do not meet.")
+
+
+def test_a_guide_does_not_move_because_the_pin_in_it_stands_still():
+    """With both bars on one line the slider stays in O for ever: its velocity, and that of its guide, are round-off."""
+    run = coursework.solve(coursework.parse_variant(mechanism("scott-russell", ("160 deg", "20 deg"))))
+    assert np.abs(np.asarray(run.points["A"].velocity)).max() < 1e-14
+    assert {one.code: one.verdict for one in run.checks}["VIRTUAL-POWER"] == "PASS"
+
+
+def test_a_likelier_slip_is_told_beside_an_open_start():
+    with pytest.raises(coursework.InputError, match=r"V737 .* A likelier slip: phi1 = 70.53 rad is 11.2 turns; 70.53 deg"):
+        _ = coursework.solve(coursework.parse_variant(mechanism("roberts", ("70.528779366 deg", "70.53 rad")))).results.forces
 
 
 SLEEVE = mechanism("bar-through-a-sleeve")

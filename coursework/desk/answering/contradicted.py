@@ -32,6 +32,7 @@ from coursework.scene.quantities import TABLE
 from coursework.variant.formula.made import unsigned
 from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.entries import Constraint
+from coursework.variant.record.other_values import Changes
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.rewriting import place_of
 from coursework.words.errors import CourseworkError, Fault, InputError
@@ -104,7 +105,12 @@ def _without(names: Collection[str], variant: Variant) -> Variant:
     rest = replace(variant, constraints=tuple(one for one in variant.constraints if one.name not in names))
     found = differentiate(build(rest))
     more = tuple(Constraint(one.name, one.because, *one.shown(found.order)) for one in lacking(found))
-    return replace(rest, constraints=(*rest.constraints, *more))
+
+    def reread(_: Variant, changes: Changes) -> Variant:
+        return _without(names, again(variant, changes)) if again is not None else rest
+
+    again = variant.reread  # of the text, in which the wrong equations stand: where a motion is computed for other data
+    return replace(rest, constraints=(*rest.constraints, *more), reread=reread)
 
 
 def _slip(one: Constraint, judge: Judge, others: Sequence[Linear], whole: str) -> Slip | None:
@@ -127,12 +133,20 @@ def _edited(tree: Formula, edit: Edit) -> Formula:
     term = tree
     for place in edit.path:
         within, tree = tree.op, tree.args[place]
-        term = term if within in {"*", "/", "^"} else tree
+        # The minus of -R*w belongs to R as it is read, and to the term as it is seen.
+        term = term if within in {"*", "/", "^"} or (within == "neg" and term.op in {"*", "/"}) else tree
     if edit.kind in {"function", "name"}:
         return tree
     if tree.op in {"+", "-"}:
         return tree.args[1]
-    return term.args[0] if term.op == "neg" else term
+    return _unsigned(term)
+
+
+def _unsigned(term: Formula) -> Formula:
+    """Return a term without the minus before it, which may stand before its first factor."""
+    if term.op == "neg":
+        return _unsigned(term.args[0])
+    return replace(term, args=(_unsigned(term.args[0]), *term.args[1:])) if term.op in {"*", "/"} else term
 
 
 def _shown(term: Formula) -> str:

@@ -84,8 +84,12 @@ def crowded_hinges(painter: Painter, mechanism: Mechanism) -> list[str]:
 
 
 def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) -> Iterator[Dimension]:
-    """Yield what is to be dimensioned: given lengths between shown points, coordinates of fixed points, offsets of guides."""
+    """Yield what is to be dimensioned: given lengths between shown points, coordinates of fixed points, offsets of guides.
+
+    A length that is driven, as of a cylinder, is one of them: no bent arrow shows its rate.
+    """
     given = {datum.name for datum in mechanism.variant.given}
+    given |= {one.name for one in mechanism.variant.driven_coordinates if one.unit == "m"}
     drawn = {frozenset(ends) for bar in painter.outline.bars for ends in itertools.pairwise(bar.corners)}
     drawn |= {frozenset((wheel.centre, wheel.contact)) for wheel in painter.outline.wheels}
     for ends, length in lengths(mechanism).items():

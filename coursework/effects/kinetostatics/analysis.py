@@ -23,9 +23,12 @@ from coursework.effects.scheme import read_scheme
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.joints import FRAME
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.geometry.closed_start import likelier
+from coursework.motion.geometry.closure import compile_closure
 from coursework.motion.geometry.judging.misfits import misfits
 from coursework.motion.geometry.judging.rigid import may_be_hinges
 from coursework.motion.integration.motion import Motion
+from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.system.arrays import Array, Complex
 from coursework.variant.formula.tree import Formula, spelled
@@ -38,6 +41,7 @@ from coursework.words.sentences import say, say_count
 # A point belongs to a link only if its velocity differs from the link's by less than this share of the largest speed: rounding in
 # a chain, which closes exactly, else what start values with two digits leave open.
 _OFF_AXES, _MEASURED = 1e-7, 0.02
+_ROUND_OFF = 1e-13  # of a velocity
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,7 +174,17 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
         faults.append(Fault(told, variant.file, variant.nearest_line(*path), 0, ".".join(path)))
     faults += [fault for one in scheme.unknowns if (fault := _moving_guide(rows, one, variant, share, doubt)) is not None]
     if faults:
-        raise InputError(faults)
+        raise InputError([found] if (found := _open_start(rows, equations)) is not None else faults)
+
+
+def _open_start(rows: Rows, equations: VelocityEquations) -> Fault | None:
+    """Return the fault of start values that leave the mechanism open: then links seem to change their shape for that alone."""
+    variant, begun = equations.variant, start_of(compile_closure(equations, rows.motion.coordinates[0].tolist()))
+    if begun.verdict != "FAIL":
+        return None
+    return Fault(
+        say("fault.V737", start=begun.sentence, hint=likelier(variant)), variant.file, variant.nearest_line("coordinates")
+    )
 
 
 def _is_fixed(rows: Rows, body: Body, own: Formula | None, at: Formula, share: float) -> bool:
@@ -211,7 +225,11 @@ def _moving_guide(rows: Rows, one: Unknown, variant: Variant, share: float, doub
 
 
 def _are_equal(rows: Rows, share: float, found: Array | Complex, wanted: Array | Complex, *beside: Array | Complex) -> bool:
-    """Return whether two velocities differ by no more than a `share` of the largest, in the rows whose positions do not drift."""
+    """Return whether two velocities differ by no more than a `share` of the largest, in the rows whose positions do not drift.
+
+    Where all of them are but round-off of the motion, as about a point that stands still, they do not differ.
+    """
     kept = slice(None) if rows.motion.scheme == EXACT else slice(1)
     largest = max(np.abs(one[kept]).max() for one in (found, wanted, *beside))
-    return bool(np.abs(found - wanted)[kept].max() <= share * largest)
+    least = _ROUND_OFF * rows.length * float(np.abs(rows.motion.velocities).max())
+    return bool(np.abs(found - wanted)[kept].max() <= share * largest + least)

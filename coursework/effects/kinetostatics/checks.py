@@ -6,6 +6,7 @@ Used by `scene/motion_results.py`.  Words stand under [check.CODE]; to add one: 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -26,7 +27,7 @@ POWER_SHARE = 1e-3
 LEAST_DIGITS = 6.0
 _ALL_DIGITS = 16.0
 _CLOSE = 0.05  # share of the largest drive
-_BESIDE, _JUMP = 1e-9, 1e-6  # the drive jumps if it changes by more than _JUMP of its size within _BESIDE of a break
+_BESIDE, _JUMP = 1e-9, 1e-6  # the drive jumps if it changes by more than _JUMP of its largest within _BESIDE of a break
 
 
 def _graded(
@@ -99,9 +100,10 @@ def _sum(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
 
 def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     """Return the finding about power and energy; what acts between the rows and shows in none of them is told first of all."""
-    of, found = exact or own, _balance(own, exact)
-    blows = [say("check.STEP.time", time=time) for time in _blows(of)]
-    told = [say("check.POWER.blow", times=joined(blows, "join.numbers"))] if blows else []
+    of = exact or own
+    blows = _blows(of)
+    times, found = [say("check.STEP.time", time=time) for time in blows], _balance(own, exact, blows)
+    told = [say("check.POWER.blow", times=joined(times, "join.numbers"))] if times else []
     for one in unseen_loads(of):
         key = "check.POWER.pole" if one.is_pole else "check.POWER.jump"
         told.append(say(key, name=one.name, row=one.row + 1, next=one.row + 2, time=one.time))
@@ -110,8 +112,8 @@ def _power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     return replace(found, headline=joined(told)) if told else found
 
 
-def _balance(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
-    """Return whether the power given is the change of the energy."""
+def _balance(own: ForceAnalysis, exact: ForceAnalysis | None, blows: Sequence[float] = ()) -> Finding:
+    """Return whether the power given is the change of the energy; at the times (s) of `blows` the drive jumps."""
     of = exact or own
     t = of.rows.motion.t
     if len(t) < NODES or not np.isfinite(of.reactions.rows).all():
@@ -126,7 +128,8 @@ def _balance(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
         return skipped(say("check.forces.none"))
     off = (np.abs(given - changed) / scale)[2:-2]  # the one-sided formulas at the ends are far less accurate
     for time in breaks(of.equations.variant):  # a change of formula makes a kink in the energy: five rows across it give no slope
-        off[np.abs(t[2:-2] - time) < 2 * step * (1 - AT_ROW)] = -1.0
+        # A row on a kink ends five good ones; one on a jump has the energy behind it and ends none before it.
+        off[np.abs(t[2:-2] - time) < 2 * step * (1 + (AT_ROW if time in blows else -AT_ROW))] = -1.0
     if off.max() < 0:
         return skipped(say("check.POWER.skip"))
     row, value = int(np.argmax(off)) + 3, float(off.max())
@@ -141,32 +144,46 @@ def _blows(of: ForceAnalysis) -> list[float]:
     if not (len(times) and names and of.rows.scheme.forces.masses):
         return []
     before, after = (drive_values(of.equations, names, times * (1 + side * _BESIDE)) for side in (-1, 1))
-    jumps = np.abs(after - before) > _JUMP * np.maximum(np.abs(before), np.abs(after))
+    # Against the largest of all rows: a drive that grows from rest is small on both sides, but it does not jump.
+    usual = np.abs(drive_values(of.equations, names, t)).max(axis=0)
+    jumps = np.abs(after - before) > _JUMP * np.maximum(usual, np.maximum(np.abs(before), np.abs(after)))
     return [float(time) for time in times[jumps.any(axis=1)]]
 
 
 def contacts(own: ForceAnalysis) -> list[tuple[str, Array, Array]]:
-    """Return name, N and |T|/N (n,) of each rolling contact."""
-    names = own.reactions.names
-    return [
-        (name, own.column(name), np.abs(own.column(f"T{name[1:]}")) / np.abs(own.column(name)))
-        for name in names if name[0] == "N" and f"T{name[1:]}" in names
-    ]  # fmt: skip
+    """Return name, N and |T|/N (n,) of each rolling contact, in the rows where they have a value; inf where T alone acts."""
+    names, found = own.reactions.names, list[tuple[str, Array, Array]]()
+    for name in names:
+        if name[0] == "N" and (beside := f"T{name[1:]}") in names:
+            normal, along = own.column(name), np.abs(own.column(beside))
+            known = np.isfinite(normal) & np.isfinite(along)
+            bare = np.where(along > 0, np.inf, 0.0)
+            share = np.divide(along, np.abs(normal), out=bare, where=known & (normal != 0))
+            found.append((name, np.where(known, normal, np.nan), np.where(known, share, np.nan)))
+    return found
 
 
 def _contact(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
     found = contacts(own)
     if not found or not own.reactions.rows.size:
         return skipped(say("check.CONTACT.skip"))
+    found = [one for one in found if np.isfinite(one[1]).any()]
+    if not found:
+        return skipped(say("check.CONTACT.open"))
     # The worst contact: one that lifts off, or that needs the most friction.
-    name, normal, share = max(found, key=lambda one: (bool((one[1] <= 0).any()), float(one[2].max())))
-    lifted = int((normal <= 0).sum())
+    name, normal, share = max(found, key=lambda one: (bool(_lifted(*one[1:]).any()), float(np.nanmax(one[2]))))
+    worst, friction, lifted = int(np.nanargmax(share)) + 1, float(np.nanmax(share)), int(_lifted(normal, share).sum())
     told = say(
-        "check.CONTACT.lifts" if lifted else "check.CONTACT.pass",
-        name=name, least=float(normal.min()), most=float(normal.max()), count=lifted, number=len(normal),
-        friction=float(share.max()),
+        "check.CONTACT.bare" if np.isinf(friction) else "check.CONTACT.lifts" if lifted else "check.CONTACT.pass",
+        name=name, least=float(np.nanmin(normal)), most=float(np.nanmax(normal)), count=lifted,
+        number=int(np.isfinite(normal).sum()), friction=friction, row=worst,
     )  # fmt: skip
-    return Finding("PASS", told, float(share.max()), None, "", name, int(np.argmax(share)) + 1)
+    return Finding("PASS", told, friction if np.isfinite(friction) else None, None, "", name, worst)
+
+
+def _lifted(normal: Array, share: Array) -> Array:
+    """Return the rows (n,) in which nothing presses, although the contact has to hold."""
+    return np.asarray((normal < 0) | np.isinf(share))
 
 
 def _condition(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:

@@ -1,7 +1,7 @@
 """The closed position nearest to the start values of a file, and the refusal of a start that is far from closed.
 
 Enters: a `Closure`.  Leaves: the residual of the start and a closed position.
-Used by `scene/way_to_motion.py`, `open_loops.py`, START and `grading/marking/key/branches.py`.
+Used by `scene/way_to_motion.py`, `open_loops.py`, START, `analysis.py` and `grading/marking/key/branches.py`.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 SLIPS = {"ANGLE", "LENGTH", "NO-UNIT"}  # remarks on values with which a right start does not close
@@ -37,10 +38,15 @@ def require_start(closure: Closure | None) -> None:
     }
     listed = ", ".join(f"{name} {value:.6g}" for name, value in off.items())
     unit = ", ".join(dict.fromkeys(one.unit for one in closure.equations.positions if one.name in off))
-    slips = joined(remark.sentence for remark in variant.plausibility if remark.code in SLIPS)
-    told = {"residuals": listed, "unit": unit, "hint": say("remark.instead", slips=slips) if slips else ""}
+    told = {"residuals": listed, "unit": unit, "hint": likelier(variant)}
     sentence = say("fault.V312", **told) if closed is None else say("fault.V313", nearest=typed_start(variant, closed), **told)
     raise InputError([Fault(sentence, variant.file, variant.line_of("coordinates"))])
+
+
+def likelier(variant: Variant) -> Sentence | str:
+    """Return which values of a file look like the slip for which its right start does not close; "" if none does."""
+    slips = joined(remark.sentence for remark in variant.plausibility if remark.code in SLIPS)
+    return say("remark.instead", slips=slips) if slips else ""
 
 
 def typed_start(variant: Variant, start: Array, digits: int = 15) -> str:

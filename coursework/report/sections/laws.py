@@ -6,6 +6,8 @@ Enters: a `PageContext` and `Law` records.  Leaves: displayed equations, sentenc
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from coursework.mechanism.joints import FRAME
@@ -14,7 +16,8 @@ from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part
 from coursework.report.text.text_runs import printed, runs
-from coursework.variant.formula.tree import named, spelled
+from coursework.variant.formula.made import degrees_in
+from coursework.variant.formula.tree import Formula, named, spelled
 from coursework.variant.record.variant import Law
 from coursework.words.templates import clean
 
@@ -32,16 +35,30 @@ def laws_shown(context: PageContext, laws: tuple[Law, ...]) -> list[Part]:
 
 
 def _law(context: PageContext, law: Law) -> Display:
+    per_second = _per_second(context, law)
     if law.formula is not None:
-        return display(named(law.name), law.formula, context.rates)
+        shown, after = display(named(law.name), law.formula, context.rates), per_second(law.formula)
+        return replace(shown, math=shown.math + after.math, text=shown.text + after.text)
     symbol = context.symbol(law.name)
     lines, texts = [], []
     for start, formula in law.pieces:
         when = context.words("drive.pieces", time=context.quantity(start, "s"))
         in_words = _TIME.sub('"t"', when)
-        lines.append(f'{typst_math.math(formula, context.rates)} quad "{in_words}"')
-        texts.append(f"{typst_math.text(formula, context.rates)} {when}")
+        after = per_second(formula)
+        lines.append(f'{typst_math.math(formula, context.rates)}{after.math} quad "{in_words}"')
+        texts.append(f"{typst_math.text(formula, context.rates)}{after.text} {when}")
     return Display(f"{symbol.typst} = cases({', '.join(lines)})", f"{symbol.text} = {'; '.join(texts)}")
+
+
+def _per_second(context: PageContext, law: Law) -> Callable[[Formula], Display]:
+    """Return what follows a formula of a law: the second below the degrees of a drive that is one number, as in "20 deg/s"."""
+    is_drive = law in context.run.variant.drive
+
+    def after(formula: Formula) -> Display:
+        is_rate = is_drive and bool(degrees_in(formula.args[0] if formula.op == "neg" else formula))
+        return Display('"/s"', "/s") if is_rate else Display("", "")
+
+    return after
 
 
 def _tabulated(context: PageContext, law: Law) -> str:

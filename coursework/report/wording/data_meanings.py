@@ -13,7 +13,7 @@ from coursework.drawing.outline.lengths import lengths
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.text.text_runs import LONGEST_NAME
-from coursework.variant.formula.tree import Formula, factors, terms
+from coursework.variant.formula.tree import Formula, factors, signed, terms
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 from coursework.words.templates import clean
@@ -106,12 +106,13 @@ def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
         parts = [*terms(formula)]
         if [part.op for part in parts] != ["name", "@"]:
             continue
-        angles = [part.name for part in terms(parts[1].args[1]) if part.op == "name"]
+        angles = {part.name: sign for part, sign in signed(parts[1].args[1]) if part.op == "name"}
         turning = [name for name in angles if name in moving]
-        for name in angles:
-            if len(turning) == 1 and name not in moving:
-                bar = clean(bars.get(turning[0], ""))
-                yield name, say("datum.turned", name=bar or turning[0], ends=clean(parts[0].name + point))
+        for name, sign in angles.items():
+            if len(turning) == 1 and name not in moving and angles[turning[0]] > 0:
+                ends = [clean(bars.get(turning[0], "")) or turning[0], clean(parts[0].name + point)]
+                first, last = ends[::sign]  # phi - gamma: gamma is counted from this bar to the one at phi
+                yield name, say("datum.turned", name=first, ends=last)
 
 
 def _sides(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:

@@ -79,7 +79,8 @@ def _velocity_of_point(context: PageContext, name: str) -> str:
     run, known = context.run, set(context.run.variant.names)
     motion, equations = run.motion, run.scene.equations
     guided = [through.name for through, _ in run.variant.frame.rails if through.op == "name"]
-    points = list(dict.fromkeys([*guided, *equations.symbols.vectors]))
+    bound = [one.point for one in run.variant.bindings if one.name == name and one.point]  # as the file says
+    points = list(dict.fromkeys([*bound, *guided, *equations.symbols.vectors]))
     whole = {*run.variant.sought} <= {*motion.velocity_names} and len(motion.coordinate_names) == len(run.variant.coordinates)
     if not whole or not len(motion.t) or not points:
         return ""
@@ -90,6 +91,7 @@ def _velocity_of_point(context: PageContext, name: str) -> str:
     for point, (x, y) in zip(points, velocities.T.reshape(len(points), 2, -1), strict=True):
         for label, size, across in ((f"V{point}x", x, y), (f"V{point}y", y, x), (f"V{point}", np.hypot(x, y), 0 * x)):
             compared = own if label[-1] in "xy" else np.abs(own)
-            if label not in known and np.all(np.abs(size - compared) <= most) and np.all(np.abs(across) <= most):
+            is_all = np.all(np.abs(across) <= most) or (point in bound and label[-1] in "xy")  # not a part of another velocity
+            if label not in known and is_all and np.all(np.abs(size - compared) <= most):
                 return context.lettering(f"V_{label[1:]}")  # VA alone would be the segment between V and A
     return ""

@@ -29,7 +29,7 @@ _FAR = 30.0
 _LENGTHS = ("mm", "cm", "m"), ("мм", "см", "м")
 # 0.1047, 0.105, 3.14/30, 1/9.55: relative tolerance for a factor to count as the size of the unit.
 _NEAR = 0.005
-_MINUTE = 60.0
+_MINUTE, _EARTH = 60.0, 9.81
 _PLAIN = {"", "1"}  # SI units of data that may themselves be the factor
 
 
@@ -43,7 +43,8 @@ def remarks_on(
     told = {path for _, path, _ in slips}  # where a number looks wrong for want of a unit, that is said once
     found = [
         *slips, *(bare for bare in _bare(variant, dimensions, phases) if bare[1] not in told),
-        *_left_out(variant, dimensions), *frequencies_turned_twice(variant), *parts_unused(variant, dimensions),
+        *_left_out(variant, dimensions), *_weight(variant), *frequencies_turned_twice(variant),
+        *parts_unused(variant, dimensions),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
     lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
@@ -73,6 +74,14 @@ def _angles(
 def _turned(name: str, value: float, text: str, path: KeyPath) -> Iterator[Found]:
     if abs(value) > _TURN * (1 + 1e-12):
         yield "ANGLE", path, say("remark.angle", name=name, text=text, turns=abs(value) / _TURN)
+
+
+def _weight(variant: Variant) -> Iterator[Found]:
+    """Yield a gravity far from that of any planet: 9810 mm/s^2 written without its unit, say."""
+    parts = (variant.forces.gravity if variant.forces else None) or ()
+    size = math.hypot(*(known_value(part, variant.values) or 0.0 for part in parts))
+    if size and not _EARTH / _FAR < size < _EARTH * _FAR:
+        yield "GRAVITY", ("forces", "gravity"), say("remark.gravity", size=size, times=size / _EARTH)
 
 
 def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:

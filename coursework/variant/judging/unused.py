@@ -1,6 +1,7 @@
-"""Parts of a file that nothing uses: links left out, sleeves pinned, guides and wheels without a partner, data in no formula.
+"""Parts of a file that nothing uses or counts: links and pivots left out, sleeves pinned, guides without a partner, idle data.
 
-Enters: a `Variant`, the dimensions of its names.  Leaves: remarks by the path of what they are about.  Used by `plausibility.py`.
+Enters: a `Variant`, the dimensions of its names.  Leaves: remarks by the path of what they are about; pivots that no link has.
+Used by `plausibility.py` and `left_out.py`.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from itertools import chain
 
 from coursework.variant.formula.tree import with_points
 from coursework.variant.judging.dimension_check import Dimensions
+from coursework.variant.record.entries import reached
 from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
@@ -25,6 +27,7 @@ def parts_unused(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
     """Yield every such remark, and that the table ends before the requested end."""
     yield from _links_left_out(variant)
     yield from _pinned_sleeves(variant)
+    yield from _no_pivots(variant)
     yield from _idle(variant, dimensions)
     yield from _stiff_springs(variant)
     yield from _empty_guides(variant)
@@ -48,6 +51,22 @@ def _pinned_sleeves(variant: Variant) -> Iterator[Found]:
         for point in link.points:
             if point in points.get(link.slides or "", ()):
                 yield "LINKS", ("links", link.name), say("remark.pinned", link=link.name, other=link.slides, point=point)
+
+
+def _no_pivots(variant: Variant) -> Iterator[Found]:
+    """Yield points of links that stand still and are no pivots of the frame: their links are counted and drawn without them."""
+    points, moving = dict(variant.points), {*variant.names} - {*variant.values}
+    moving |= {group.meets for group in variant.groups if group.meets}
+    for link in variant.links:
+        for point in dict.fromkeys((*link.points, *filter(None, [link.wheel]))):
+            if point in points and point not in variant.frame.hinges and not moving & reached([point], points):
+                yield "PIVOT", ("links", link.name), say("remark.pivot", link=link.name, point=point)
+
+
+def bare_hinges(variant: Variant) -> list[str]:
+    """Return the pivots of the frame that no link has; a spring may end at one, a rope run over it."""
+    held = {name for link in variant.links for name in (*link.points, link.wheel)}
+    return [point for point in variant.frame.hinges if variant.links and point not in held]
 
 
 def _empty_guides(variant: Variant) -> Iterator[Found]:

@@ -263,7 +263,7 @@ class Frame:
 class Remark:
     """A probable slip that changes no status: a stable code, the line (0 for a value that was set), a sentence.
 
-    Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD, RPM, LINKS, IDLE, UNUSED, GUIDE, CONTACT.
+    Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD, RPM, LINKS, IDLE, UNUSED, GUIDE, CONTACT, PIVOT, GRAVITY.
     """
 
     code: str

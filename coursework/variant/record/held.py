@@ -1,7 +1,7 @@
 """What [closure] holds: points that follow a drive, units of expressions, which can only be zero, which are parts of a vector.
 
 Enters: a `Variant`.  Leaves: units, flags.
-Used by `equations.py`, `changes.py`, `gaps.py`, `drift.py`, `structure.py` and by `scheme.py`.
+Used by `equations.py`, `changes.py`, `gaps.py`, `drift.py`, `structure.py`, `rigid.py` and by `scheme.py`.
 """
 
 from __future__ import annotations
@@ -144,6 +144,13 @@ def between_points(gap: Formula) -> tuple[str, str, Formula] | None:
 def is_origin(formula: Formula) -> bool:
     """Return whether a point or a sum of vectors is written as (0, 0)."""
     return formula.op == "pair" and all(arg.op == "number" and arg.value == 0 for arg in formula.args)
+
+
+def is_arm(end: Formula, base: str, at: Formula) -> bool:
+    """Return whether a point is defined as the point `base` plus one vector; `base` may be left out if it is (0, 0)."""
+    parts = [part for part, _ in signed(end) if part != named(base)]
+    whole = len([*signed(end)]) - len(parts) == 1 or (at.op == "pair" and all(part.name == "0" for part in at.args))
+    return whole and len(parts) == 1 and parts[0].op == "@"
 
 
 def _is_vector(formula: Formula, points: set[str]) -> bool:

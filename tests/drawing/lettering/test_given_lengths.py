@@ -206,3 +206,17 @@ def test_a_length_is_that_between_its_points_where_the_motion_starts(name: str) 
         if place.keys() >= {*length.names()} and poses.at.keys() >= ends:
             first, last = (poses.at[end][0] for end in ends)
             assert abs(last - first) == pytest.approx(abs(evaluate_any(length, place)), rel=0.02), (ends, spelled(length))
+
+
+@pytest.mark.parametrize(("drive", "length"), [("s", 1.5), ("phi", None)])
+def test_a_driven_length_is_dimensioned_and_one_that_is_sought_is_not(drive: str, length: float | None) -> None:
+    """No bent arrow shows how a cylinder is driven; its length of 1.5 m at the start runs from B to C."""
+    sought = ('us = "v1*sin(p*t)"', 'w1 = "v1*sin(p*t)/c"')
+    turned = [sought, ('rate = "us"', 'rate = "v"')] if drive == "phi" else []
+    drawing = solve(parse_variant(mechanism("boom", *turned))).mechanism()
+    assert drawing is not None
+    if length is None:
+        assert not [line for line in measured.lines(drawing.svg, "data-dimension") if line.says["data-dimension"] == "s"]
+    else:
+        begin, end = ends_of(drawing.svg, "s")
+        assert abs(end - begin) == pytest.approx(length * scale_of(drawing.caption), abs=0.1)

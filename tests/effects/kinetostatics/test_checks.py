@@ -83,26 +83,31 @@ def rolling(**columns):
 
 @pytest.mark.parametrize(("columns", "told"), [
     ({"N1": [10, 5], "T1": [-2, 2]}, ("pass", "N1", 0.4, 2, 0)), ({"N1": [10, -5], "T1": [1, 1]}, ("lifts", "N1", 0.2, 2, 1)),
-    ({"N1": [10, 0.0], "T1": [1, 1]}, ("lifts", "N1", math.inf, 2, 1)),
+    ({"N1": [10, 0.0], "T1": [1, 1]}, ("bare", "N1", None, 2, 1)), ({"N1": [10, 0.0], "T1": [1, 0]}, ("pass", "N1", 0.1, 1, 0)),
+    ({"N1": [NAN, 5], "T1": [NAN, 1]}, ("pass", "N1", 0.2, 2, 0)), ({"N1": [NAN, NAN], "T1": [1, 1]}, None),
     ({"N1": [10, 5], "T1": [9, 1], "N2": [-1, 4], "T2": [0, 0]}, ("lifts", "N2", 0.0, 1, 1)),
     ({"N1": [10, 5], "T1": [1, 1], "N2": [4, 4], "T2": [1, 2]}, ("pass", "N2", 0.5, 2, 0)),
     ({"N1": [10, 5], "R01": [1, 1]}, None),
     ({"R1": [10, 5], "T1": [1, 1]}, None),
 ])  # fmt: skip
 def test_of_several_contacts_the_one_that_lifts_is_told_else_the_one_that_rubs_most(columns, told):
-    with np.errstate(divide="ignore"):
-        found = _contact(rolling(**columns), None)
+    found = _contact(rolling(**columns), None)
     if told is None:
         assert found.verdict == "SKIP"
         return
     key, name, share, row, count = told
     values = found.sentence.values
-    assert (found.sentence.key, found.column, found.value, found.row) == (f"check.CONTACT.{key}", name, pytest.approx(share), row)
+    assert (found.sentence.key, found.column, found.value, found.row) == (
+        f"check.CONTACT.{key}",
+        name,
+        share and pytest.approx(share),
+        row,
+    )
     assert (values["count"], values["least"], values["most"], values["number"]) == (
         count,
-        min(columns[name]),
-        max(columns[name]),
-        2,
+        np.nanmin(columns[name]),
+        np.nanmax(columns[name]),
+        np.isfinite(columns[name]).sum(),
     )
 
 
@@ -207,6 +212,25 @@ def test_a_drive_that_jumps_is_told_as_a_blow_first_of_all(after, is_blow):
     run = coursework.solve(coursework.parse_variant(mechanism("example-1-forces", w1=pieces)))
     assert run.summary.startswith("At t = 0.3 s the drive jumps, and the velocities with it: a blow acts") == is_blow
     assert ("jumps" in run.summary) == is_blow
+
+
+@pytest.mark.parametrize(("first", "second"), [("0", "w0*(t - 0.3)*a"), ("w0*(t - 0.3)*a", "0"), ("0", "w0*sin(t - 0.3)^2")])
+def test_a_drive_that_starts_from_rest_or_comes_to_rest_evenly_is_no_blow(first, second):
+    """Near the break the drive is as good as zero on both sides, so a change there is no share of what it is there."""
+    pieces = f'{{ pieces = [["0 s", "{first}"], ["0.3 s", "{second}"]] }}'
+    run = coursework.solve(
+        coursework.parse_variant(mechanism("example-1-forces", w1=pieces).replace("[given]", '[given]\na = "2 1/s"'))
+    )
+    assert "jumps" not in run.summary and "blow" not in run.summary
+
+
+@pytest.mark.parametrize("rows", [36, 360])
+def test_power_is_not_read_across_a_row_on_which_the_drive_jumps(rows):
+    """The row on the jump has the energy behind it: the five rows that end there would show a change that no power makes."""
+    text = mechanism("example-1-forces", w1='{ pieces = [["0 s", "w0"], ["pi/w0", "w0/2"]] }')
+    run = coursework.solve(coursework.parse_variant(text), step=2 * np.pi / 10 / rows)
+    (power,) = [one for one in run.checks if one.code == "POWER"]
+    assert power.value < 0.02 * (36 / rows) ** 4
 
 
 def test_a_blow_is_told_where_too_few_rows_show_power():

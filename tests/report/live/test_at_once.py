@@ -37,7 +37,7 @@ def test_every_graph_is_drawn_when_the_page_is_there(shaper: Path, opened: Any) 
         assert truth > 20 and (table, dots) == (27, 27)  # 26 rows
     assert page.evaluate("document.querySelectorAll('#lab-table td:not(:empty)').length") == 26 * 10
     # What is measured on the machine comes later; its axes stand there.
-    assert page.text_content("#lab-diagram .live-title >> nth=0") == "largest error, rad or m"
+    assert page.text_content("#lab-diagram .live-title >> nth=0") == "absolute error, rad or m"
 
 
 def test_a_picture_taken_by_the_browser_alone_has_the_graphs(shaper: Path, tmp_path: Path) -> None:

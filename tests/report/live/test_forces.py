@@ -142,7 +142,7 @@ def test_the_arm_is_seen_to_gain_energy_until_it_is_nonsense(written: Any, opene
     page.page.keyboard.press("End")
     assert float(page.value("#live-energy")) == pytest.approx(21.015, abs=0.001)
     assert "3.07 J more than the true one: " in page.page.inner_text("#live-gained")
-    assert "largest error, rad or rad/s" in page.page.text_content("#lab-diagram")
+    assert "absolute error, rad or rad/s" in page.page.text_content("#lab-diagram")
     page.set("#lab-step", -2)
     page.page.wait_for_function("document.querySelector('#lab-error').dataset.value > 13.5")
     page.page.focus("#live")

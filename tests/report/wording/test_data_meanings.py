@@ -25,6 +25,14 @@ def test_what_the_data_are(name):
     assert {key: found[key] for key in SAID[name]} == SAID[name]
 
 
+@pytest.mark.parametrize(("angle", "told"), [("phi3 - gamma", "angle from DE to DC"), ("gamma - phi3", "")])
+def test_an_angle_is_counted_from_the_bar_that_it_is_added_to(angle, told):
+    """E = D + r5 @ (phi3 - gamma): from DE a positive gamma leads to DC."""
+    text = mechanism("watt", ("phi3 + gamma", angle))
+    scene = coursework.solve(coursework.parse_variant(text), quantities=["table"]).scene
+    assert str(meanings(scene.mechanism)["gamma"]) == told
+
+
 def test_a_product_of_two_data_is_the_amplitude_of_neither():
     """rr*w0*cos(w0*t + beta): neither a length nor an angular velocity is the size of a speed."""
     text = coursework.load("andrews").path.read_text(encoding="utf-8")

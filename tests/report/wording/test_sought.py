@@ -33,6 +33,20 @@ def test_a_linear_velocity_is_told_with_what_moves_so(real: ModuleType, name: st
     assert told in statement(real, name)
 
 
+def test_of_two_points_with_one_velocity_that_of_the_file_is_told(real: ModuleType) -> None:
+    """B and D of the lift rise alike; the file says of = "B"."""
+    text = mechanism("scissor")
+    assert "h = VBy and" in statement(real, coursework.parse_variant(text))
+    assert "h = VDy and" in statement(real, coursework.parse_variant(text.replace('of = "B"', 'of = "D"')))
+
+
+def test_a_drive_in_degrees_per_second_is_written_so(real: ModuleType) -> None:
+    told = statement(real, coursework.parse_variant(mechanism("roberts")))
+    assert "20°/s from t = 0 s; −40°/s from t = 0.4 s; 20°/s from" in told
+    one = mechanism("roberts", w1="-20 deg/s")
+    assert "ω₁ = −20°/s" in statement(real, coursework.parse_variant(one))
+
+
 @pytest.mark.parametrize("name", ["v110", "v112"])
 def test_the_velocity_of_a_point_has_it_as_its_index(real: ModuleType, name: str) -> None:
     """V_A: as one word it would be the segment VA."""

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.motion.geometry.closed_start import OPEN, closed_start, typed_start
+from coursework.motion.geometry.closed_start import OPEN, closed_start, likelier, typed_start
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.judging.agreement import agrees
 from coursework.motion.geometry.start import START_TOLERANCE
@@ -40,7 +40,12 @@ def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None
     except InputError:
         return
     variant, held = equations.variant, equations.positions[worst]
-    known = {"value": float(residual[worst]), "unit": held.unit, "nearest": typed_start(variant, near.start)}
+    known = {
+        "value": float(residual[worst]),
+        "unit": held.unit,
+        "nearest": typed_start(variant, near.start),
+        "hint": likelier(variant),
+    }
     told = say("fault.V310", held=held.written or held.name, **known)
     raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
 

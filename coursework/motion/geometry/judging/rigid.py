@@ -1,7 +1,7 @@
 """Whether [links] and [frame] agree with the points of a file: links keep their shape, hinges rest, guides lie along the motion.
 
 Enters: velocity equations and their closure.  Leaves: hinges with two names.  Raises `InputError` naming each link, rail, circle.
-Used by `unseen_signs.py`, `beginning.py`, `equations.py` and `commands/check.py`.
+Used by `unseen_signs.py`, `beginning.py`, `equations.py` and `commands/mobility.py`.
 A guide across the motion of its slider changes no column of the table, but drawings, plans and forces depend on it.
 """
 
@@ -24,9 +24,10 @@ from coursework.motion.geometry.judging.agreement import agrees
 from coursework.motion.geometry.judging.open_loops import where_judged
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, evaluate, named, signed
+from coursework.variant.formula.tree import evaluate
 from coursework.variant.reading.implied_closure import with_implied_closure
 from coursework.variant.record.entries import Link, reached
+from coursework.variant.record.held import is_arm
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -133,7 +134,7 @@ def _of_two_links(variant: Variant, points: Iterable[str]) -> list[tuple[str, st
 
 def _faults(equations: VelocityEquations, closure: Closure) -> list[Fault]:
     seen = _seen(equations, closure)
-    return [*seen.of_links(), *seen.of_hinges(), *seen.of_rails(), *seen.of_circles()]
+    return [*seen.of_links(), *seen.of_wheels(), *seen.of_hinges(), *seen.of_rails(), *seen.of_circles()]
 
 
 def _seen(equations: VelocityEquations, closure: Closure) -> _Seen:
@@ -180,6 +181,12 @@ class _Seen:
             if lost is not None:
                 known = {"link": link.name, "point": points[lost], "bar": link.slides, **self._between(offs[lost][0])}
                 yield self._fault(("links", link.name), say("fault.V315", **known))
+
+    def of_wheels(self) -> Iterator[Fault]:
+        """Yield a fault for each wheel whose contact lies in its centre at some time."""
+        for link in self.variant.links:
+            if link.wheel and link.contact and self.apart(link.wheel, link.contact).min() <= _TOLERANCE * self.scale:
+                yield self._fault(("links", link.name), say("fault.V325", link=link.name, centre=link.wheel, at=link.contact))
 
     def of_hinges(self) -> Iterator[Fault]:
         """Yield a fault for each hinge of the frame that moves."""
@@ -282,17 +289,10 @@ class _Seen:
         if any(np.ptp(apart + sign * length) <= least for length in self.growing for sign in (-1, 1)):
             return True
         placed, pairs = dict(self.variant.points), ((one, other), (other, one))
-        return any(_is_arm(placed[end], base, placed[base]) for end, base in pairs if {end, base} <= {*placed})
+        return any(is_arm(placed[end], base, placed[base]) for end, base in pairs if {end, base} <= {*placed})
 
     def _fault(self, path: Sequence[str | int], told: Sentence) -> Fault:
         return Fault(told, self.variant.file, self.variant.nearest_line(*path))
-
-
-def _is_arm(end: Formula, base: str, at: Formula) -> bool:
-    """Return whether a point is defined as the point `base` plus one vector; `base` may be left out if it is (0, 0)."""
-    parts = [part for part, _ in signed(end) if part != named(base)]
-    whole = len([*signed(end)]) - len(parts) == 1 or (at.op == "pair" and all(part.name == "0" for part in at.args))
-    return whole and len(parts) == 1 and parts[0].op == "@"
 
 
 def _degrees(along: complex) -> float:

@@ -123,10 +123,8 @@ def _of_link(
 
     `others` are the names and rates (c,) of other links, one of which may be meant.
     """
-    off = np.abs(found - named)
-    if np.all(off <= _TOLERANCE * largest) or (
-        not _counted_as_vectors(turn.link, closure.equations) and np.all(np.abs(found + named) <= _TOLERANCE * largest)
-    ):
+    off, opposite = np.abs(found - named), np.all(np.abs(found + named) <= _TOLERANCE * largest, axis=0)
+    if np.all(off <= _TOLERANCE * largest) or (opposite.all() and not _counted_as_vectors(turn.link, closure.equations)):
         return None
     run = off[: len(closure.configurations[0])]  # what follows is at no time of the run: told only if nothing differs before
     shown_off = run if np.any(run > _TOLERANCE * largest) else off
@@ -134,8 +132,11 @@ def _of_link(
     shown = [0.0 if abs(value) <= _TOLERANCE * largest else float(value) for value in (found[row, place], named[row, place])]
     meant = (rate for rate, of in others if np.all(np.abs(found - of[:, None]) <= _TOLERANCE * largest))
     known = {"link": turn.link, "rate": turn.rate, "found": shown[0], "named": shown[1], "time": float(times[row])}
-    told = say("fault.V309.as", own=own, **known) if (own := next(meant, "")) else say("fault.V309.alone", **known)
     variant = closure.equations.variant
+    is_wheel = any(link.name == turn.link and link.contact for link in variant.links)
+    hint = say("fault.turning.opposite") if opposite[place] else say("fault.turning.wheel") if is_wheel else ""
+    own = next(meant, "")
+    told = say("fault.V309.as", own=own, **known) if own else say("fault.V309.alone", hint=hint, **known)
     return Fault(told, variant.file, variant.nearest_line("links", turn.link))
 
 

@@ -42,3 +42,9 @@ def test_where_the_lengths_do_not_meet_the_start_is_told_and_no_link_is_called_b
     run = coursework.solve(coursework.parse_variant(mechanism("windshield-wiper", r1="120 mm")), quantities=["table", "checks"])
     start = next(finding for finding in run.checks if finding.code == "START")
     assert start.verdict == "FAIL" and "there is no closed position near it" in start.sentence
+
+
+def test_a_likelier_slip_is_told_beside_the_start_that_would_close():
+    """With 20 m for 2 m the start is wrong only because the length is."""
+    with pytest.raises(coursework.InputError, match=r"V310 .* A likelier slip: L = 20 m beside 0.5 m: 20 cm\?"):
+        assert coursework.solve(coursework.parse_variant(mechanism("scissor", L="20 m"))).scene.closure

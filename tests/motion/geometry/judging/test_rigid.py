@@ -7,8 +7,9 @@ import re
 import pytest
 
 import coursework
-from coursework.motion.geometry.judging.rigid import _degrees, _is_arm
+from coursework.motion.geometry.judging.rigid import _degrees
 from coursework.variant.formula.reader import parse
+from coursework.variant.record.held import is_arm
 from tests.commands.test_cli import call
 from tests.mechanisms.library import mechanism
 from tests.motion.geometry.judging.test_turning import closure
@@ -73,6 +74,12 @@ def test_wheels_that_roll_on_each_other_need_no_circle():
         (mechanism("epicyclic"), ('R0 @ phi1"  ', 'R0*(1.1 + 0.1*sin(phi1)) @ phi1"  '), "V317 .*contact P is 0.132 m from O"),
         (mechanism("31"), ('P = "C - (0, r3/2)"', 'P = "C - (r3/20, r3/2)"'), "V318 .*wheel 4 .*from C to P"),
         (mechanism("31"), ('hinges = ["D"]', 'hinges = ["D", "A"]'), "V319 .*A moves: at t = .*Take it out of hinges"),
+        (
+            mechanism("31"),
+            ('wheel = "C", contact = "P"', 'wheel = "C", contact = "C"'),
+            "V325 .*wheel 4 .*contact C lies in its centre C",
+        ),
+        (mechanism("31"), ('P = "C - (0, r3/2)"', 'P = "C + 0*(C - B)"'), "V325 .*wheel 4 .*contact P lies in its centre C"),
         (mechanism("epicyclic"), ('P = "O + R0 @ phi1"', 'P = "O + R0 @ (phi1 + 0.01)"'), "V318 .*wheel 2 .*from C to P"),
     ],
     ids=[
@@ -85,6 +92,8 @@ def test_wheels_that_roll_on_each_other_need_no_circle():
         "circle at the start",
         "contact on a rail",
         "moving hinge",
+        "contact that is its centre",
+        "contact in its centre",
         "contact in a ring",
     ],
 )
@@ -157,15 +166,15 @@ def test_a_crank_does_not_grow_to_the_slider_whose_way_is_measured_from_its_pivo
 
 
 @pytest.mark.parametrize(
-    ("end", "base", "is_arm"),
+    ("end", "base", "is_one"),
     [
         ("A + r @ phi", "(1, 0)", True), ("A - r @ phi", "(1, 0)", True), ("r @ phi", "(0, 0)", True),
         ("r @ phi", "(1, 0)", False), ("A + (r, 0)", "(1, 0)", False),
         ("A + r @ phi + b @ psi", "(1, 0)", False), ("B + r @ phi", "(1, 0)", False),
     ],
 )  # fmt: skip
-def test_an_arm_is_one_vector_from_its_base(end, base, is_arm):
-    assert _is_arm(parse(end, vectors=True), "A", parse(base, vectors=True)) is is_arm
+def test_an_arm_is_one_vector_from_its_base(end, base, is_one):
+    assert is_arm(parse(end, vectors=True), "A", parse(base, vectors=True)) is is_one
 
 
 def bare31(hinges: str, *changes: tuple[str, str]) -> str:

@@ -41,6 +41,17 @@ def test_a_link_that_turns_otherwise_than_its_rate_is_named(text, link, slips):
         closure(text, *slips)
 
 
+@pytest.mark.parametrize(("slips", "told"), [
+    ([("w1 + w2 = 0", "w1 - w2 = 0"), ("f1 + f2", "f1 - f2")], "Or is a sign wrong in its equation or in what [closure] holds?"),
+    ([("(m*z/2, 0)", "(m*z/3, 0)")], "A wheel turns as its centre and its contact move"),
+])  # fmt: skip
+def test_a_wheel_that_turns_otherwise_is_told_where_the_slip_may_be(slips, told):
+    """Gears that turn in one sense, with an equation and a hold that agree, and a contact at no pitch radius."""
+    with pytest.raises(coursework.InputError, match=r"V309") as caught:
+        closure(mechanism("press-with-two-gears"), *slips)
+    assert told in str(caught.value)
+
+
 def test_the_rate_that_is_meant_is_named_where_another_link_has_it():
     slips = [('["B", "C"], rate = "w2"', '["B", "C"], rate = "w3"'), ('["D", "C"], rate = "w3"', '["D", "C"], rate = "w2"')]
     with pytest.raises(coursework.InputError) as told:
