@@ -47,7 +47,7 @@ _STANDS = re.compile(
     r"(?:[^\W\d_]{2,12}[\s:,]+){0,5}[vV]_?\{?[A-Z]?[xy]?\}?\s*=\s*0\s*[.,;]?\s*"
 )  # V_C = 0: why an equation holds
 _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
-_COMMENTED = re.compile(r"^[ \t]*(?:#+|//+|%+|--|;+|')[ \t]*(?=[^\s=])", re.MULTILINE)  # the sign of a line that is a comment
+_COMMENTED = re.compile(r"^[ \t]*(?:#+|//+|%+)[ \t]*(?=[^\s=])", re.MULTILINE)  # the sign of a line that is a comment
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*)(?:\w{1,20}\s*[,;]\s*)+\w{1,20}\s*(?:[\])}]|$)")

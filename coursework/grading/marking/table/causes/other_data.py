@@ -32,6 +32,7 @@ _UNITS = {"1/s": (2 * np.pi, 0.5 / np.pi), "m": (100.0, 0.01, 1000.0, 0.001)}
 _LIKE_KEY = 0.5
 # From this part of the angles, or of the velocities, on, they stand where they belong.
 _IN_PLACE = 0.9
+_QUARTER = 0.003  # rad by which quarter turns may be off: π may have been taken as 3.14
 _TURN = 2 * np.pi
 SLIPPED, EACH_SLIPPED, COLUMN_SLIPPED = "point_slipped", "each_point_slipped", "column_slipped_"
 OTHER_SIGN = "other sign"  # behind the value and unit of a datum that has it
@@ -235,7 +236,8 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
             shift = np.nanmedian(shifts)
             quarters = np.round(shift / (np.pi / 2)) if np.isfinite(shift) else 0.0
             # The middle of a column that runs the other way may be a quarter turn by chance: its cells must be.
-            if not (quarters or sign < 0) or np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) > 0.02:
+            off = np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) - np.nanmax(student.units[:, place])
+            if not (quarters or sign < 0) or off > _QUARTER:
                 continue
             values = student.values.copy()
             values[:, place] = sign * (values[:, place] - quarters * np.pi / 2)

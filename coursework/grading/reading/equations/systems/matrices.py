@@ -133,7 +133,7 @@ def _with_first_system(whole: str, sought: Sequence[str]) -> str:
 
 
 def _taken(whole: str, unknowns: str, place: int) -> list[re.Match[str]]:
-    """Return where the entries of a vector get names, w1 = x(1), in the order of the entries: behind a place until one comes again."""
+    """Return where the entries of a vector get names, w1 = x(1), in their order; behind a place, until one comes again."""
     pattern = re.compile(_TAKEN % ((re.escape(unknowns),) * 2))
     found: dict[int, re.Match[str]] = {}
     for one in pattern.finditer(whole, place) if pattern.search(whole, place) else pattern.finditer(whole):

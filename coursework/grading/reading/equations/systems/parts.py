@@ -91,7 +91,7 @@ def _cuts(line: str) -> list[tuple[int, int]]:
 
 
 def _rows(line: str) -> list[str]:
-    """Return the equations of "[a, b; c, d] * [x; y] = [e; f]", or of "[x; y] = [a, b; c, d]^(-1) * [e; f]", one per row; else []."""
+    """Return the equations of "[a, b; c, d]*[x; y] = [e; f]", or of "[x; y] = [a, b; c, d]^(-1)*[e; f]", by rows; else []."""
     line = _INVERSE.sub("⁻¹", _GROUPS.sub("", line)) if "[" in line and len(line) <= _LONGEST else ""
     inside = depths(line)
     edges = [k for k, (one, before) in enumerate(zip(inside, [0, *inside], strict=False)) if {one, before} == {0, 1}]
