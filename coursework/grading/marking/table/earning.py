@@ -91,6 +91,8 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
         is_near = fit.code == DATA_ROUNDED or (ratio is not None and abs(ratio - 1) < _DIGITS_OFF)
         if fit.beyond_euler and ((ratio is not None and ratio < 0) or fit.code.startswith(_SIGN)):
             worth = max(worth, rubric.own_equations_floor)
+        if fit.beyond_euler and fit.code in causes.OTHER_RULES:
+            worth += max(rubric.steps_floor - worth, 0.0) * ramp(fit.share, _PARTLY, NAMED)
         if fit.beyond_euler and (fit.share >= least or is_near) and fit.share > copied and is_number:
             worth = max(worth, _of_data(rubric, fit))
         if fit.share < copied or not (fit.beyond_euler or worth <= rubric.misconception_floor):
@@ -136,8 +138,10 @@ def _worth(rubric: Rubric, fit: Fit) -> float:
     Work with rounded velocities or a rounded π is Euler's, worked out coarser: what a few digits less in print would hide costs
     little.
     """
-    if fit.code in {*causes.OTHER_STEPS, causes.ROWS_SHIFTED}:
+    if fit.code == causes.ROWS_SHIFTED:
         return 1.0
+    if fit.code in causes.OTHER_STEPS:
+        return rubric.steps_floor
     if fit.code.startswith(_COARSER):
         return ROUNDED
     if fit.code == RADIAN_MODE and len(fit.names) > 1:
