@@ -183,7 +183,9 @@ def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
     percent = math.floor(1000 * earned.explained + 1e-6) / 10  # rounded down: 100 means all of them
-    return say(f"feedback.earned.{earned.rule}", **known, percent=percent, alone=round(earned.of_cells * most, 2), line=earned.cause)
+    return say(
+        f"feedback.earned.{earned.rule}", **known, percent=percent, alone=round(earned.of_cells * most, 2), line=earned.cause
+    )
 
 
 def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:

@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.causes.hypotheses import DEGREE_STEPS, OTHER_STEP, SCHEMES_TRIED, STEPS_IN_DEGREES, claims
+from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP, claims
 from coursework.grading.marking.table.causes.misread_key import MisreadKey
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.other_data import may_be
@@ -41,11 +41,6 @@ ALIKE = 0.98
 _CLOSER, _READ_OFF = 3, 2
 _ROUND_OFF = 1e-9
 ROWS_SHIFTED, ORIGIN, ROUNDED_OMEGA = "rows_shifted", "origin_", "rounded_omega_"
-# Causes with steps of another length, and with steps made by another rule.
-OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS, STEPS_IN_DEGREES)
-OTHER_RULES = (
-    *SCHEMES_TRIED, "trapezoid", "backward", "step_ahead", "step_behind", "row_before", "two_rows", "other_rates", "in_place", "exact",
-)  # fmt: skip
 
 
 @frozen
