@@ -23,7 +23,7 @@ from coursework.words.sentences import closest, say
 KEYS = ("points", "missing_part", "parts", "table", "answers", "conventions", "confusion", "late")
 PARTS = ("table", "equations", "answers")
 CONVENTIONS = ("accept", "misconception")
-FLOORS = ("carried", "start_floor", "start_floor_several", "misconception_floor", "own_equations_floor")
+FLOORS = ("carried", "start_floor", "start_floor_several", "misconception_floor", "own_equations_floor", "steps_floor")
 _LATE = {"lost_per_day": 0.1, "at_most": 1.0}
 READING_TOLERANCE = 0.05  # of the largest value of its kind in the row: as well as a drawing can be read
 
@@ -63,6 +63,7 @@ class Rubric:
     start_floor_several: float = 0.6
     misconception_floor: float = 0.4
     own_equations_floor: float = 0.5
+    steps_floor: float = 0.7
     answers: tuple[Answer, ...] = ()
     confusions: tuple[Confusion, ...] = ()
     clockwise: str = "accept"

@@ -139,7 +139,7 @@ def test_counts_are_those_of_the_files(seen, handed_in):
                 assert starts == len(truth.wrong & start), student
             if truth.counted:
                 assert int(missing) == len(truth.absent - start), student
-    assert counted > 20
+    assert counted > 10  # tables of another step or scheme earn a share, and tell one sum
     assert not COUNTS.search(seen["right"].row["sentence"])
     assert not COUNTS.search(seen["start"].row["sentence"])  # its points do not come from the cells
 
@@ -147,7 +147,7 @@ def test_counts_are_those_of_the_files(seen, handed_in):
 def test_cells_right_from_own_numbers_are_those_off_the_key(seen):
     """Counted here: what is neither the key's to the last printed place nor wrong."""
     slack = 0.505e-4 + 2e-4 * np.ptp(RIGHT, axis=0)
-    for student, table in (("slip", students.slip(10, 1, 1.05)), ("m-heun", students.table(students.heun))):
+    for student, table in (("slip", students.slip(10, 1, 1.05)), ("m-sign-w1", students.signed(0))):
         off = np.abs(np.round(table, 4) - RIGHT) > slack
         _, wrong, _, carried, _ = map(int, COUNTS.search(seen[student].row["sentence"]).groups())
         assert wrong + carried == int(off[1:].sum() + off[0, 3:].sum()), student

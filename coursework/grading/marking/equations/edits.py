@@ -143,7 +143,12 @@ def term_of(tree: Formula, edit: Edit) -> Formula:
     way = [tree]
     for place in edit.path:
         way.append(way[-1].args[place])
-    if way[-1].op in _OPPOSITE or way[-1].op == "neg":
+    if way[-1].op == "neg":  # at the beginning of a product the sign is that of the whole
+        place = len(way) - 1
+        while place and edit.path[place - 1] == 0 and way[place - 1].op in {"*", "/"}:
+            place -= 1
+        return replaced(way[place], edit.path[place:], way[-1].args[0])
+    if way[-1].op in _OPPOSITE:
         return unsigned(way[-1].args[-1])
     terms = [node for above, node in pairwise(way) if above.op in _SUMS and node.op not in _SUMS]
     return unsigned(terms[-1] if terms else way[-1])

@@ -16,7 +16,7 @@ from coursework.grading.reading.student_work import EquationLine, EquationReadin
 from coursework.words.errors import Fault
 from coursework.words.sentences import say
 
-_BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—−]"
+_BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—]"
 _DASHED, _CLOSELY = re.compile(rf"{_BEGINS}\s)"), re.compile(rf"{_BEGINS})")  # the second without a blank behind the dash
 _SIGNS = re.compile(r"[\s\-–—−(]*")
 _STEM = re.compile(r"\s*([^\d=]{1,20})\d{1,2}\s*+[)\]]?\s*+(?:\([\w\s,]*\))?\s*(?::?=|<-)")

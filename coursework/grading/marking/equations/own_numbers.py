@@ -1,16 +1,17 @@
-"""A line that is right but for its numbers: data that are rounded, or one number or law of the drive that is not the task's.
+"""A line that is right but for its numbers: rounded data, or one or two numbers or a law of the drive that are not the task's.
 
 Enters: a wrong line, a `Probe`.  Leaves: `OwnNumber`.  Used by `equations.py`.
 Equations are asked for, not numbers: whoever writes letters has no number to copy wrongly, and whoever gives the drive on a line
 of its own loses nothing in the others. A number for another datum is a wrong length; a sign or a factor of a law is a slip, and
-so is twice or half a datum. A number stands for each datum that rounds to it, in mm or cm as well as in m.
+so is twice or half a datum, and so is a law with other functions. A number stands for each datum that rounds to it, in mm or cm
+as well as in m.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from decimal import Decimal
-from itertools import chain, islice, product
+from itertools import chain, combinations, islice, product
 
 import numpy as np
 
@@ -67,7 +68,8 @@ def own_numbers(tree: Formula, key: Key, probe: Probe, near: float) -> Iterator[
         read = [*islice(_as_rounded(tree, variant, probe), _ROUNDED)]
         yield from (OwnNumber("", "", base) for base, rounded in read if is_right(base, tuple(rounded)))
         bases = [(tree, {}), *read[:1]]
-        copied = ((*base, *one) for base in bases for one in _numbers_in(base[0], tree.names(), variant, probe))
+        numbers = [(base, [*_numbers_in(base[0], tree.names(), variant, probe)]) for base in bases]
+        copied = ((*base, *one) for base, found in numbers for one in found)
         rounded_most = bases[-1]  # with p rounded, 2*VMx would be no multiple of VMx
         laws = ((*rounded_most, *one) for one in _laws_in(rounded_most[0], variant, probe))
         for base, rounded, part, by, name, meant in chain(islice(copied, _MOST), islice(laws, _MOST)):  # one number is likelier
@@ -75,6 +77,14 @@ def own_numbers(tree: Formula, key: Key, probe: Probe, near: float) -> Iterator[
                 for of, digits in rounded.items():
                     part = _with(part, named(of), digits)
                 yield OwnNumber(spelled(part), meant or told[name], mended)
+        pairs = ((base, *pair) for base, found in numbers for pair in _pairs(found, probe))
+        for (base, rounded), one, other in islice(pairs, _MOST):
+            if is_right(mended := _with(_with(base, *one[:2]), *other[:2]), (*rounded, one[2], other[2])):
+                yield OwnNumber(
+                    ", ".join(spelled(part) for part, *_ in (one, other)),
+                    ", ".join(meant or told[name] for *_, name, meant in (one, other)),
+                    mended,
+                )
     except NoValue:
         return
 
@@ -126,6 +136,8 @@ def _numbers_in(
     for part in dict.fromkeys(node for node in tree.walk() if {*node.names()} <= {"pi"}):
         if part.op != "number" and (part.op == "name" or constant(part) is not None):
             continue  # 2*0.7 is a factor and a length
+        if part.op == "number" and part.value == 1:
+            continue  # 1*w3 is a velocity without its length
         taken = {(si, name) for _, value, _, name, si in known if _rounds(part, value, probe)}
         for by, value, meant, name, si in known:
             is_another = any(of == si and other != name for of, other in taken)
@@ -133,19 +145,37 @@ def _numbers_in(
                 yield part, by, name, meant
 
 
+def _pairs(
+    found: Collection[tuple[Formula, Formula, str, str]], probe: Probe
+) -> Iterator[tuple[tuple[Formula, Formula, str, str], tuple[Formula, Formula, str, str]]]:
+    """Yield two numbers in a line that round no datum, each with a datum that no number of the line rounds to."""
+    known = {by: abs(float(real(value_of(by, probe.names), probe.count)[0])) for _, by, *_ in found}
+    rounding = [one for one in found if _rounds(one[0], known[one[1]], probe)]
+    parts, names = {part for part, *_ in rounding}, {name for *_, name, _ in rounding}
+    strange = [one for one in found if one[0].op == "number" and one[0] not in parts and one[2] not in names]
+    yield from (pair for pair in combinations(strange, 2) if pair[0][0] != pair[1][0] and pair[0][2] != pair[1][2])
+
+
 def _laws_in(tree: Formula, variant: Variant, probe: Probe) -> Iterator[tuple[Formula, Formula, str, str]]:
     """Yield functions of time in a line, each with a law of the drive for which it may stand, as `_numbers_in` does."""
     laws = _laws(variant, probe)
+    kinds = {one.name: _functions(one.formula) for one in variant.drive if one.formula is not None}
     for part in dict.fromkeys(node for node in tree.walk() if "t" in node.names()):
         if {*part.names()} <= {"t", "pi", *variant.values}:
             own = real(value_of(part, probe.names), probe.count)
             if not any(_are_same(np.abs(own), np.abs(law)) for _, law in laws):
-                others = (name for name, law in laws if name not in tree.names() and _is_other(own, law))
+                like = _functions(part)
+                others = (name for name, law in laws if name not in tree.names() and kinds[name] == like and _is_other(own, law))
                 yield from ((part, by, name, "") for name in others for by, *_ in _scaled(name, 1.0, "m/s"))
 
 
 def _laws(variant: Variant, probe: Probe) -> list[tuple[str, Array]]:
     return [(one.name, real(probe.names[one.name], probe.count)) for one in variant.drive if one.formula is not None]
+
+
+def _functions(formula: Formula) -> frozenset[str]:
+    """Return the functions in a formula, sines and cosines as one: a law that has others than the task's is no form of it."""
+    return frozenset("sin" if node.name == "cos" else node.name for node in formula.walk() if node.op == "call")
 
 
 def _is_other(own: Array, law: Array) -> bool:

@@ -15,7 +15,7 @@ from coursework.grading.marking.reasons.reason import Reason, in_sum, misconcept
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import lacking
 from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
-from coursework.grading.marking.table.causes.misconceptions import OTHER_STEPS, ROWS_SHIFTED, Misconception
+from coursework.grading.marking.table.causes.misconceptions import ROWS_SHIFTED, Misconception
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows, repeated_rows
 from coursework.grading.marking.table.causes.other_data import OTHER_SIGN
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN
@@ -182,9 +182,10 @@ def _sum(marked: TableMarks, cells: int, points: float, most: float) -> Sentence
     known = {"points": points, "most": most, "worth": in_sum(earned.worth), "explained": in_sum(earned.explained)}
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
-    rule = OTHER_STEP if earned.cause in OTHER_STEPS else earned.rule
     percent = math.floor(1000 * earned.explained + 1e-6) / 10  # rounded down: 100 means all of them
-    return say(f"feedback.earned.{rule}", **known, percent=percent, alone=round(earned.of_cells * most, 2), line=earned.cause)
+    return say(
+        f"feedback.earned.{earned.rule}", **known, percent=percent, alone=round(earned.of_cells * most, 2), line=earned.cause
+    )
 
 
 def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:

@@ -14,7 +14,15 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
-from coursework.grading.marking.table.causes.hypotheses import NO_VELOCITIES, PI_ROUNDED, RADIAN_MODE
+from coursework.grading.marking.table.causes.hypotheses import (
+    DEGREE_STEPS,
+    NO_VELOCITIES,
+    OTHER_STEP,
+    PI_ROUNDED,
+    RADIAN_MODE,
+    SCHEMES_TRIED,
+    STEPS_IN_DEGREES,
+)
 from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
 from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, DATA_ROUNDED, DATUM
 from coursework.grading.marking.table.causes.own_equations import OWN
@@ -26,9 +34,16 @@ from coursework.grading.marking.table.untold import ramp
 from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
 
-_SLIPS = ("equation_", "sign_drive", "cosine_drive", NO_VELOCITIES)
+_SLIPS = ("equation_", "sign_drive", "cosine_drive", "clockwise", NO_VELOCITIES)
 # Causes of a table that was worked out with fewer digits: velocities rounded before each step, π as 3.14; the worth of its cells.
 _COARSER, ROUNDED = (ROUNDED_OMEGA, PI_ROUNDED), 0.98
+
+# Causes with steps of another length, and with steps made by another rule, from right velocities.
+_OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS, STEPS_IN_DEGREES)
+_OTHER_RULES = (
+    *SCHEMES_TRIED, "trapezoid", "backward", "exact",
+    "step_ahead", "step_behind", "row_before", "two_rows", "other_rates", "in_place",
+)  # fmt: skip
 
 # A datum that explains no more than this part of a table is worth no more than a wrong method.
 _PARTLY = 0.8
@@ -91,6 +106,8 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
         is_near = fit.code == DATA_ROUNDED or (ratio is not None and abs(ratio - 1) < _DIGITS_OFF)
         if fit.beyond_euler and ((ratio is not None and ratio < 0) or fit.code.startswith(_SIGN)):
             worth = max(worth, rubric.own_equations_floor)
+        if fit.beyond_euler and fit.code in _OTHER_RULES:
+            worth += max(rubric.steps_floor - worth, 0.0) * ramp(fit.share, _PARTLY, NAMED)
         if fit.beyond_euler and (fit.share >= least or is_near) and fit.share > copied and is_number:
             worth = max(worth, _of_data(rubric, fit))
         if fit.share < copied or not (fit.beyond_euler or worth <= rubric.misconception_floor):
@@ -136,8 +153,10 @@ def _worth(rubric: Rubric, fit: Fit) -> float:
     Work with rounded velocities or a rounded π is Euler's, worked out coarser: what a few digits less in print would hide costs
     little.
     """
-    if fit.code in {*causes.OTHER_STEPS, causes.ROWS_SHIFTED}:
+    if fit.code == causes.ROWS_SHIFTED:
         return 1.0
+    if fit.code in _OTHER_STEPS:
+        return rubric.steps_floor
     if fit.code.startswith(_COARSER):
         return ROUNDED
     if fit.code == RADIAN_MODE and len(fit.names) > 1:

@@ -35,7 +35,6 @@ _FEW, _MOSTLY = 0.25, 0.5
 class Fit:
     """A hypothesis (`code`) and the share of the cells that it or the key explains, with the gates of the points.
 
-    For steps of another length only velocities count: the steps are wrong, whichever of their rows are on the grid.
     `beyond_euler`: it explains more than Euler's rules do.
     """
 
@@ -52,14 +51,13 @@ class Explained:
     key: Key
     cells: Cells
 
-    def share(self, holds: Flags, *, only_velocities: bool = False, as_it_is: bool = False) -> float:
+    def share(self, holds: Flags, *, as_it_is: bool = False) -> float:
         """Return the share of counted cells that some explanation `holds` for (n, m + r), or that agree with the key.
 
         The gates are those of the points. A step counts if its velocity is explained too; a velocity, if its row belongs to the
         motion of the explained steps and it is explained too. A cell that agrees with the key counts whatever explains others;
         where an explanation has another value, what was made from that one is explained as it was before. A wrong start value
-        costs a cell. With `as_it_is` no cell is taken as put right, and those of the key count in runs; with `only_velocities` no
-        coordinate counts.
+        costs a cell. With `as_it_is` no cell is taken as put right, and those of the key count in runs.
         """
         m, rows = len(self.key.coordinates), self._rows
         explained = (holds | self._by_key) & self._spoken
@@ -74,8 +72,6 @@ class Explained:
         found = np.zeros_like(explained)
         found[rows, m:] = explained[rows, m:] & follows[:, None]
         counts |= found & ~but(found, motion)
-        if only_velocities:
-            counts[:, :m] = False
         return max(float(counts.sum()) - int((self.cells.wrong & ~holds)[:1, :m].sum()), 0.0) / max(self._count, 1)
 
     def _as_before(self, holds: Flags, explained: Flags) -> Flags:

@@ -7,10 +7,11 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
+from bisect import bisect
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import islice
+from itertools import islice, pairwise
 
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.equations import WORD, Names, most_lines, names_for, names_in, names_of, read_line
@@ -46,6 +47,7 @@ _STANDS = re.compile(
     r"(?:[^\W\d_]{2,12}[\s:,]+){0,5}[vV]_?\{?[A-Z]?[xy]?\}?\s*=\s*0\s*[.,;]?\s*"
 )  # V_C = 0: why an equation holds
 _UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
+_COMMENTED = re.compile(r"^[ \t]*(?:#+|//+|%+)[ \t]*(?=[^\s=])", re.MULTILINE)  # the sign of a line that is a comment
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
 _ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*)(?:\w{1,20}\s*[,;]\s*)+\w{1,20}\s*(?:[\])}]|$)")
@@ -78,24 +80,32 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     Its titles may contain "=" too (`h = 0.02 s`, `w1 = 13.08`), so beside a table a line is an equation only if it names a sought
     velocity and something that this depends on; unreadable lines are kept only if others can be read.  `kept` filters the lines
     of a document, where "=" is frequent: it returns the line to keep, or None, and then the line does not count as an equation.
+    If there is no equation outside comments, those in comments count as far as they are right.
     """
+    found = _read_lines(text, name, expected, beside, kept)
+    if beside is None and not found.equations and (said := _COMMENTED.sub("", text)) != text:
+        again = _read_lines(said, name, expected, beside, kept)
+        if any(line.tree is not None for line in again.equations):
+            lines = (replace(line, may_be_datum=line.tree is not None) for line in again.equations)
+            found.equations = [line for line in lines if line.tree is not None or line.relates]
+    return found
+
+
+def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None, kept: _Kept) -> Lines:
     most = most_lines(expected)
     names = names_for(expected)
     pieces = _pieces(text, names) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
     names, lines = with_legend(list(islice(pieces, _MOST_LINES)), names)
-    own = _definitions(lines, names) if beside is None else {}
-    with_own = replace(
-        names,
-        own=own,
-        spellings=replace(names.spellings, own=own),
-        listed=sign_of_list(
-            [line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical
-        ),
-    )
+    sections = _sections(lines, names) if beside is None else [len(lines)]
+    meanings = _definitions(lines, names, sections) if beside is None else [{}]
+    listed = sign_of_list([line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical)
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
-    defined = set[str]()
-    for number, line in lines:
+    own, with_own, defined = dict[str, Formula](), names, set[str]()
+    for place, (number, line) in enumerate(lines):
+        if place in {0, *sections}:
+            own, defined = meanings[bisect(sections, place)], set()
+            with_own = replace(names, own=own, spellings=replace(names.spellings, own=own), listed=listed)
         length = min(len(line), EQUATION_CHARACTERS)
         tried, characters = tried + 1, characters + max(length, length**2 // MAX_CHARACTERS)
         if tried > _TRIED * most or characters > _CHARACTERS or sum(line.may_be_one for line in found.equations) > most:
@@ -138,15 +148,55 @@ def _is_equation(line: str, names: Names) -> bool:
     return "=" in line or relates_two_sides(line[:EQUATION_CHARACTERS]) or is_equation_without_sign(line, names)
 
 
-def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Formula]:
-    """Return the student's own names that other lines use, with their formulas; a formula may use other such names."""
-    own: dict[str, Formula] = {}
+def _sections(lines: Sequence[tuple[int, str]], names: Names) -> list[int]:
+    """Return where sections of a text end: a new one begins where a name that was used gets another formula.
+
+    A program that solves one system after another calls their matrices and determinants by the same names. Velocities (V_Bx of
+    two links) and labels of sums (V_D = … = 0) are not defined anew.
+    """
+    whole, lines = len(lines), lines[:_MOST_DEFINITIONS]
+    left = [line.partition("=")[0].strip() for _, line in lines]
+    again = {name for name, count in Counter(left).items() if count > 1 and name}
+    known: dict[str, str] = {}
+    used, ends = set[str](), list[int]()
+    for place, (_, line) in enumerate(lines) if again else ():
+        name, formula = own_name(line, names.spellings) if left[place] in again else ("", "")
+        called = plain_name(name)
+        if name and name[:1] not in "vV" and not VANISHED.search(line):
+            if known.get(called, formula) != formula and called in used:
+                ends.append(place)
+                known, used = {}, set()
+            known[called] = formula
+        used |= {*map(plain_name, WORD.findall(line.partition("=")[2]))} & known.keys()
+    return [*ends, whole]
+
+
+def _definitions(lines: Sequence[tuple[int, str]], names: Names, ends: Sequence[int]) -> list[dict[str, Formula]]:
+    """Return for each section the student's own names with their formulas, its own before those of the sections around it."""
+    words = _words(lines)
+    found: list[dict[str, Formula]] = []
+    for begin, end in pairwise([0, *ends]):
+        found.append(_defined(lines[begin:end], names, words, found[-1] if found else {}))
+    for place in reversed(range(len(found) - 1)):  # in a program the data may follow the formulas that use them
+        found[place] = found[place + 1] | found[place]
+    return found
+
+
+def _words(lines: Sequence[tuple[int, str]]) -> Mapping[str, int]:
+    """Return in how many lines each name stands."""
     spoken = [plain_signs(line[:EQUATION_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
     # A list that a program only returns, as in return [f1, f2], holds residuals: it is no use of the names.
     spoken = [_GATHERED.sub("", line) for line in spoken]
-    words = Counter(plain_name(word) for line in spoken for word in {*WORD.findall(line)})
+    return Counter(plain_name(word) for line in spoken for word in {*WORD.findall(line)})
+
+
+def _defined(
+    lines: Sequence[tuple[int, str]], names: Names, words: Mapping[str, int], before: Mapping[str, Formula]
+) -> dict[str, Formula]:
+    """Return the student's own names that other lines use, with their formulas; a formula may use other such names."""
     names_left = {plain_name(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
-    with_own = replace(names, own=own, spellings=replace(names.spellings, own=dict.fromkeys(names_left)))
+    own = {name: formula for name, formula in before.items() if name not in names_left}
+    with_own = replace(names, own=own, spellings=replace(names.spellings, own=dict.fromkeys([*before, *names_left])))
     labels: set[str] = set()  # names that label several lines: V_D = … = 0 along x, and again along y
     for turn in range(_PASSES):  # in a program the data may follow the formulas that use them
         waiting = 0

@@ -49,6 +49,10 @@ class Spellings:
         meant = self._written(row[1])  # with an index of the row, w3_i or w_{3,i}; data do not depend on the row
         return None if meant in self.data else meant
 
+    def known_as(self, name: str) -> str | None:
+        """Return the declared name that a word is letter by letter, Greek or not; None for any other spelling."""
+        return plain if (plain := spell(name)) in self.known and not self.is_own(name) else None
+
     def _written(self, plain: str) -> str | None:
         return plain if plain in self.known else self.others.get(plain_name(plain)) or self.others.get(_key(plain))
 

@@ -8,7 +8,7 @@ Used by `equations.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Set
+from collections.abc import Callable, Set
 from functools import cache
 from typing import NamedTuple
 
@@ -107,8 +107,14 @@ def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
 
 
 def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
-    """Return the parts of a word that is a chain of declared names and functions, None if there is no way or several."""
+    """Return the parts of a word that is a chain of names and functions, None if there is no way or several.
 
+    Names as the task has them go before other spellings: vrcos is vr*cos, though v may be short for the only speed.
+    """
+    return _chain(text, spellings.known_as) or _chain(text, spellings.canonical)
+
+
+def _chain(text: str, meaning: Callable[[str], str | None]) -> tuple[_Token, ...] | None:
     @cache
     def ways(start: int) -> tuple[tuple[_Token, ...], ...]:
         if start == len(text):
@@ -120,7 +126,7 @@ def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
             if end < len(text) and text[end].isdigit():
                 continue
             token = _Token("function", piece.lower()) if piece.lower() in FUNCTION_WORDS else None
-            if token is None and (known := spellings.canonical(piece)):
+            if token is None and (known := meaning(piece)):
                 token = _Token("name", known)
             if token:
                 found += [(token, *rest) for rest in ways(end)]

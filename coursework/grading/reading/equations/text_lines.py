@@ -21,7 +21,7 @@ from coursework.grading.reading.equations.notation.latex import logical_lines
 from coursework.grading.reading.equations.notation.signs import VANISHED, depths, relates_two_sides, relations
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
-from coursework.grading.reading.equations.systems.parts import LIST, of_row
+from coursework.grading.reading.equations.systems.parts import LIST, at_commas, of_row
 from coursework.grading.reading.equations.systems.vectors import with_entries_named
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.dimensions.formulas import Clash, Measurer
@@ -65,6 +65,8 @@ _REMARK = re.compile(
     r"(?<!\\)%(?![io]\d+\)|(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
 )
 
+_BLOCK, _STARRED = re.compile(r"/\*+((?:[^*]|\*(?!/))*)\*/"), re.compile(r"^[ \t]*\*(?=\s)", re.MULTILINE)
+_UNPACKED = re.compile(r"\(?[^\W\d]\w{0,20}(?:\s*,\s*[^\W\d]\w{0,20})+\)?\s*:?=")  # a11, a12 = …, …
 # Slashes and dots between the equations of one line, a = b / c = d.
 _TWO = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
 _MOST_SLASHES = 20  # slashes of a line
@@ -75,6 +77,7 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Yield (number, line) of the lines that are neither blank nor comments nor statements of a program."""
     function = ""
     text, numbers = with_line_ends(_BLANKS.sub("", text))
+    text = _BLOCK.sub(_uncommented, text) if "/*" in text else text
     for place, line in _continued(logical_lines(_by_names(text, names)), names):
         number = numbers[place - 1] if numbers else place
         if defined := _DEFINED.fullmatch(line):
@@ -91,6 +94,7 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = _DECLARED.sub("", _TYPED.sub(r"\1 =", bare))
         if (under := _KEPT.match(bare)) and (under[3] or names.spellings.angle(under[1] + under[2]) is None):
             bare = bare[under.end() :]
+        bare = _one_by_one(bare) if _UNPACKED.match(bare) else bare
         if is_statement(bare, names.expected.variant.sought):
             continue
         bare = of_row(bare.strip("'") if bare.startswith("'") else bare)
@@ -101,6 +105,24 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
         bare = _closed(bare)
         if any(map(str.isalnum, bare)):  # not an underline of signs below a title
             yield number, bare
+
+
+def _uncommented(block: re.Match[str]) -> str:
+    r"""Return the lines of a comment of several lines, /* … */, without its signs; they are text as elsewhere."""
+    return _STARRED.sub("", block[1]) if "\n" in block[1] else block[0]
+
+
+def _one_by_one(line: str) -> str:
+    """Return a line that sets several names at once with a formula for each of them.
+
+    >>> _one_by_one("a, b = 2*c, d*max(e, f)"), _one_by_one("phi1, phi2 = y")
+    ('a = 2*c; b = d*max(e, f)', 'phi1, phi2 = y')
+    """
+    left, _, right = line.strip(" ;").partition("=")
+    named, values = left.strip("() ").split(","), at_commas(right)
+    if len(named) != len(values) or "*" not in right or "=" in right:
+        return line
+    return "; ".join(f"{name.strip()} = {value.strip()}" for name, value in zip(named, values, strict=True))
 
 
 def _by_names(text: str, names: Names) -> str:

@@ -224,3 +224,9 @@ def test_a_number_too_many_is_likelier_than_another_length_and_that_than_one_lef
 def test_a_hint_writes_a_minus_as_people_do(judge):
     wrong = RIGHT[2].replace("+ r3", "- r3")
     assert judge.mark([line(wrong)]).marks[0].hint.text == RIGHT[2]
+
+
+def test_the_sign_before_a_product_is_that_of_the_whole_term(judge):
+    """Not that of its first factor, whose name alone says little."""
+    hint = judge.mark([line(f"-{RIGHT[3]}")]).marks[0].hint
+    assert (hint.kind, hint.column, hint.term, hint.text) == ("sign", 1, "r3*w3*sin(phi3)", RIGHT[3])

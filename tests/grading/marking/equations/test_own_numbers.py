@@ -95,3 +95,22 @@ def test_numbers_that_are_none_and_lines_that_never_end_are_no_copies(text):
     """Vectors, no value at all, and more numbers than are tried."""
     found = marked(text)
     assert found.share == 0 and not found.notes
+
+
+def test_two_numbers_cost_as_much_in_one_line_as_in_two():
+    both = marked(numbers(LETTERS, r1=1.17, r2=0.749))
+    each = marked(numbers(LETTERS, r1=1.17)), marked(numbers(LETTERS, r2=0.749))
+    assert both.share == each[0].share == each[1].share == 1
+    assert any("1.17" in str(note.text) and "r2 = 0.649" in str(note.text) for note in both.notes)
+    assert marked(numbers(LETTERS.replace("+ r1", "- r1"), r1=1.17, r2=0.749)).share < 1  # a sign beside them is a slip
+
+
+@pytest.mark.parametrize("law", ["t", "3*t + 1", "exp(t)", "sqrt(p*t)"])
+def test_a_function_of_time_that_is_no_form_of_the_law_is_wrong(law):
+    found = marked(LETTERS.replace(LAW, f"({law})"))
+    assert found.share < 1 and not any(note.code == "data_differ" for note in found.notes)
+
+
+def test_a_velocity_without_its_length_is_no_number_copied_wrongly():
+    found = marked(numbers(LETTERS.replace("r1*w1", "1*w1")))
+    assert found.share < 1 and not any(note.code == "data_differ" for note in found.notes)

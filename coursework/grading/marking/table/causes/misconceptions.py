@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.causes.hypotheses import DEGREE_STEPS, OTHER_STEP, STEPS_IN_DEGREES, claims
+from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP, claims
 from coursework.grading.marking.table.causes.misread_key import MisreadKey
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.other_data import may_be
@@ -41,8 +41,6 @@ ALIKE = 0.98
 _CLOSER, _READ_OFF = 3, 2
 _ROUND_OFF = 1e-9
 ROWS_SHIFTED, ORIGIN, ROUNDED_OMEGA = "rows_shifted", "origin_", "rounded_omega_"
-# Causes with steps of another length: in such a table only the velocities are right.
-OTHER_STEPS = (OTHER_STEP, DEGREE_STEPS, STEPS_IN_DEGREES)
 
 
 @frozen
@@ -137,7 +135,7 @@ def explanations(
             named[claim.code] = share, against, claim.names
             read_off |= {claim.code} if claim.is_read_off else set()
         own_gates = gates if put_right is cells else Explained(key, put_right)
-        fit = own_gates.share(holds, only_velocities=claim.code in OTHER_STEPS)
+        fit = own_gates.share(holds)
         if claim.code not in fits or fit > fits[claim.code].share:
             fits[claim.code] = Fit(claim.code, fit, claim.names)
         count = int((holds | by_key).sum())
@@ -148,7 +146,7 @@ def explanations(
             held[claim.code] = count, claim, holds
     for code, claim, holds in _closer(held):
         holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
-        fit = gates.share(holds, only_velocities=code in OTHER_STEPS)
+        fit = gates.share(holds)
         if fit > fits[code].share:
             fits[code] = replace(fits[code], share=fit, names=claim.names)
     untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
@@ -248,13 +246,13 @@ def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
-    """Return two shares that are right on the table's own times: of all cells, of velocities; None if these are the task's."""
+    """Return two shares that are right on the table's own times: of cells, behind the gates; None if these are the task's."""
     own = on_own_rows(key, cells)
     if own is None:
         return None
     right, says = euler_cells(own.key, own.cells)
     right |= own.put_right & says
-    return share_of(right, says), own.filled * Explained(own.key, own.cells).share(right, only_velocities=True)
+    return share_of(right, says), own.filled * Explained(own.key, own.cells).share(right)
 
 
 def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = None) -> tuple[str, ...]:

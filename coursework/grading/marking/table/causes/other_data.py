@@ -28,10 +28,9 @@ DATUM, DATA_ROUNDED = "datum_", "data_rounded"
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0, 0.0)
 # Turns per second taken for radians per second, or centimetres or millimetres for metres, and the other way round.
 _UNITS = {"1/s": (2 * np.pi, 0.5 / np.pi), "m": (100.0, 0.01, 1000.0, 0.001)}
-# Columns count as exchanged if, exchanged back, this part of them agrees with the key, or if their start values do.
-_LIKE_KEY = 0.5
-# From this part of the angles, or of the velocities, on, they stand where they belong.
-_IN_PLACE = 0.9
+_LIKE_KEY = 0.5  # columns are exchanged if, put back, this part of them agrees with the key, or if their start values do
+_IN_PLACE = 0.9  # from this part of the angles, or of the velocities, on, they stand where they belong
+_QUARTER = 0.003  # rad by which quarter turns may be off: π may have been taken as 3.14
 _TURN = 2 * np.pi
 SLIPPED, EACH_SLIPPED, COLUMN_SLIPPED = "point_slipped", "each_point_slipped", "column_slipped_"
 OTHER_SIGN = "other sign"  # behind the value and unit of a datum that has it
@@ -235,7 +234,8 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
             shift = np.nanmedian(shifts)
             quarters = np.round(shift / (np.pi / 2)) if np.isfinite(shift) else 0.0
             # The middle of a column that runs the other way may be a quarter turn by chance: its cells must be.
-            if not (quarters or sign < 0) or np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) > 0.02:
+            off = np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) - np.nanmax(student.units[:, place])
+            if not (quarters or sign < 0) or off > _QUARTER:
                 continue
             values = student.values.copy()
             values[:, place] = sign * (values[:, place] - quarters * np.pi / 2)

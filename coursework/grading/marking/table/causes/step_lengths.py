@@ -47,7 +47,7 @@ def parts_of_step(printed: TableUnderTest) -> list[float]:
     with np.errstate(invalid="ignore", divide="ignore"):
         made = (steps / rates)[np.abs(rates) > _FAST * np.nanmax(np.abs(rates), axis=0, initial=0.0)]
     read = float(f"{np.median(made[np.isfinite(made)]):.2g}") / h if np.isfinite(made).any() else 1.0
-    if read and all(abs(read / part - 1) > WHOLE for part in (1.0, DEGREE, 1 / DEGREE, *parts)):
+    if read > 0 and all(abs(read / part - 1) > WHOLE for part in (1.0, DEGREE, 1 / DEGREE, *parts)):
         parts.append(read)
     return parts
 

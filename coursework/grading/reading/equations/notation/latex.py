@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
-from coursework.grading.reading.equations.notation.signs import ARROW
+from coursework.grading.reading.equations.notation.signs import ARROW, relates_two_sides
 from coursework.variant.formula.alphabet import greek
 
 _BETWEEN = re.compile(r"(?<!\$)\s*\$\s*(?:-(?=-))?([-+–−])\s*\$\s*(?!\$)")
@@ -27,6 +27,8 @@ _PREAMBLE = re.compile(r"\A.*?\\begin\s*\{document\}", re.DOTALL)
 _OPENS, _CLOSES = re.compile(r"\\begin|(?<!\\)\\\["), re.compile(r"\\end|(?<!\\)\\\]")
 _REMARK = re.compile(r"(?<!\\)%.*")
 _DELIMITERS = re.compile(r"\\[\[\]()]|\$\$?")
+_INLINE = re.compile(r"(?<!\\)\\\((.+?)\\\)|(?<![$\\])\$([^$]+)\$(?!\$)")  # a formula within a line of prose
+_WORD, _SIGNS_OF_FORMULA = re.compile(r"[^\W\d_]{2,}"), re.compile(r"[=+*^\\]|\s[-−/]\s")
 _DROPPED = re.compile(
     r"\\(?:left|right)\s*(?:\\[{}|]|\.)"
     r"|\\(?:left|right|[bB]ig+[lrm]?|displaystyle|textstyle|limits|nonumber|notag|hfill|noindent)(?![A-Za-z])|\\[,;!: ]"
@@ -89,6 +91,7 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
         opens, closes = _OPENS.search(line) is not None, _CLOSES.search(line) is not None
         if line.count("$$") == 1:
             opens, closes = not inside, inside
+        line = line if inside or opens else _of_sentence(line)
         pieces = [_DELIMITERS.sub(" ", piece) for piece in LINE_END.split(ENVIRONMENT.sub(" ", line))]
         for place, piece in enumerate(pieces):
             if place or not (inside and kept):
@@ -101,6 +104,20 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
             lines.append((first, kept))
             kept = ""
     return [*lines, (first, kept)] if kept.strip() else lines
+
+
+def _of_sentence(line: str) -> str:
+    r"""Return the formulas of a sentence that relate two sides, if words stand behind one of them; any other line as it is.
+
+    >>> _of_sentence(r"so \(a = b\) and $c = d$, where $c$ is known"), _of_sentence(r"for $C$: $a = b$ (3)")
+    ('a = b; c = d', 'for $C$: $a = b$ (3)')
+    """
+    found = [*_INLINE.finditer(line)]
+    formulas = [one for one in found if relates_two_sides(one[1] or one[2])]
+    outside = _INLINE.sub(" ", line)
+    if not formulas or not _WORD.search(_INLINE.sub(" ", line[formulas[0].end() :])) or _SIGNS_OF_FORMULA.search(outside):
+        return line
+    return "; ".join((one[1] or one[2]).strip() for one in formulas)
 
 
 def with_formulas_joined(line: str) -> str:

@@ -16,6 +16,7 @@ _POWER = re.compile(
 )
 _ROUND = re.compile(r"\\(?:mathrm|text|mathit)\s*\{([eij])\}|\b(?:np|numpy|cmath)\.(?=exp)")
 _UNIT = re.compile(r"(?<![\w^.])1?[ij](?![\w(]|\s*\()|(?<![\w^.])1?[ij](?=\s*[*·(])")
+_FACTORED = re.compile(r"\s*[-+]?\s*1?[ij]\s*[*·]?\s*[(\[{](.*)[)\]}](\s*=\s*0[.,;]?\s*)")  # i·(…) = 0
 _SIGN = re.compile(r"(?<=[\w)}\]\s])\s*[-+]\s*(?=[^\s])|^\s*[-+]\s*")
 
 
@@ -25,10 +26,12 @@ def real_and_imaginary(line: str) -> list[str]:
     >>> real_and_imaginary("i a w1 e^{i phi1} - exp(i*phi2)*v = u")
     ['1 a w1 (-sin(phi1)) - (cos(phi2))*v = u', '1 a w1 (cos(phi1)) - (sin(phi2))*v = 0']
     >>> real_and_imaginary("i (a e^(i phi1)) = 0"), real_and_imaginary("e*w1 = 0")
-    ([], [])
+    (['a (cos(phi1)) = 0', 'a (sin(phi1)) = 0'], [])
     """
     if len(line) > EQUATION_CHARACTERS or not _POWER.search(text := plain_signs(without_latex(_ROUND.sub(r"\1", line)))):
         return []
+    if (factored := _FACTORED.fullmatch(text)) and -1 not in depths(factored[1]):
+        text = factored[1] + factored[2]
     sides = [[_parts(term) for term in _terms(side)] for side in text.split("=")]
     if len(sides) != 2 or any(term is None for side in sides for term in side):
         return []

@@ -10,10 +10,10 @@ import re
 from collections.abc import Sequence
 from itertools import islice
 
-from coursework.grading.reading.equations.notation.latex import determinant, matrices_in_one_piece
+from coursework.grading.reading.equations.notation.latex import determinant, in_one_piece, matrices_in_one_piece
 from coursework.grading.reading.equations.notation.signs import closing
 from coursework.grading.reading.equations.systems.of_r import in_brackets
-from coursework.grading.reading.equations.systems.parts import at_commas, product, rows_of, vector
+from coursework.grading.reading.equations.systems.parts import at_commas, at_signs, product, rows_of, vector
 
 _TYPE = r"(?:(?:static|const|double|float|real|auto|let|var)[ \t]+)*"
 _DEFINED = re.compile(
@@ -76,9 +76,10 @@ _CALLED = re.compile(rf"{_SOLVER}(?=\s*[\w.]{{0,20}}\s*\(?\s*\[)")
 _DIVIDED = re.compile(r"(?m)(?<==)[ \t]*(\[[^=\n]{1,2000}\])[ \t]*\\[ \t]*(\[[^=\n]{1,1000}\])(?=[ \t]*;?[ \t]*(?:[%#/].*)?$)")
 _SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
 _OF_CALL = ("matrix_of_call", "sides_of_call")
+_SMATH = re.compile(r"(?<!\w)mat\(")
 _DETERMINANT = re.compile(r"(?:(?<![\w.])(?:[A-Za-z]{1,13}(?:\.|:-)){1,2}|(?<![\w.]))(?:[dD]et|[dD]eterminant)\s*(?=[(\[])")
 _WRAPPED = re.compile(r"\s*[\w.]{0,20}\s*\(?\s*(\[.*\])\s*\)?\s*", re.DOTALL)
-_MOST, _LONGEST, _LONGEST_DETERMINANT, _MOST_CHARACTERS = 20, 4000, 2000, 200_000
+_MOST, _MOST_SYSTEMS, _LONGEST, _LONGEST_DETERMINANT, _MOST_CHARACTERS = 20, 6, 4000, 2000, 200_000
 
 
 def in_rows(text: str, sought: Sequence[str] = ()) -> str:
@@ -87,28 +88,41 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     >>> in_rows("A = [a, b; c, d]; k = [e; f];\nw1, w2 = np.linalg.solve(A, k)")
     '(a)*(w1) + (b)*(w2) = e; (c)*(w1) + (d)*(w2) = f; ;\n'
     """
-    if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind", "{{")):
+    if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind", "{{", "mat(")):
         return text
-    text = _without_braces(in_brackets(_as_lists(_with_determinants(text))))
-    text = _named_apart(_elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text))))
-    whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(text)) if _LATEX.search(text) else text
-    named = {name: (begin, end, content) for name, begin, end, content in _matrices(whole)}
+    text = _without_braces(in_brackets(_as_lists(_with_determinants(_of_smath(text)))))
+    text = _elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text)))
+    for _ in range(_MOST_SYSTEMS):
+        apart = _named_apart(text)
+        whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(apart)) if _LATEX.search(apart) else apart
+        if not (solved := _with_first_system(whole, sought)):
+            return apart
+        text = solved
+    return text
+
+
+def _with_first_system(whole: str, sought: Sequence[str]) -> str:
+    """Return a text with equations in place of the first system that is solved in it, "" if there is none.
+
+    A name of several matrices means the last one before the place, else the first one behind it.
+    """
+    matrices = _matrices(whole)
     for found in (found for pattern in _PRODUCTS for found in islice(pattern.finditer(whole), _MOST)):
+        named = {name: (begin, end, content) for name, begin, end, content in reversed(matrices)}
+        named |= {name: (begin, end, content) for name, begin, end, content in matrices if begin < found.start()}
         groups = [group for group in found.groups() if group]
         groups += [_names_of_call(whole, found.start())] if len(groups) == 2 else []
         matrix, unknowns, right = (groups[place] for place in _ORDERS[_PRODUCTS.index(found.re)])
         if {matrix, right} <= named.keys():  # unlike those of "double w1 = w0"
             break
     else:
-        return text
-    taken = (
-        [] if "," in unknowns else sorted(re.finditer(_TAKEN % ((re.escape(unknowns),) * 2), whole), key=lambda one: int(one[2]))
-    )
+        return ""
+    taken = [] if "," in unknowns else _taken(whole, unknowns, found.end())
     columns = vector(unknowns) if "," in unknowns else vector(named[unknowns][2]) if unknowns in named else []
     columns = columns or [one[1] for one in taken] or [*sought]
     equations = product(named[matrix][2], columns, vector(named[right][2]))
     if not equations:
-        return text
+        return ""
     pieces = [
         (*named[name][:2], "; ".join(equations) if name == matrix else "") for name in {matrix, unknowns, right} if name in named
     ]
@@ -116,6 +130,17 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     for begin, end, said in sorted(pieces, reverse=True):
         whole = whole[:begin] + said + "\n" * whole.count("\n", begin, end) + whole[end:]
     return whole
+
+
+def _taken(whole: str, unknowns: str, place: int) -> list[re.Match[str]]:
+    """Return where the entries of a vector get names, w1 = x(1), in their order; behind a place, until one comes again."""
+    pattern = re.compile(_TAKEN % ((re.escape(unknowns),) * 2))
+    found: dict[int, re.Match[str]] = {}
+    for one in pattern.finditer(whole, place) if pattern.search(whole, place) else pattern.finditer(whole):
+        if int(one[2]) in found:
+            break
+        found[int(one[2])] = one
+    return [one for _, one in sorted(found.items())]
 
 
 def _with_determinants(text: str) -> str:
@@ -136,6 +161,23 @@ def _with_determinants(text: str) -> str:
         if said:
             text = text[: found.start()] + said + "\n" * inner.count("\n") + text[end + 1 :]
             start = found.start() + len(said)
+    return text
+
+
+def _of_smath(text: str) -> str:
+    """Return a text with the matrices of SMath Studio, cells row by row and then their numbers of rows and columns, in brackets.
+
+    >>> _of_smath("mat(a;b*(c+1);2;d;2;2)*mat(x;y;2;1)")
+    '[a, b*(c+1); 2, d]*[x; y]'
+    """
+    for found in reversed([*islice(_SMATH.finditer(text), _MOST)]):
+        end = closing(text, found.end() - 1, _LONGEST)
+        inner = text[found.end() : end]
+        *cells, rows, columns = at_signs(re.compile(";" if ";" in inner else ","), inner)
+        if rows.strip().isdigit() and columns.strip().isdigit() and int(rows) * int(columns) == len(cells) > 0:
+            wide = int(columns)
+            said = in_one_piece(cells[place : place + wide] for place in range(0, len(cells), wide)).strip()
+            text = text[: found.start()] + said + text[end + 1 :]
     return text
 
 

@@ -22,15 +22,12 @@ _VANISHED = re.compile(
     r"=\s*0(?:[.,]0+)?((?:\\(?:(?:tag|label)\*?\s*\{[^{}]*\}|nonumber|notag)|\s|(?<=\s)/(?=\s))+)(?=[^\s=*/^\\]|\\(?!tag|label|no))"
 )
 _TURNED_OVER = r"(?:\.T\b|['ᵀ]|\^?\s*\{?\(?(?:[TТ]|\\top)\)?\}?)?"  # the transpose of a vector
-_BETWEEN_MATRICES = [
-    re.compile(pattern)
-    for pattern in (
-        r"\s*",
-        r"\s*(?:[*·⋅×@]|\\cdot|\\times)?\s*",
-        rf"\s*{_TURNED_OVER}\s*={{1,2}}\s*",
-        rf"\s*{_TURNED_OVER}\s*[.,;]?\s*",
-    )
-]
+_TIMES = r"\s*(?:[*·⋅×@]|\\cdot|\\times)?\s*"
+_EQUALS, _ENDS = rf"\s*{_TURNED_OVER}\s*:?={{1,2}}\s*", rf"\s*{_TURNED_OVER}\s*[.,;]?\s*"
+# What stands around the matrix, the unknowns and the right side of A·x = b; of x = A⁻¹·b around the unknowns, the matrix …
+_BETWEEN_MATRICES = [re.compile(pattern) for pattern in (r"\s*", _TIMES, _EQUALS, _ENDS)]
+_BETWEEN_INVERSE = [re.compile(pattern) for pattern in (r"\s*", _EQUALS, rf"\s*⁻¹{_TIMES}", _ENDS)]
+_INVERSE = re.compile(r"(?<=\])\s*(?:\^\s*(?:[({]\s*)?-\s*1(?:\s*[)}])?|\^\s*\{\s*\(\s*-1\s*\)\s*\})")
 _GROUPS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]")  # around a matrix that has brackets of its own
 _BLANK = re.compile(r"(?<![-+*/,\s])\s+(?![*/\s]|[-+]\s)")  # between two cells without a comma
 _NEXT_LINE = re.compile(r"\.{3}[^\n]*\n?")  # in MATLAB: the row continues, or ends with a semicolon
@@ -94,17 +91,21 @@ def _cuts(line: str) -> list[tuple[int, int]]:
 
 
 def _rows(line: str) -> list[str]:
-    """Return the equations of "[a, b; c, d] * [x; y] = [e; f]", one per row; [] if the line is not of this form."""
-    line = _GROUPS.sub("", line) if "[" in line and len(line) <= _LONGEST else ""
+    """Return the equations of "[a, b; c, d]*[x; y] = [e; f]", or of "[x; y] = [a, b; c, d]^(-1)*[e; f]", by rows; else []."""
+    line = _INVERSE.sub("⁻¹", _GROUPS.sub("", line)) if "[" in line and len(line) <= _LONGEST else ""
     inside = depths(line)
     edges = [k for k, (one, before) in enumerate(zip(inside, [0, *inside], strict=False)) if {one, before} == {0, 1}]
     cuts = [0, *(place + (inside[place] == 0) for place in edges), len(line)]
     pieces = [line[begin:end] for begin, end in pairwise(cuts)]
     if len(pieces) != 2 * len(_BETWEEN_MATRICES) - 1 or any(not piece.startswith("[") for piece in pieces[1::2]):
         return []
-    if not all(map(re.Pattern[str].fullmatch, _BETWEEN_MATRICES, pieces[::2])):
+    inner = [piece[1:-1] for piece in pieces[1::2]]
+    if all(map(re.Pattern[str].fullmatch, _BETWEEN_INVERSE, pieces[::2])):
+        unknowns, matrix, right = inner
+    elif all(map(re.Pattern[str].fullmatch, _BETWEEN_MATRICES, pieces[::2])):
+        matrix, unknowns, right = inner
+    else:
         return []
-    matrix, unknowns, right = (piece[1:-1] for piece in pieces[1::2])
     return product(matrix, vector(unknowns), vector(right))
 
 

@@ -267,3 +267,9 @@ def test_a_line_put_right_among_lines_that_count_clockwise_takes_nothing():
     before, after = (judge.mark(lines(key, some), turning=True) for some in (wrong, {n: wrong[n] for n in ("1", "3", "5")}))
     assert (before.turned, before.independent) == (True, 3)
     assert after.share >= before.share
+
+
+def test_as_a_misconception_it_costs_no_more_than_a_sign_of_the_drive(desk):
+    """However it is written down: a sign of the drive alone would make the same table of a steady crank."""
+    found = [desk.graded(desk.turned(mirrored), clockwise="misconception").table.share for mirrored in ("", "start", "negative")]
+    assert Rubric().own_equations_floor - 0.03 <= min(found) <= max(found) < 0.6

@@ -123,7 +123,7 @@ def test_a_start_is_another_by_more_than_its_rounding(
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 @pytest.mark.parametrize(
     ("shift", "told"),
-    [(np.pi / 2 + 0.019, True), (np.pi / 2 - 0.021, False), (-np.pi + 0.021, False), (-np.pi - 0.019, True), (0.019, False)],
+    [(np.pi / 2 + 0.0029, True), (np.pi / 2 - 0.0031, False), (-np.pi + 0.0031, False), (-np.pi - 0.0029, True), (0.0029, False)],
 )
 def test_an_angle_counted_from_another_axis_is_a_whole_number_of_quarters_off(
     sign: float, shift: float, told: bool, monkeypatch: pytest.MonkeyPatch
@@ -136,6 +136,6 @@ def test_an_angle_counted_from_another_axis_is_a_whole_number_of_quarters_off(
     key = SimpleNamespace(variant=variant, names=("q", "w"), table=table)
     student = StudentTable(sign * table + [shift, 0.0], np.zeros((3, 2)))
     found = [*other_data.other_columns(SimpleNamespace(key=key, student=student, m=1, of_task=None))]
-    is_turned = sign < 0 and (told or abs(shift) < 0.02)  # the other way round: with its velocity and without
+    is_turned = sign < 0 and (told or abs(shift) < 0.003)  # the other way round: with its velocity and without
     assert [code for code, _ in found] == ["origin_q"] * (2 if is_turned else told)
-    assert all(values == pytest.approx(table[:, 0], abs=0.02) for _, values in found)
+    assert all(values == pytest.approx(table[:, 0], abs=0.003) for _, values in found)
