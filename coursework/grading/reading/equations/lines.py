@@ -87,7 +87,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     with_own = replace(
         names,
         own=own,
-        spellings=replace(names.spellings, own=own),
+        spellings=names.spellings.with_own(own),
         listed=sign_of_list(
             [line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical
         ),
@@ -146,7 +146,7 @@ def _definitions(lines: Sequence[tuple[int, str]], names: Names) -> dict[str, Fo
     spoken = [_GATHERED.sub("", line) for line in spoken]
     words = Counter(plain_name(word) for line in spoken for word in {*WORD.findall(line)})
     names_left = {plain_name(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
-    with_own = replace(names, own=own, spellings=replace(names.spellings, own=dict.fromkeys(names_left)))
+    with_own = replace(names, own=own, spellings=names.spellings.with_own(dict.fromkeys(names_left)))
     labels: set[str] = set()  # names that label several lines: V_D = … = 0 along x, and again along y
     for turn in range(_PASSES):  # in a program the data may follow the formulas that use them
         waiting = 0
