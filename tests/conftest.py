@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import inspect
 import os
 import shutil
 import sys
@@ -33,6 +34,20 @@ STARTED = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "
 
 def pytest_configure(config: pytest.Config) -> None:
     ask_long(config.option.markexpr != "not long")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_pycollect_makeitem(collector: Any, obj: object) -> list[Any] | None:
+    """Make no items of a long test that is not asked: a third of all, in each of the processes.
+
+    Where a test is named by itself, the usual line says that it is left out.
+    """
+    config = collector.config
+    named = any("::" in word for word in config.args)
+    marks = (
+        getattr(obj, "pytestmark", ()) if inspect.isfunction(obj) and not named and config.option.markexpr == "not long" else ()
+    )
+    return [] if any(mark.name == "long" for mark in marks) else None
 
 
 def installed_browser() -> str | None:

@@ -19,7 +19,8 @@ def sensitivity(function: Callable[[Array], Array], at: Array, units: Array) -> 
     """Return the sum (n, k) over j of |d function / d x_j| u_j, at rows `at` (n, m) with `units` u (n, m) of the last places."""
     rows, width = at.shape
     size = _DIFFERENCE * np.maximum(1.0, np.abs(at))
-    shifted = np.broadcast_to(at, (2 * width, rows, width)).copy()
+    shifted = np.empty((2 * width, rows, width))
+    shifted[:] = at
     places = np.arange(width)
     shifted[places, :, places] += size.T
     shifted[width + places, :, places] -= size.T

@@ -34,9 +34,10 @@ def marked(request, tmp_path_factory):
     truth = {}
     for number, (code, table) in enumerate(students.MISCONCEPTIONS.items()):
         digits = 3 + number % 3
-        if (number // 3 + number) % request.param == 0:  # of each dialect the same number
-            hand_in(root / "in" / code, table(), digits, *DIALECTS[number % 3])
-            truth[code] = "", code
+        if (number // 3 + number) % request.param:  # of each dialect the same number
+            continue
+        hand_in(root / "in" / code, table(), digits, *DIALECTS[number % 3])
+        truth[code] = "", code
         slipped, (row, column) = visible_slip(rng, digits)
         hand_in(root / "in" / f"slip{number}", slipped, digits, *DIALECTS[number % 3])
         truth[f"slip{number}"] = f"row {row + 1} {NAMES[column]}", ""

@@ -22,7 +22,7 @@ from tests.grading.marking.table.desks import sign_faults, variants
 from tests.grading.marking.told import found_in
 from tests.sample import first
 
-PAIRS, MANY = 14, 1000
+PAIRS, MANY = 8, 1000
 # Tables of motions that ran into a singular place, where no digits tell anything, are left out.
 BLOWN_UP = 300
 

@@ -88,23 +88,19 @@ def unbound() -> Any:
 
 
 def unusual(real: ModuleType) -> list[Any]:
-    """Return runs that between them make the report say everything it can say."""
+    """Return runs that between them make the report say everything it can say; each says something that no other does."""
     codes = tuple(check.code for check in real.full().checks)
     verdicts = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
     extras = ["table", "plots", "checks", "accelerations", "points", "analogs", "invariants"]
     dated = solved("31", date="D", student="S", group="G", quantities=real.EVERYTHING)
     return [
         dated, real.full(), real.stopped(), judged(real, verdicts, codes),
-        judged(real, verdicts), judged(real, ("PASS",)), judged(real, ("PASS", "PASS")), solved("v107"),
-        solved("v108"), solved("v104"), solved("v112", quantities=["table"]),
+        judged(real, verdicts), judged(real, ("PASS",)), solved("v108"), solved("v112", quantities=["table"]),
         solved("31", project=1), solved("31", project=2), solved("31", gain=5.0), solved("31", scheme="rk4"),
         solved("31", scheme="exact"), solved("31", quantities=["table", "listing", "flowchart"]),
-        solved("31", step=0.48 / 999, quantities=["table", "plots"]), solved("31", end=0.02, quantities=["table"]),
-        solved("example-2", quantities=extras), solved("variable-crank-table"), solved("variable-crank"),
-        solved("robot-arm", step=0.04),
-        solved("andrews", quantities=["table"]), solved("31", quantities=["checks"]), solved("oscillating-cylinder"),
-        solved("jansen", quantities=["table"]), solved("cardan", quantities=["table", "checks"]), unbound(),
-        solved("epicyclic", quantities=["table"]), solved("engine-start", quantities=["checks"]),
+        solved("31", step=0.48 / 999, quantities=["table", "plots"]), solved("example-2", quantities=extras),
+        solved("variable-crank-table"), solved("robot-arm", step=0.04), solved("jansen", quantities=["table"]), unbound(),
+        solved("engine-start", quantities=["checks"]),
         solved("v110", quantities=["table"]), solved("31-forces"), solved("falling-arm"),
         solved("falling-arm", quantities=["accuracy"]),
         solved("31", quantities=["trajectories", "hodographs", "plans", "points"]),

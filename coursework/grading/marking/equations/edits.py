@@ -102,13 +102,16 @@ def column_of(node: Formula) -> int:
 
 @dataclass
 class Values:
-    """The values of all nodes of a tree; after an edit, only the changed node and those above it are computed again."""
+    """The values of all nodes of a tree; after an edit, only the changed node and those above it are computed again, and where
+    the whole depends linearly on the node, as nearly everywhere in an equation, only the node.
+    """
 
     tree: Formula
     names: Mapping[str, Any]
 
     def __post_init__(self) -> None:
         self.known: dict[int, Any] = {}
+        self.leads: dict[tuple[int, ...], tuple[Formula, Any]] = {}
         with np.errstate(all="ignore"):
             self._fill(self.tree)
 
@@ -118,11 +121,16 @@ class Values:
         return self.known[id(node)]
 
     def after(self, edit: Edit) -> Any:
-        """Return the value of the whole tree after an edit, None if it has none."""
-        way = [self.tree]
-        for place in edit.path:
-            way.append(way[-1].args[place])
+        """Return the value of the whole tree after an edit, up to round-off, None if it has none."""
+        node, slope = self._lead(edit.path)
         try:
+            if slope is not None:
+                with np.errstate(all="ignore"):
+                    moved = computed(edit.replacement, self.names, self.known) - self.known[id(node)]
+                    return self.known[id(self.tree)] + slope * moved
+            way = [self.tree]
+            for place in edit.path:
+                way.append(way[-1].args[place])
             with np.errstate(all="ignore"):
                 value = computed(edit.replacement, self.names, self.known)
                 for place, node in zip(reversed(edit.path), reversed(way[:-1]), strict=True):
@@ -131,6 +139,26 @@ class Values:
         except NoValue:
             return None
         return value
+
+    def _lead(self, path: tuple[int, ...]) -> tuple[Formula, Any]:
+        """Return the node at a path, and the slope of the whole by it: None where it is not linear or somewhere has no value."""
+        if path not in self.leads:
+            self.leads[path] = self._found(path)
+        return self.leads[path]
+
+    def _found(self, path: tuple[int, ...]) -> tuple[Formula, Any]:
+        if not path:
+            return self.tree, 1.0 if np.isfinite(self.known[id(self.tree)]).all() else None
+        above, slope = self._lead(path[:-1])
+        place, op = path[-1], above.op
+        if slope is None or op not in {"+", "-", "neg", "*", "/"} or (op == "/" and place):
+            return above.args[place], None
+        with np.errstate(all="ignore"):
+            if op in {"*", "/"}:
+                slope = combined(Formula(op), [slope, self.known[id(above.args[1 - place])]], self.names)
+            elif op == "neg" or (op == "-" and place):
+                slope = -slope
+        return above.args[place], slope if np.isfinite(slope).all() else None
 
 
 def applied(tree: Formula, edit: Edit) -> Formula:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -86,6 +86,7 @@ def _part(value: Array, whole: Array) -> Array:
     return np.where(np.isfinite(part), part, np.inf)
 
 
+@lru_cache(512)  # a line is judged, compared with others and counted; the right ones come from many students
 def linear(tree: Formula, probe: Probe) -> Linear:
     """Return the line of `left - right` at the points of a probe.  Raises `NoValue` for a vector."""
     count, k = probe.velocities.shape

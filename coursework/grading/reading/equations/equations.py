@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import field, replace
-from functools import partial
+from functools import lru_cache, partial
 from itertools import pairwise
 
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
@@ -197,16 +197,17 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
     return found
 
 
-def names_in(text: str, spellings: Spellings) -> set[str]:
+@lru_cache(1024)  # several readers look at the same line in turn
+def names_in(text: str, spellings: Spellings) -> frozenset[str]:
     """Return the declared names in a text, in any spelling, except t and pi."""
     found = {word: spellings.canonical(word) for word in {*WORD.findall(plain(text, spellings))}}
     pieces = {piece for word, meant in found.items() if meant is None for piece in _PIECE.findall(word)}
-    return {known for known in (*found.values(), *map(spellings.canonical, pieces)) if known is not None} - {*BUILT_IN}
+    return frozenset(known for known in (*found.values(), *map(spellings.canonical, pieces)) if known is not None) - {*BUILT_IN}
 
 
-def names_of(line: EquationLine, names: Names) -> set[str]:
+def names_of(line: EquationLine, names: Names) -> frozenset[str]:
     """Return the declared names in a line; if the line could not be read, those found in its text."""
-    return names_in(line.text, names.spellings) if line.tree is None else {*line.tree.names()}
+    return names_in(line.text, names.spellings) if line.tree is None else frozenset(line.tree.names())
 
 
 def read_as_one(text: str, names: Names) -> EquationReading | Fault:

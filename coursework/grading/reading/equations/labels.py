@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from functools import lru_cache
 
 from coursework.grading.reading.equations.notation.signs import ARROW, depths, relates_two_sides
 from coursework.grading.reading.unit_names import unit_of
@@ -72,6 +73,7 @@ def label_of(text: str) -> str:
     return found[0] if found and len(found[0]) < len(text) else ""
 
 
+@lru_cache(1024)  # several readers look at the same line in turn
 def without_labels(text: str) -> str:
     """Return a line without the label at its beginning and the number of the equation at its end."""
     text = text[len(label_of(text)) :]

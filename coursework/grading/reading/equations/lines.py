@@ -105,7 +105,7 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
     for place, (number, line) in enumerate(lines):
         if place in {0, *sections}:
             own, defined = meanings[bisect(sections, place)], set()
-            with_own = replace(names, own=own, spellings=replace(names.spellings, own=own), listed=listed)
+            with_own = replace(names, own=own, spellings=names.spellings.with_own(own), listed=listed)
         length = min(len(line), EQUATION_CHARACTERS)
         tried, characters = tried + 1, characters + max(length, length**2 // MAX_CHARACTERS)
         if tried > _TRIED * most or characters > _CHARACTERS or sum(line.may_be_one for line in found.equations) > most:
@@ -196,7 +196,7 @@ def _defined(
     """Return the student's own names that other lines use, with their formulas; a formula may use other such names."""
     names_left = {plain_name(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
     own = {name: formula for name, formula in before.items() if name not in names_left}
-    with_own = replace(names, own=own, spellings=replace(names.spellings, own=dict.fromkeys([*before, *names_left])))
+    with_own = replace(names, own=own, spellings=names.spellings.with_own(dict.fromkeys([*before, *names_left])))
     labels: set[str] = set()  # names that label several lines: V_D = … = 0 along x, and again along y
     for turn in range(_PASSES):  # in a program the data may follow the formulas that use them
         waiting = 0

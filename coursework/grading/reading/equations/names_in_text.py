@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from functools import lru_cache
 
 from coursework.grading.reading.table.headers import aliases
 from coursework.grading.reading.unit_names import fold
-from coursework.system.frozen import frozen
+from coursework.system.frozen import single
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.variant import Variant
@@ -23,7 +23,7 @@ _ROW = re.compile(r"(.*\d|.*(?=_))_?[ijkn]")
 _TURNING = re.compile(r"(?:theta|psi|alpha|beta|gamma|q|f|fi|th|ph)(\d+)")
 
 
-@frozen
+@single
 class Spellings:
     """The declared names (`known`), other spellings of them (`others`, folded), the rate of each coordinate, the names of `data`
     and of `angles`, data or not.
@@ -41,19 +41,14 @@ class Spellings:
 
     def canonical(self, name: str) -> str | None:
         """Return the declared name that a spelling means, None if it means none."""
-        plain = spell(name)
-        if self.is_own(name):
-            return None
-        if (meant := self._written(plain)) or not (row := _ROW.fullmatch(plain)):
-            return meant
-        meant = self._written(row[1])  # with an index of the row, w3_i or w_{3,i}; data do not depend on the row
-        return None if meant in self.data else meant
+        return _meant(self, name)
 
     def known_as(self, name: str) -> str | None:
         """Return the declared name that a word is letter by letter, Greek or not; None for any other spelling."""
         return plain if (plain := spell(name)) in self.known and not self.is_own(name) else None
 
-    def _written(self, plain: str) -> str | None:
+    def written(self, plain: str) -> str | None:
+        """Return the declared name that a spelling means as it stands, without an index of a row."""
         return plain if plain in self.known else self.others.get(plain_name(plain)) or self.others.get(_key(plain))
 
     def angle(self, name: str) -> str | None:
@@ -66,6 +61,23 @@ class Spellings:
     def is_own(self, name: str) -> bool:
         """Return whether the text itself defines a name."""
         return plain_name(name) in self.own and spell(name) not in self.known
+
+    def with_own(self, own: Mapping[str, Formula | None]) -> Spellings:
+        """Return the spellings in a text that defines these names: themselves where it defines none, so all that was looked up in
+        other texts is known.
+        """
+        return self if own == self.own else replace(self, own=own)
+
+
+@lru_cache(4096)  # several readers look at each line in turn, at the same few names in all of them
+def _meant(spellings: Spellings, name: str) -> str | None:
+    plain = spell(name)
+    if spellings.is_own(name):
+        return None
+    if (meant := spellings.written(plain)) or not (row := _ROW.fullmatch(plain)):
+        return meant
+    meant = spellings.written(row[1])  # with an index of the row, w3_i or w_{3,i}; data do not depend on the row
+    return None if meant in spellings.data else meant
 
 
 def plain_name(name: str) -> str:

@@ -7,6 +7,7 @@ derivatives as names of the variant.  Used by `equations.py`.
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from coursework.grading.reading.equations.derived_sums import derived, with_sums_derived, with_the_rest_unread
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, plain_name
@@ -82,6 +83,7 @@ _EQUATION = re.compile(r"\bEq(?:uality)?\s*\((.*),([^,]*)\)\s*$")  # an equation
 _POWER = re.compile(r"\bpow\s*\(((?:[^(),]|\([^()]*\))*),\s*(\d)\s*\)")
 
 
+@lru_cache(1024)  # several readers look at the same line in turn
 def plain(text: str, spellings: Spellings) -> str:
     """Return a line without LaTeX and prefixes of programs, with derivatives replaced by the names of rates.
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Set
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from coursework.grading.reading.equations.names_in_text import Spellings
@@ -71,8 +71,7 @@ def sides_of(text: str, spellings: Spellings, *, closely: bool = False) -> Sides
 
 def _side(text: str, spellings: Spellings, closely: bool) -> str:
     pieces = [(str(found.lastgroup), found[0]) for found in _TOKEN.finditer(text)]
-    spelled = {piece: _spelled(*piece, spellings) for piece in dict.fromkeys(pieces)}  # each name is looked up once
-    tokens = [token for piece in pieces for token in spelled[piece]]
+    tokens = [token for piece in pieces for token in _spelled(*piece, spellings)]
     return _written(_applied(_joined(tokens, spellings), spellings.angles), closely)
 
 
@@ -91,19 +90,20 @@ def is_product(word: str, spellings: Spellings) -> bool:
     return len(pieces) > 1 and any(one.kind == "function" or (one.text in speeds and not one.text.isalpha()) for one in pieces)
 
 
-def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
+@lru_cache(4096)  # the same few names occur in every line
+def _spelled(kind: str, text: str, spellings: Spellings) -> tuple[_Token, ...]:
     """Return a name in its declared spelling, or the names and functions that it is a chain of."""
     if kind == "blank":
-        return [_Token("blank", " ")]
+        return (_Token("blank", " "),)
     if kind != "name":
-        return [_Token(kind, text)]
+        return (_Token(kind, text),)
     plain = "".join(_WORDS.get(letter, LOOK_ALIKE.get(letter, letter)) for letter in text)
     if (function := _ELSEWHERE.get(text.lower(), plain.lower())) in FUNCTION_WORDS:
-        return [_Token("function", function)]
+        return (_Token("function", function),)
     if known := spellings.canonical(plain) or spellings.canonical(text):
-        return [_Token("name", known)]
+        return (_Token("name", known),)
     parts = _split(plain, spellings) if len(plain) <= 60 else None
-    return list(parts) if parts else [_Token("name", plain)]
+    return parts or (_Token("name", plain),)
 
 
 def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:

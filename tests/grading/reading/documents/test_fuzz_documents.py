@@ -8,7 +8,7 @@ from tests.grading.reading.documents.fuzz_documents import run
 from tests.sample import first
 
 
-@pytest.mark.parametrize("count", first(1, (160, 250)))
+@pytest.mark.parametrize("count", first(1, (130, 250)))
 def test_spoilt_documents(count: int) -> None:
     counts = run(count - count // 40) + run(count // 40, with_pdf=True)
     assert counts.total() == count

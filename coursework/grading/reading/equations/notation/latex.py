@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
+from functools import lru_cache
 
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.notation.signs import ARROW, relates_two_sides
@@ -149,6 +150,7 @@ def in_one_piece(rows: Iterable[Iterable[str]]) -> str:
     return f" [{'; '.join(row for row in written if row.strip())}] "
 
 
+@lru_cache(1024)  # several readers look at the same line in turn
 def without_latex(text: str) -> str:
     r"""Return a line with its LaTeX commands replaced by plain signs.
 
