@@ -130,6 +130,8 @@ class _Reader:
         answers = tuple(self._answers(found.get("answers", {})))
         confusions = tuple(self._confusions(found.get("confusion", [])))
         floors = {key: self._number(table, key, getattr(default, key), "table.") for key in FLOORS}
+        if not floors["misconception_floor"] and "steps_floor" not in table:
+            floors["steps_floor"] = 0.0  # who gives nothing for another rule means other steps, too
         forces = table.get("forces", [])
         asked = tuple(map(str, forces if isinstance(forces, list) else [forces]))
         late = self._late(found) if "late" in found else None

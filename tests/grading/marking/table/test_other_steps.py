@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.machines import SLIDER_CRANK
 from tests.grading.marking.table.desks import Desk, close
@@ -58,5 +58,5 @@ def test_the_rubric_says_what_such_steps_are_worth():
     desk.marker.rubric = Rubric(steps_floor=0.9)
     table = next(table for code, table in steps(desk.machine) if code == "heun")
     assert desk.marked(table)[0] == pytest.approx(MOST * 0.9, abs=0.5)
-    desk.marker.rubric = Rubric(steps_floor=0.0)  # the cells that are right count one by one
+    desk.marker.rubric = read_rubric("[table]\nmisconception_floor = 0\n")  # the cells that are right count one by one
     assert desk.marked(table)[0] == pytest.approx(MOST * 0.58, abs=0.5)
