@@ -14,7 +14,7 @@ from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.guesses import agreed
 from coursework.grading.marking.table.cells import GIVEN, Cells, mark_cells
 from coursework.grading.marking.table.closed_starts import one_number
-from coursework.grading.marking.table.ways import HALF, KEY, STEP, STEP_TRUE, StudentTable, as_printed, near, own_ways
+from coursework.grading.marking.table.ways import HALF, KEY, StudentTable, as_printed, near, own_ways
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
@@ -23,6 +23,8 @@ _MORE = 0.1
 # A start that only velocities tell must explain this part of all cells; it is taken with as few decimals as give them.
 _NEARLY_ALL = 0.9
 _DECIMALS = range(1, 9)
+# So many rows are stepped back to row 2, and so many must say the same of it.
+_BACK, _AGREE = 8, 2
 
 
 @frozen
@@ -93,16 +95,26 @@ def _starts(key: Key, cells: Cells) -> list[Array]:
 
 
 def _stepped_back(key: Key, cells: Cells) -> StudentTable | None:
-    """Return the table with starts from which row 2 was made, where only its step from row 1 is broken; None if none is."""
-    m = len(key.coordinates)
-    student, followed = cells.student, np.isin(cells.marks[2:3, :m], (KEY, STEP, STEP_TRUE)).any(axis=0)
-    broken = cells.wrong[1:2, :m].any(axis=0) & followed
+    """Return the table with starts from which row 2 was made, where its step from row 1 is broken; None if none is.
+
+    Row 2 was what most of the next rows say, each of them stepped back to it: it may be a misprint, or put right.
+    """
+    m, student, h = len(key.coordinates), cells.student, key.stride
+    q, rates, units = (rows[1 : 1 + _BACK] for rows in (student.values[:, :m], student.values[:, m : 2 * m], student.units))
+    told = q - h * (np.cumsum(rates, axis=0) - rates)
+    open_by = HALF * np.cumsum(units[:, :m] + h * units[:, m : 2 * m], axis=0)
+    own_units = student.units[1, :m] + h * student.units[0, m : 2 * m]
+    with np.errstate(invalid="ignore"):
+        agree = (np.abs(told[:, None] - told) <= open_by[:, None] + open_by).sum(axis=1)
+        row = np.take_along_axis(told, agree.argmax(axis=0)[None], axis=0)[0]
+        off = np.abs(row - student.values[0, :m] - h * student.values[0, m : 2 * m])
+    broken = (agree.max(axis=0) >= _AGREE) & (off > own_units)
     if not broken.any():
         return None
     values, units = student.values.copy(), student.units.copy()
     for _ in range(8):  # until it begins with its own velocities: the printed ones may have been put right
-        values[0, :m][broken] = (values[1, :m] - key.stride * key.velocities_at(key.t[:1], values[:1, :m])[0, :m])[broken]
-    units[0, :m] = np.where(broken, units[1, :m] + key.stride * units[0, m : 2 * m], units[0, :m])
+        values[0, :m][broken] = (row - h * key.velocities_at(key.t[:1], values[:1, :m])[0, :m])[broken]
+    units[0, :m] = np.where(broken, own_units, units[0, :m])
     return replace(student, values=values, units=units)
 
 
