@@ -75,7 +75,7 @@ def test_a_record_alone_is_found_everywhere(dummy, tmp_path, monkeypatch):
     assert "  power                not asked for" in left
     unknown = CliRunner().invoke(main, ["run", "31", "--quantities", "powr"]).output
     assert 'Did you mean "power"?' in unknown
-    assert f"{QUANTITIES[-1].name}, power." in unknown
+    assert f"{QUANTITIES[-1].name}, power, phi1," in unknown
 
 
 def test_a_record_says_which_variants_cannot_have_it(dummy):

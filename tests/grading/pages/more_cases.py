@@ -51,7 +51,7 @@ CATALOGUE = Path(__file__).parents[3] / "variants"
 TOLD_BY_OTHERS = {
     "right", "two-decimals", "slip", "four", "forty", "minus", "plus", "latex", "own", "heun-minus", "no-equations",
     "no-table", "start", "zeros", "no-rows", "coarse", "degrees", "long", "rounded", "m-heun", "m-midpoint", "m-rk4",
-    "m-step-ahead", "m-step-behind", "m-row-before", "m-in-place", "m-datum-r2", "m-datum-V1",
+    "m-step-ahead", "m-step-behind", "m-row-before", "m-datum-r2", "m-datum-V1",
 }  # fmt: skip
 Handed = tuple[dict[str, bytes], VariantSource, tuple[Override, ...], Sentence | None]
 
