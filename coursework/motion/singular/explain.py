@@ -53,7 +53,8 @@ def explain(
     kept = say("event.kept", row=rows) if rows else say("event.none_kept")
     if branches is None:
         event, branches = replace(event, kind="dead point"), ()
-        meaning = say("event.locked", holds=holds, kept=kept)
+        locked = "event.locked_together" if len(equations.variant.drive) > 1 else "event.locked"
+        meaning = say(locked, holds=holds, kept=kept)
     elif away := _away(coordinates, equations):
         event, branches = replace(event, kind="dead point"), ()
         meaning = say("event.away", holds=holds, names=away, kept=kept)
