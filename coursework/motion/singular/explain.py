@@ -52,6 +52,8 @@ def explain(
     holds = block.meaning
     if block.condition is not None:
         holds = meaning_of(block.condition, equations.variant, block.unknowns, coordinates)
+        if holds == say("determinant.never"):  # nor is it, but as a slide runs away it becomes as small as anything
+            holds = say("determinant.zero", formula=as_read(block.condition))
     kept = say("event.kept", row=rows) if rows else say("event.none_kept")
     if branches is None:
         event, branches = replace(event, kind="dead point"), ()
