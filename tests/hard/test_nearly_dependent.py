@@ -2,9 +2,11 @@
 
 import math
 
+import numpy as np
 import pytest
 
-from tests.hard.scenes import scene, solve
+from tests.hard.scenes import check, scene, solve
+from tests.results.checks.scenes import evidence_of, finding, spoil
 
 R1, R2, X, Y, V = 0.5, 0.4, 0.5, 0.3, 0.4
 # The hand runs along y = 0.3 m until the arm is stretched, by Pythagoras.
@@ -36,3 +38,20 @@ def test_an_arm_alone_asks_for_all_digits():
     run = solve(arm(1.0), "rk4")
     assert run.scene.flow.noise < 1e-15
     assert solve(arm(1e-8), "rk4").scene.flow.noise == pytest.approx(1e8 * run.scene.flow.noise, rel=1.0)
+
+
+@pytest.mark.parametrize("share", [1.0, 1e-6, 1e-8, 3e-10])
+def test_equations_are_satisfied_to_the_digits_that_they_leave(share):
+    """Of the sixteen digits a share of 1e-8 leaves eight: an equation that is off by the ninth has been solved right."""
+    run = solve(arm(share), "rk4", quantities=("table", "checks"))
+    at, of_number = run.motion.t, 16 - check(run, "CONDITION").value
+    assert [check(run, code).verdict for code in ("INITIAL", "RESIDUAL", "CONDITION")] == ["PASS"] * 3
+    # The rate by hand: the hand's speed along x, with none along y.
+    upper, lower = run.motion.coordinates.T
+    w1 = -V * np.cos(lower) / (R1 * np.sin(upper - lower))
+    assert run.motion.column("w1") == pytest.approx(w1, rel=10 ** (of_number - 15)) and len(at) == 44
+    # An equation off by more than that, in the fourth row, has not.
+    for times, verdict in ((0.0, "PASS"), (100.0, "FAIL")):
+        wrong = times * max(1e-11, 10 ** (of_number - 16)) * abs(w1[3])
+        judged = finding("RESIDUAL", evidence_of(run, motion=spoil(run.motion, w1=(3, wrong))))
+        assert (judged.verdict, judged.row == 4 if times else True) == (verdict, True)
