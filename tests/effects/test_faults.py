@@ -1,5 +1,7 @@
 """Bad input of masses and forces: one sentence with the line and what to do."""
 
+import re
+
 import pytest
 
 import coursework
@@ -182,6 +184,35 @@ def test_units():
     texts = ("2 t", "250 g", "1.5 kN", "12 N·m", "10 g*cm^2", "2 N/mm", "3 кг", "5 Н*м", "5 N·м", "3 кg", "2 kН*м")
     assert [read_mass(text).value for text in texts] == [2000.0, 0.25, 1500.0, 12.0, 1e-6, 2000.0, 3.0, 5.0, 5.0, 3.0, 2000.0]
     assert read_mass("0.5 m").si == "m"
+
+
+@pytest.mark.parametrize("unit", ["N*m*s^2", "kN·mm·с²"])
+def test_a_torque_quadratic_in_the_rate_has_a_unit(unit):
+    assert (read_mass(f"2 {unit}").value, read_mass(f"2 {unit}").si) == (2.0, "kg*m^2")
+
+
+@pytest.mark.parametrize(("unit", "value"), [("kg/m", 2.0), ("N·s²/m²", 2.0), ("N*s^2/cm^2", 2e4), ("g/cm", 0.2)])
+def test_a_resistance_quadratic_in_the_speed_has_a_unit(unit, value):
+    """N = kg m/s^2, so N s^2/m^2 is kg/m."""
+    assert (read_mass(f"2 {unit}").value, read_mass(f"2 {unit}").si) == (pytest.approx(value), "kg/m")
+
+
+@pytest.mark.parametrize(
+    ("law", "unit", "advised"),
+    [
+        ("-b*u3*abs(u3)", "kg/m", ""),
+        ("-b*u3", "kg/m", "N*s/m"),
+        ("-b*u3*abs(u3)", "N*s/m", "kg/m"),
+        ("-b*u3*abs(u3)", "N*s^3/m", "N*s^2/m^2"),
+    ],
+)
+def test_a_resistance_of_another_power_of_the_speed_is_refused(law, unit, advised):
+    text = mechanism("example-2-motor", ("(-c*u3, 0)", f"({law}, 0)"), ("[given]", f'[given]\nb = "3 {unit}"'))
+    if advised:
+        with pytest.raises(coursework.InputError, match=re.escape(advised)):
+            coursework.parse_variant(text)
+    else:
+        assert coursework.parse_variant(text).given[0].si == unit
 
 
 def test_a_file_without_forces_knows_no_units_of_mass():

@@ -128,3 +128,33 @@ def test_one_equation_alone_is_told_alike_whatever_its_size(longer, kind, factor
     assert (None if event is None else event.kind) == kind
     if event is not None:
         assert event.time == pytest.approx((math.asin(1 / crank) - 0.3) / 2, abs=1e-7)
+
+
+DEMANDED = {
+    "1e6": "5e+05 (in the unit of its equation)",
+    "10": "5 (in the",
+    "9": "4.5 m/s",
+    "1": "0.5 m/s",
+    "0.2": "0.1 m/s",
+    "0.01": "0.005 (in the",
+}
+
+
+@pytest.mark.parametrize(("factor", "unit"), DEMANDED.items())
+def test_the_demand_of_a_multiplied_equation_is_no_speed(factor, unit):
+    """A hand on a circle of 1 m is drawn outwards at 0.5 m/s, and stops at its edge."""
+    text = scene(
+        f'phi = {{ start = "0.5 rad", rate = "w" }}\nx = {{ start = "{math.cos(0.5)!r} m", rate = "u" }}',
+        given='r = "1 m"\nV = "0.5 m/s"', drive='u = "V"', equations=[f"-{factor}*r*w*sin(phi) = {factor}*u"],
+    )  # fmt: skip
+    stop = solve(text, "rk4").stop
+    assert stop is not None and stop.time == pytest.approx((1 - math.cos(0.5)) / 0.5, abs=1e-12)
+    assert f"The drive asks for {unit}" in stop.sentence
+
+
+def test_a_determinant_that_vanishes_far_away_is_not_called_never_zero_where_it_does():
+    """u = k x^2 from 0.5 m: x = 0.5/(1 - t) is without bounds at t = 1 s."""
+    text = scene('x = { start = "0.5 m", rate = "u" }', given='k = "2 1/s"\nm = "1 m"', equations=["u*m^2/x^2 = k*m"], end=2.0)
+    stop = solve(text, "rk4").stop
+    assert stop is not None and stop.time == pytest.approx(1.0, abs=1e-4)
+    assert "never" not in stop.sentence and "m^2/x^2 is zero" in stop.sentence

@@ -36,7 +36,9 @@ _TINY = 1e-6  # relative change of a rate or coordinate for difference quotients
 _ROUND_OFF = 1e-12  # share of the energy: a smaller exchange counts as none
 _LOOKED_AT = 40  # number of rows examined
 _NEAR = 0.3  # of a determinant: nearer to a limit position of the free coordinates, inertia alone makes every slope steep
-_RK4_SWINGS = 2.8  # h w up to which Runge-Kutta 4 does not amplify a swing; schemes of order one and two amplify every swing
+# h w from which a swing grows without bound: Runge-Kutta 4 keeps it up to there, and so does the semi-implicit scheme; others of
+# order one and two amplify every swing, and from there on more than twofold a step.
+_RK4_SWINGS, _SWINGS = 2.8, 2.0
 
 
 @frozen
@@ -132,6 +134,10 @@ def _energy(e: Evidence) -> Finding:
     if max(exchanged, given) <= _ROUND_OFF * (moving + stored):
         return skipped(say("check.ENERGY.rest" if moving <= _ROUND_OFF * stored else "check.forces.none"))
     row = int(np.argmax(np.abs(left)))
+    if given <= _ROUND_OFF * (moving + stored) < moving:  # nothing works, so what the motion has must stay
+        share = float(abs(left[row]) / moving)
+        told = {"energy": moving, "off": float(left[row]), "share": percent(share), "row": row + 1}
+        return _graded("ENERGY", "free", share, row, **told)
     if np.abs(unseen).max(initial=0.0) > LIMIT * given:  # even the exact rows do not show the work
         return skipped(say("check.POWER.coarse", row=int(np.argmax(np.abs(unseen))) + 1))
     share = float(abs(left[row]) / exchanged) if exchanged else 0.0
@@ -142,7 +148,7 @@ def _energy(e: Evidence) -> Finding:
 
 def _graded(code: str, key: str, share: float, row: int, column: str | None = None, /, **told: object) -> Finding:
     """Return the finding for a share."""
-    verdict: Verdict = "PASS" if key == "pass" else "COARSE"
+    verdict: Verdict = "PASS" if share <= LIMIT else "COARSE"
     return Finding(verdict, say(f"check.{code}.{key}", **told), share, LIMIT, say("unit.relative"), column, row + 1)
 
 
@@ -229,9 +235,10 @@ def _step(e: Evidence) -> Finding:
     told = {"rate": damped, "product": product, "limit": limit, "step": 0.9 * limit / damped if damped else e.step}
     if product >= limit:
         return Finding("COARSE", say("check.STABLE.steep", **told), product, limit, "", step=told["step"])
-    if e.scheme.order > 2 and e.step * swinging >= _RK4_SWINGS:
-        told |= {"rate": swinging, "product": e.step * swinging, "limit": _RK4_SWINGS, "step": 0.9 * _RK4_SWINGS / swinging}
-        return Finding("COARSE", say("check.STABLE.stiff", **told), e.step * swinging, _RK4_SWINGS, "", step=told["step"])
+    most = _RK4_SWINGS if e.scheme.order > 2 else _SWINGS
+    if e.step * swinging >= most:
+        told |= {"rate": swinging, "product": e.step * swinging, "limit": most, "step": 0.9 * most / swinging}
+        return Finding("COARSE", say("check.STABLE.stiff", **told), e.step * swinging, most, "", step=told["step"])
     if e.exact.rows.count < e.own.rows.count:  # unknown: it may become steeper where the motion could not be followed
         return skipped(say("check.STABLE.unknown", row=e.exact.rows.count))
     return Finding("PASS", say("check.STABLE.pass", **told, swing=e.step * swinging), product, limit)

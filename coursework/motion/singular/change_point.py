@@ -27,6 +27,7 @@ _STEP = 1e-5  # rad or m along the motion, and a share of the run; central diffe
 _SAME = 1e-6  # share of the fastest; velocities that differ by less are one motion
 _PACES = 10.0  # velocities that differ by this factor from those they were looked for with are looked for again
 _FLAT = 1e-6  # a coefficient of the quadratic below this share of the largest counts as zero
+_DOUBLE = 1e-10  # and so does its discriminant below this share: differences are no more exact, and two roots would be noise
 _TOLD = 1e3 * float(np.finfo(float).eps)  # relative to the matrix; smaller differences have fewer than three digits
 _ALIKE = 1e-5  # sides that differ by less, for every velocity, are alike: differences over _STEP are no more exact
 # Two-point Gauss rule for the closure error between two positions; exact to the fourth order of their distance.
@@ -189,9 +190,10 @@ def _branches(flow: Flow, block: int, time: float, start: Array, pace: float, sp
         roots = [-constant / slope] if abs(slope) > _FLAT * largest else []
     else:
         inside = slope**2 - 4 * square * constant
-        if inside < -_FLAT * max(slope**2, abs(square * constant)):
+        size = max(slope**2, abs(square * constant))
+        if inside < -_FLAT * size:
             return None  # the mechanism closes here but nowhere nearby
-        inside = max(inside, 0.0)
+        inside = inside if inside > _DOUBLE * size else 0.0
         roots = [(-slope + sign * np.sqrt(inside)) / (2 * square) for sign in (1, -1)]
     found = []
     for x in roots:

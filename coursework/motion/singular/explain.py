@@ -25,6 +25,8 @@ from coursework.words.sentences import joined, say
 
 # Rounding limit: branches come from differences exact to 1e-10, coordinates from a better search.
 _ROUNDING = 1e-9
+# In an equation of velocities the numbers of the terms are near one; beyond this the whole equation was multiplied.
+_MULTIPLIED = 10
 # A slide longer than this multiple of the longest length has left every guide: two guides have become parallel.
 _AWAY = 1e4
 
@@ -50,10 +52,13 @@ def explain(
     holds = block.meaning
     if block.condition is not None:
         holds = meaning_of(block.condition, equations.variant, block.unknowns, coordinates)
+        if holds == say("determinant.never"):  # nor is it, but as a slide runs away it becomes as small as anything
+            holds = say("determinant.zero", formula=as_read(block.condition))
     kept = say("event.kept", row=rows) if rows else say("event.none_kept")
     if branches is None:
         event, branches = replace(event, kind="dead point"), ()
-        meaning = say("event.locked", holds=holds, kept=kept)
+        locked = "event.locked_together" if len(equations.variant.drive) > 1 else "event.locked"
+        meaning = say(locked, holds=holds, kept=kept)
     elif away := _away(coordinates, equations):
         event, branches = replace(event, kind="dead point"), ()
         meaning = say("event.away", holds=holds, names=away, kept=kept)
@@ -106,7 +111,9 @@ def _unit(block: Block, equations: VelocityEquations) -> str:
     """Return the key for a velocity in m/s, or in the unit of the equations if they measure something else."""
     scalars = {constraint.name for constraint in equations.variant.constraints if constraint.is_closure}
     left = [add(*row.terms) for row in equations.equations if row.name in block.equations]
-    are_speeds = all(unit_of(as_sum(one, equations.order), equations.variant) == "m" for one in left)
+    numbers = [[abs(term.split()[0]) for term in one.terms] for one in left]
+    plain = all(min(each) < _MULTIPLIED and max(each) * _MULTIPLIED > 1 for each in numbers)
+    are_speeds = plain and all(unit_of(as_sum(one, equations.order), equations.variant) == "m" for one in left)
     return "event.in_m_per_s" if are_speeds and not scalars & set(block.equations) else "event.in_own_unit"
 
 

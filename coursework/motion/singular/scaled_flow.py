@@ -53,7 +53,8 @@ class Flow:
 
     `largest` scales the determinant of each block.  `rates` says for each coordinate whether its rate is driven, and its index
     among the driven or the unknown rates.  `compile_clock(block)` gives (pace, *q, t) -> the flow whose clock is the determinant
-    of a block times a pace.  `evaluations` counts right-hand sides; `equations` is what the flow was made from.
+    of a block times a pace.  `noise` is the share of itself by which round-off changes the flow: large where equations nearly
+    depend on each other everywhere.  `evaluations` counts right-hand sides; `equations` is what the flow was made from.
     """
 
     equations: VelocityEquations
@@ -62,6 +63,7 @@ class Flow:
     largest: tuple[float, ...]
     rates: tuple[tuple[bool, int], ...]
     compile_clock: Callable[[int], Callable[..., tuple[float, ...]]]
+    noise: float = 0.0
     clocks: dict[int, Callable[..., tuple[float, ...]]] = field(default_factory=dict)
     evaluations: int = field(default=0)
 
@@ -174,7 +176,10 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
         for rate in equations.variant.rates
     )
     largest = tuple(block.largest or _largest_seen(seen, place) for block, place in zip(reduction.blocks, places, strict=True))
-    return Flow(equations, system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block))
+    noise = max([0.0, *(_noise(seen, place, size) for place, size in zip(places, largest, strict=True))])
+    return Flow(
+        equations, system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block), noise
+    )
 
 
 def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: int) -> Callable[..., tuple[float, ...]]:
@@ -208,6 +213,23 @@ def _largest_seen(seen: Sequence[Sequence[float]], place: BlockColumns) -> float
     """Return the largest |determinant| in values of the system; 1 if none is found."""
     found = max([0.0, *(abs(_determinant(values, place)) for values in seen)])
     return found if 0.0 < found < float("inf") else 1.0
+
+
+def _noise(seen: Sequence[Sequence[float]], place: BlockColumns, largest: float) -> float:
+    """Return the round-off of a determinant as a share of its `largest` value.
+
+    It is Hadamard's bound for rows and columns that were brought to the same size, so that no unit and no factor counts.
+    """
+    if len(place.unknowns) == 1 or not seen:
+        return 0.0
+    size = len(place.unknowns)
+    matrices = np.abs(np.array(seen)[:, place.entries]).reshape(-1, size, size)
+    bounds = np.full(len(seen), float(np.finfo(float).eps) / largest)
+    for axis in (2, 1):
+        sizes = matrices.max(axis=axis, keepdims=True)
+        matrices, bounds = matrices / np.where(sizes > 0, sizes, 1.0), bounds * sizes.prod(axis=(1, 2))
+    bounds = bounds * np.sqrt((matrices**2).sum(axis=2)).prod(axis=1)
+    return float(bounds[np.isfinite(bounds)].max(initial=0.0))
 
 
 def _factors(seen: Sequence[Sequence[float]], entries: Sequence[int], size: int) -> tuple[float, ...]:

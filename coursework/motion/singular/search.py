@@ -82,7 +82,8 @@ def search_event(
     if not len(flow.largest):
         return Search(None)  # every velocity is given, so nothing can become singular
     cells = resolution(flow.equations, end).edges
-    walk = Walk(flow, np.array([*start, 0.0], dtype=float), end, cells, tolerance)
+    # No step is short enough for more than round-off leaves: the walk would take all it may, each a billionth of the run.
+    walk = Walk(flow, np.array([*start, 0.0], dtype=float), end, cells, max(tolerance, flow.noise))
     event = None
     turn = turns_repeat(flow.equations)
     for goal in sorted({*(b for b in (*breaks, turn, 2 * turn) if 0 < b < end), end}):

@@ -16,6 +16,7 @@ KINDS: dict[str, tuple[tuple[int, int, int], str]] = {
     "N*m": ((2, -2, 1), "N*m, kN*m"),
     "J": ((2, -2, 1), "J, kJ"),
     "kg*m^2": ((2, 0, 1), "kg*m^2, g*cm^2"),
+    "kg/m": ((-1, 0, 1), "kg/m, N*s^2/m^2"),  # a resistance quadratic in the speed
     "N/m": ((0, -2, 1), "N/m, N/mm"),
     "N*s/m": ((0, -1, 1), "N*s/m"),
     "N*m*s": ((2, -1, 1), "N*m*s"),
@@ -46,10 +47,13 @@ def _all_units() -> dict[str, tuple[Fraction, str]]:
         found |= {pa: (Fraction(1), "Pa"), kpa: (Fraction(1000), "Pa"), mpa: (Fraction(10**6), "Pa")}
         for unit, size in lengths.items():
             found |= {f"{mass}*{unit}^2": (own * size**2, "kg*m^2") for mass, own in masses.items()}
+            found |= {f"{mass}/{unit}": (own / size, "kg/m") for mass, own in masses.items()}
             found |= {f"{force}*{unit}": (own * size, "N*m") for force, own in forces.items()}
             found |= {f"{force}/{unit}": (own / size, "N/m") for force, own in forces.items()}
             found |= {f"{force}*{s}/{unit}": (own / size, "N*s/m") for force, own in forces.items()}
             found |= {f"{force}*{unit}*{s}": (own * size, "N*m*s") for force, own in forces.items()}
+            found |= {f"{force}*{s}^2/{unit}^2": (own / size**2, "kg/m") for force, own in forces.items()}
+            found |= {f"{force}*{unit}*{s}^2": (own * size, "kg*m^2") for force, own in forces.items()}
             found[f"{unit}^2"] = (size**2, "m^2")
     return found
 

@@ -52,6 +52,34 @@ def test_a_scheme_makes_energy_or_takes_it_away(scheme, step, way):
     assert f"{abs(kept - 1) * 6.25:.3g} J" in told.sentence  # of 50 N/m stretched by 0.5 m
 
 
+@pytest.mark.parametrize(("scheme", "share", "verdict"), [
+    ("euler", 1.01, "COARSE"), ("euler", 0.99, "PASS"), ("semi-implicit", 1.01, "COARSE"), ("semi-implicit", 0.99, "PASS"),
+    ("rk4", 1.38, "PASS"), ("rk4", 1.42, "COARSE"),
+])  # fmt: skip
+def test_a_step_that_no_swing_survives_is_not_short_enough(scheme, share, verdict):
+    """A swing of p = 5/s: from p h = 2 on no step of order one keeps it within bounds, from sqrt(8) on none of Runge-Kutta 4."""
+    text = UNRUBBED.replace('start = "1 m"', 'start = "0.5 m"')
+    told = check(coursework.solve(coursework.parse_variant(text), scheme=scheme, step=share * 2 / 5, end=4.0), "STABLE")
+    assert told.verdict == verdict
+    assert ("faster than the step can follow" in str(told.sentence)) == (verdict == "COARSE")
+
+
+@pytest.mark.parametrize(("scheme", "verdict"), [("rk4", "PASS"), ("euler", "COARSE")])
+def test_where_no_force_works_the_energy_must_stay(scheme, verdict):
+    """T = (m1/6 + m2/2) r1^2 w1^2 + m2 r2^2 w2^2/6 + m2 r1 r2 w1 w2 cos(phi1 - phi2)/2: an arm without weight, 3 and 2 kg."""
+    text = mechanism(
+        "falling-arm",
+        ('gravity = "9.81 m/s^2"\n', ""),
+        ('["w1", "w2"]', '["w1", "w2"]\nstart = { w1 = "3 rad/s", w2 = "-5 rad/s" }'),
+    )
+    run = coursework.solve(coursework.parse_variant(text), scheme=scheme)
+    a, b, u, v = (run.motion.column(name) for name in ("phi1", "phi2", "w1", "w2"))
+    energy = (3 / 6 + 2 / 2) * 0.25 * u**2 + 2 * 0.16 * v**2 / 6 + 0.2 * u * v * np.cos(a - b)
+    off = np.abs(energy - energy[0]).max() / energy[0]
+    told = check(run, "ENERGY")
+    assert (told.verdict, told.value) == (verdict, pytest.approx(off, rel=1e-3)) and f"{energy[0]:.4g} J" in str(told.sentence)
+
+
 @pytest.mark.parametrize("rows", [2, 3, 4, 9])
 def test_areas_between_rows_are_those_of_a_line_and_from_four_rows_on_of_a_cubic(rows):
     t = np.linspace(1.0, 3.0, rows)

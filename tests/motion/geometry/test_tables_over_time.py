@@ -1,5 +1,7 @@
 """Laws tabulated over t: a drive, a length; integrated node by node, and as good as the formula they were printed from."""
 
+import math
+
 import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
@@ -8,6 +10,7 @@ import coursework
 from coursework.motion.geometry.drives.drive import integrals
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.data_folders import folder
+from tests.hard.scenes import check, scene
 from tests.mechanisms.library import mechanism
 
 END = 0.5
@@ -133,7 +136,7 @@ def test_a_tabulated_drive_wants_its_twenty_rows_a_period(tmp_path, law):
         end = step * round(0.5 / step - 0.5)
         found, wanted = (found_step(coursework.solve(v, "exact", step=step, end=end)) for v in (tmp_path / "v.toml", "31"))
         assert (found.verdict, found.value) == (verdict, pytest.approx(wanted.value, rel=0.01))
-        assert "The drive's fastest oscillation" in found.sentence
+        assert "the drive's fastest oscillation" in found.sentence
 
 
 @pytest.mark.parametrize(("rows", "verdict"), [(20, "PASS"), (19, "COARSE")])
@@ -183,3 +186,16 @@ def test_behind_its_table_nothing_is_known_of_a_period(tmp_path):
         run = coursework.solve(tmp_path / "v.toml")
         verdicts[law[0]] = {check.verdict for check in run.checks if check.code in {"PERIOD-POSITION", "PERIOD-VELOCITY"}}
     assert verdicts == {'"': {"FAIL"}, "{": {"SKIP"}}
+
+
+@pytest.mark.parametrize("step", [0.13, 0.15, 0.4])
+def test_a_table_that_ends_behind_the_last_row_is_judged(tmp_path, step):
+    """Its points are 0.05 s apart; the last row comes before 1 s, and the table has nothing for the one that would follow."""
+    t = np.linspace(0, 1, 21)
+    (tmp_path / "w.csv").write_text("".join(f"{a:.10g},{2 + math.sin(2 * math.pi * a):.10g}\n" for a in t), encoding="utf-8")
+    text = scene(
+        'x = { start = "0 rad", rate = "w" }\ny = { start = "0 rad", rate = "v" }', drive='w = { table = "w.csv", of = "t" }',
+        equations=["v = 2*w"], step=step, end=1.0,
+    )  # fmt: skip
+    (tmp_path / "w.toml").write_text(text + '\n[ask]\nquantities = ["table", "checks"]\n', encoding="utf-8")
+    assert check(coursework.solve(tmp_path / "w.toml"), "STEP").verdict == "COARSE"  # fewer than twenty rows a period of 1 s

@@ -82,7 +82,10 @@ def between_rows(equations: VelocityEquations, step: float) -> tuple[str, float,
         return None
     times = (begin[:, None] + (end - begin)[:, None] * (np.arange(_LOOKS) + 0.5) / _LOOKS).reshape(-1)
     row = np.floor(times / step)
-    kept = ~np.isin(row, [int(time / step) for time in off_row(variant, step)])
+    # Behind the last row nothing lies between two rows, and a table of measured points may end there.
+    kept = ((row + 1) * step <= variant.time.end * (1 + _AT_ROW)) & ~np.isin(
+        row, [int(at / step) for at in off_row(variant, step)]
+    )
     times, row = times[kept], row[kept]
     if not len(times):
         return None

@@ -1,17 +1,16 @@
 """CONDITION and PEAK: how many digits the equations leave, and whether the step is short enough for the fastest angle.
 
-Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
+Enters: `Evidence`.  Leaves: a `Finding` each, and the condition of each row.  Used by `check.py`, `equations.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from coursework.equations.algebra.expression import Expression
-from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.magnitude import largest
 from coursework.equations.reduction.system import compile_system
 from coursework.equations.reduction.tidying.tidy import as_formula
@@ -38,10 +37,9 @@ def condition(evidence: Evidence) -> Finding:
 
 
 def _condition(evidence: Evidence) -> Finding:
-    used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
-    if not used:
+    if not any(equation.name in evidence.used for equation in evidence.equations.equations):
         return skipped(say("check.CONDITION.nothing"))
-    found = _of_equations(evidence, used)
+    found = _of_equations(evidence)
     divided = min(divisions(evidence), key=lambda one: one.digits, default=None)
     if divided is None:
         return found
@@ -54,8 +52,14 @@ def _condition(evidence: Evidence) -> Finding:
     return replace(found, sentence=joined([found.sentence, told]), headline="" if is_close else told)
 
 
-def _of_equations(evidence: Evidence, used: Sequence[VelocityEquation]) -> Finding:
+def condition_numbers(evidence: Evidence) -> Array:
+    """Return the condition number of the equations solved in each row (n,)."""
+    return evidence.once_of_rows("condition numbers", lambda: _condition_numbers(evidence))
+
+
+def _condition_numbers(evidence: Evidence) -> Array:
     motion, variant = evidence.motion, evidence.variant
+    used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
     system = compile_system(evidence.equations, used)
     matrix, _, _ = system.matrices(motion.t, motion.coordinates)
     sizes = np.max(np.abs(matrix), axis=0)
@@ -63,9 +67,14 @@ def _of_equations(evidence: Evidence, used: Sequence[VelocityEquation]) -> Findi
         for name, coefficient in equation.coefficients.items():
             column = system.unknowns.index(name)
             sizes[row, column] = max(sizes[row, column], largest(_formula(coefficient, evidence.equations), variant))
-    numbers = np.linalg.cond(equilibrated(matrix, sizes))
+    numbers = np.asarray(np.linalg.cond(equilibrated(matrix, sizes)))
     for passage in evidence.passages:  # there the limit is known, and nothing is solved
         numbers[passage.is_at(motion.t)] = 1.0
+    return numbers
+
+
+def _of_equations(evidence: Evidence) -> Finding:
+    motion, numbers = evidence.motion, condition_numbers(evidence)
     worst = int(np.argmax(numbers))
     largest_number, first_number = float(numbers[worst]), float(numbers[0])
     digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0

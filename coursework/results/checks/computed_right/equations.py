@@ -17,8 +17,11 @@ from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.judging.misfits import misfits
 from coursework.motion.geometry.judging.rigid import may_be_hinges
 from coursework.motion.geometry.judging.turning import said_otherwise
+from coursework.results.checks.computed_right.conditioning import condition_numbers
+from coursework.results.checks.computed_right.divided import DIGITS, FEWEST
 from coursework.results.checks.evidence import Evidence, worst
 from coursework.results.checks.result import Finding, skipped
+from coursework.system.arrays import Array
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
 
@@ -31,12 +34,20 @@ def initial(evidence: Evidence) -> Finding:
     names, relative = evidence.residuals
     place = int(np.argmax(relative[0]))
     value = float(relative[0, place])
-    unit = say("unit.relative")
-    if value <= LIMIT:
+    unit, limit = say("unit.relative"), LIMIT if value <= LIMIT else float(_limits(evidence)[0])
+    if value <= limit:
         key = "pass" if value else "exact"
         told = joined([say(f"check.INITIAL.{key}", count=len(names), name=names[place]), _arithmetic(evidence)])
-        return Finding("PASS", told, value, LIMIT, unit, names[place], 1)
-    return Finding("FAIL", say("check.INITIAL.fail", name=names[place]), value, LIMIT, unit, names[place], 1)
+        return Finding("PASS", told, value, limit, unit, names[place], 1)
+    return Finding("FAIL", say("check.INITIAL.fail", name=names[place]), value, limit, unit, names[place], 1)
+
+
+def _limits(evidence: Evidence) -> Array:
+    """Return for each row (n,) what an equation may be off by: `LIMIT`, or the round-off where equations nearly agree.
+
+    Where so few digits are left that CONDITION fails, no more is allowed.
+    """
+    return np.asarray(np.clip(condition_numbers(evidence) * 10.0**-DIGITS, LIMIT, 10.0**-FEWEST))
 
 
 def every_row(evidence: Evidence) -> Finding:
@@ -47,15 +58,20 @@ def every_row(evidence: Evidence) -> Finding:
         return skipped(say("check.CONDITION.nothing"))
     others = [place for place in range(len(names)) if place not in places]
     row, chosen = worst(relative[:, places])
+    limit = LIMIT
+    if not relative[row, places[chosen]] <= LIMIT:
+        limits = _limits(evidence)
+        row, chosen = worst(relative[:, places] / limits[:, None])
+        limit = float(limits[row])
     value, name = float(relative[row, places[chosen]]), names[places[chosen]]
     # A redundant equation left out may hold on closed positions only and so show the scheme's drift: reported, not judged.
     unit = say("unit.relative")
     rows = tuple((say("check.RESIDUAL.unused", name=names[k]), float(np.max(relative[:, k])), unit) for k in others)
-    if value <= LIMIT:
+    if value <= limit:
         told = joined([say("check.RESIDUAL.pass", rows=len(relative)), _arithmetic(evidence)])
-        return Finding("PASS", told, value, LIMIT, unit, name, row + 1, rows=rows)
+        return Finding("PASS", told, value, limit, unit, name, row + 1, rows=rows)
     sentence = say("check.RESIDUAL.fail", name=name, row=row + 1, time=float(evidence.motion.t[row]))
-    return Finding("FAIL", sentence, value, LIMIT, unit, name, row + 1, rows=rows)
+    return Finding("FAIL", sentence, value, limit, unit, name, row + 1, rows=rows)
 
 
 def _written(evidence: Evidence) -> list[str]:
