@@ -1,7 +1,7 @@
 """The optional extras of the package: which packages each contains, and how to install one that is missing.
 
 Enters: the name of an extra.  Leaves: its packages, and the argument for pip that installs it.
-Used by `commands/`, `assigning/` and `takeaway/`.
+Used by `commands/`, `assigning/`, `grading/` and `takeaway/`.
 """
 
 from __future__ import annotations
@@ -23,6 +23,11 @@ _OF_EXTRA = re.compile(r"([\w.-]+).*extra == ['\"](\w+)['\"]")
 def installed_from(extra: str) -> str:
     """Return the argument for pip that installs an extra: the folder of the checkout if there is one, else the package name."""
     return f'"{ROOT}[{extra}]"' if PROJECT.is_file() else f'"{OWN}[{extra}]"'
+
+
+def installing(extra: str) -> str:
+    """Return the command that installs an extra into the Python that runs."""
+    return f"{sys.executable} -m pip install {installed_from(extra)}"
 
 
 def require(module: str, format_name: str, extra: str) -> None:

@@ -27,6 +27,14 @@ def read_words(text: str) -> dict[str, Any]:
     return tomllib.loads(text) if words is None else words
 
 
+def line_of(error: ValueError, path: Path) -> int:
+    """Return the line at which a file is not TOML, or not UTF-8."""
+    if isinstance(error, UnicodeDecodeError):
+        return error.object.count(b"\n", 0, error.start) + 1
+    at = re.search(r"at line (\d+)", str(error))
+    return int(at[1]) if at else path.read_bytes().rstrip().count(b"\n") + 1
+
+
 def _plain_words(text: str, read: Callable[[str], dict[str, Any]]) -> dict[str, Any] | None:
     """Return the sentences if every line is plain and no key repeats, else None; `read` reads texts with escapes."""
     words: dict[str, Any] = {}

@@ -119,7 +119,7 @@ class _Reader:
         weights = {part: self._number(parts, part, default.weights[part], "parts.", most=1e6) for part in PARTS}
         points = self._number(found, "points", default.points, most=1e6)
         if not sum(weights.values()) or not points:
-            self._fault("parts", "fault.G034")
+            self._fault("parts" if points else "points", "fault.G034")
         missing = found.get("missing_part", default.missing_part)
         if missing not in ("review", "zero"):
             self._fault("missing_part", "fault.G035", missing=missing)
@@ -186,6 +186,8 @@ class _Reader:
 
     def _late(self, found: Mapping[str, Any]) -> Late | None:
         section = self._section(found, "late", ("deadline", "grace", "lost_per_day", "at_most"))
+        if section is not found["late"]:  # no section, which is told
+            return None
         deadline, grace = section.get("deadline"), section.get("grace", "0 min")
         try:
             deadline = datetime.fromisoformat(deadline) if isinstance(deadline, str) else deadline

@@ -87,7 +87,7 @@ def answer(**changes):
 
 
 @pytest.mark.parametrize(("text", "codes"), [
-    ("parts = 3", "G037 parts"), ("table = 3\nlate = 4", "G037 table, G037 late, G081 late.deadline"),
+    ("parts = 3", "G037 parts"), ("table = 3\nlate = 4", "G037 table, G037 late"),
     ("answers = 3", "G039 answers"), ("[answers]\na = 3\nb = { of = 1 }", "G043 answers.a, G043 answers.b"),
     ("confusion = 3", "G045 confusion.1"), ("[[confusion]]\ndatum = 1\nvalue = '2'", "G045 confusion.1"),
     ("[[confusion]]\ndatum = 'a'\nvalue = '2'\n[[confusion]]\ndatum = 'a'\nvalue = 2", "G045 confusion.2"),
