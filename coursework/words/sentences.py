@@ -260,7 +260,8 @@ def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
 
     found = [name for name in known if name.casefold() == word.casefold() and name != word and alike < 1]
     found = found or [name for name in known if sorted(name) == sorted(word) and alike < 1]  # two letters in the other order
-    found = found or difflib.get_close_matches(word, list(known), n=1, cutoff=alike)
+    likely = known if len(word) > 2 else [name for name in known if name[:1].casefold() == word[:1].casefold()]  # ws is no s
+    found = found or difflib.get_close_matches(word, likely, n=1, cutoff=alike)
     return say("hint.closest", name=found[0]) if found else ""
 
 

@@ -38,4 +38,6 @@ def test_a_words_file_is_refused_at_its_line(tmp_path: Path, text: str, line: in
 
 def test_two_letters_in_the_other_order_are_the_closest_name() -> None:
     assert closest("--setp", ["--set", "--step"]) == ' Did you mean "--step"?'
+    assert closest("ws", ["s", "q", "wt"]) == closest("w", ["s"]) == ""  # no slip of a letter: s is another quantity
+    assert closest("w3", ["w30", "v3"]) == closest("W30", ["w30"]) == ' Did you mean "w30"?'
     assert closest("--ste", ["--set", "--step"]) == ' Did you mean "--set"?'
