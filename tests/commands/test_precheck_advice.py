@@ -6,6 +6,7 @@ import re
 import zipfile
 from pathlib import Path
 
+import pandas
 import pytest
 
 import coursework
@@ -85,3 +86,16 @@ def test_a_table_that_is_a_picture_is_not_said_to_be_not_handed_in() -> None:
     call("grade", place.parent, "--variant", "saw", "--out", "marks")
     page = re.sub("<[^>]*>", "", Path("marks/feedback/ada.html").read_text(encoding="utf-8"))
     assert "Nothing that can be read was handed in for one part: table." in page
+
+
+def test_two_sheets_with_other_numbers_are_told_and_one_of_them_is_read() -> None:
+    place = handed_in()
+    frame = pandas.read_csv(place / "table.csv")
+    (place / "table.csv").unlink()
+    other = frame.assign(q=frame["q"] + 0.1)
+    for second, told in ((other, True), (frame, False), (other[:60], False)):
+        with pandas.ExcelWriter(place / "table.xlsx", engine="openpyxl") as book:
+            frame.to_excel(book, sheet_name="Euler", index=False)
+            second.to_excel(book, sheet_name="again", index=False)
+        text = "Two tables have the same number of cells of the task: table.xlsx (Euler) and table.xlsx (again). Hand in one."
+        assert (text in prechecked(place)) is told
