@@ -67,6 +67,7 @@ def test_what_the_variant_does_not_have_is_refused():
     assert 'no quantity "w9"' in str(fault.value)
     assert "the table has 25 rows, found 26" in str(fault.value)
     assert "confusion.alpha" in str(fault.value)
+    assert [one.line for one in fault.value.faults] == [2, 2, 3]
 
 
 def test_each_confusion_is_told_of_for_itself_and_none_about_data_of_other_variants():
