@@ -99,3 +99,13 @@ def test_two_sheets_with_other_numbers_are_told_and_one_of_them_is_read() -> Non
             second.to_excel(book, sheet_name="again", index=False)
         text = "Two tables have the same number of cells of the task: table.xlsx (Euler) and table.xlsx (again). Hand in one."
         assert (text in prechecked(place)) is told
+
+
+def test_a_column_of_words_is_not_said_to_be_missing() -> None:
+    place = handed_in()
+    frame = pandas.read_csv(place / "table.csv").assign(vB="see below")
+    frame.to_csv(place / "table.csv", index=False)
+    assert "Columns of the task without numbers in the file: vB." in prechecked(place)
+    call("grade", place.parent, "--variant", "saw", "--out", "marks")
+    page = re.sub("<[^>]*>", "", Path("marks/feedback/ada.html").read_text(encoding="utf-8"))
+    assert "Columns of the task without numbers in the file: vB." in page
