@@ -1,13 +1,18 @@
 """What the package says of itself, and what its wheel carries."""
 
 import re
+import sys
 import tomllib
 import zipfile
 from pathlib import Path
 
+import pytest
 from hatchling.builders.wheel import WheelBuilder
 
+from coursework.grading.batch.work import Setup
+from coursework.grading.batch.workers import on_cluster
 from coursework.system import extras
+from coursework.words.errors import InputError
 
 ROOT = Path(__file__).parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -50,3 +55,15 @@ def test_the_wheel_carries_types_variants_and_looks(tmp_path):
         there = {path.relative_to(ROOT).as_posix() for path in (ROOT / folder).rglob("*") if path.is_file()}
         assert {f"coursework/{name}" for name in there} <= carried
     assert not [name for name in carried if name.startswith("tests/")]
+
+
+@pytest.mark.parametrize(
+    ("python", "begins"),
+    [("/usr/bin/python3", "/usr/bin/python3 -m pip"), ("C:\\My Files\\python.exe", '"C:\\My Files\\python.exe" -m pip')],
+)
+def test_the_line_that_installs_is_one_for_this_python_wherever_it_lies(monkeypatch, python, begins):
+    monkeypatch.setattr(sys, "executable", python)
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(InputError) as fault:
+        next(on_cluster([], Setup(""), "nowhere:1"))
+    assert f'Type: {begins} install "' in str(fault.value) and '[cluster]"   and the command again' in str(fault.value)

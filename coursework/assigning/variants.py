@@ -29,7 +29,8 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 from coursework.words.data_folders import folder
-from coursework.words.errors import CourseworkError, Fault, InputError, reason_of
+from coursework.words.errors import CourseworkError, Fault, InputError
+from coursework.words.reasons import reason_of
 from coursework.words.sentences import say
 
 FOLDER = "ranges"  # the folder within the catalogue

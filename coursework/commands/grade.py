@@ -32,7 +32,8 @@ from coursework.grading.reading.submission import Submission
 from coursework.system.files.lock import held, refuse_link
 from coursework.system.processes.pool import Worker
 from coursework.words.custom_templates import templates_in_use
-from coursework.words.errors import Fault, InputError, OutputError, reason_of
+from coursework.words.errors import Fault, InputError, OutputError
+from coursework.words.reasons import reason_of
 from coursework.words.sentences import joined, say
 
 MOST_NAMED = 10  # most ids named in one line on the screen
@@ -44,6 +45,8 @@ def grade_source(
     limit: float, memory: int, language: str,
 ) -> int:  # fmt: skip
     """Grade one source and return the exit status."""
+    if results and variant is None:
+        raise InputError(say("fault.C024"))
     if (variant is None) == (roster is None):
         raise InputError(say("fault.C023"))
     tell_own_file(variant or "")
@@ -52,8 +55,7 @@ def grade_source(
     if marking.is_scaled:
         tell(say("screen.scaled", sum_of=sum(marking.weights.values()), points=marking.points), err=True)
     if results:
-        if variant is None:
-            raise InputError(say("fault.C024"))
+        assert variant is not None
         chosen, content = read_source(variant, Path())
         check_rubric(marking, chosen, str(rubric or "rubric"))
         return _one(source, content, marking, text, out, results, limit, memory, language)

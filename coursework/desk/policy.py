@@ -25,24 +25,24 @@ from coursework.words.sentences import closest, load_phrases, say
 
 def read_policy(path: Path) -> Policy:
     """Return the policy in a file.  Raises `InputError`."""
-    data = read_source(read_bytes(path), str(path), {}).data
-    if faults := list(_faults(data)):
-        raise InputError([Fault(fault, str(path)) for fault in faults])
-    read: dict[str, Any] = {key: tuple(value) if isinstance(value, list) else value for key, value in data.items()}
+    source = read_source(read_bytes(path), str(path), {})
+    if faults := list(_faults(source.data)):
+        raise InputError([Fault(fault, str(path), source.positions.find((key,), key=True)[0]) for key, fault in faults])
+    read: dict[str, Any] = {key: tuple(value) if isinstance(value, list) else value for key, value in source.data.items()}
     return Policy(**read)
 
 
-def _faults(data: dict[str, Any]) -> Iterator[Sentence]:
+def _faults(data: dict[str, Any]) -> Iterator[tuple[str, Sentence]]:
     known = [field.name for field in fields(Policy)]
     for key, value in data.items():
         try:
             if key not in known:
-                yield say("fault.C082", key=key, hint=closest(key, known) or say("hint.known", known=", ".join(known)))
+                yield key, say("fault.C082", key=key, hint=closest(key, known) or say("hint.known", known=", ".join(known)))
             elif key == "language":
                 load_phrases(str(value))
             elif key == "formats":
                 chosen([str(one) for one in (value if isinstance(value, list) else [value])], "run")
             elif not isinstance(value, bool):
-                yield say("fault.C083", key=key, found=str(value)[:40])
+                yield key, say("fault.C083", key=key, found=str(value)[:40])
         except InputError as error:  # the functions called here name an unknown language or format
-            yield from (fault.message for fault in error.faults)
+            yield from ((key, fault.message) for fault in error.faults)

@@ -1,7 +1,7 @@
 """The optional extras of the package: which packages each contains, and how to install one that is missing.
 
 Enters: the name of an extra.  Leaves: its packages, and the argument for pip that installs it.
-Used by `commands/`, `assigning/` and `takeaway/`.
+Used by `report/`, `takeaway/`, `grading/`, `assigning/` and `commands/`.
 """
 
 from __future__ import annotations
@@ -25,11 +25,16 @@ def installed_from(extra: str) -> str:
     return f'"{ROOT}[{extra}]"' if PROJECT.is_file() else f'"{OWN}[{extra}]"'
 
 
+def installing(what: str) -> str:
+    """Return the command that installs a package, or what `installed_from` returns, into the Python that runs."""
+    python = f'"{sys.executable}"' if " " in sys.executable else sys.executable
+    return f"{python} -m pip install {what}"
+
+
 def require(module: str, format_name: str, extra: str) -> None:
     """Raise `NotToBeHad`, with the line that installs it, if a `module` that a format needs cannot be found."""
     if find_spec(module) is None:
-        folder = installed_from(extra)
-        raise NotToBeHad(say("fault.W040", format=format_name, package=module, python=sys.executable, folder=folder))
+        raise NotToBeHad(say("fault.W040", format=format_name, package=module, command=installing(installed_from(extra))))
 
 
 def packages() -> dict[str, list[str]]:

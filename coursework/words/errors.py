@@ -133,12 +133,3 @@ class NotToBeHad(OutputError):
 def visible(text: str) -> str:
     """Return text with every unprintable character (colour codes, reversed writing …) written as its code."""
     return "".join(letter if letter.isprintable() else f"\\u{ord(letter):04x}" for letter in text)
-
-
-def reason_of(error: Exception) -> str:
-    """Return the operating system's reason for an error.
-
-    >>> reason_of(OSError(13, "Permission denied", "a.csv")), reason_of(ValueError("not a digit"))
-    ('Permission denied', 'not a digit')
-    """
-    return getattr(error, "strerror", None) or str(error)

@@ -20,7 +20,7 @@ from coursework.words.errors import InputError
 from coursework.words.generated_code import made_once
 from coursework.words.scripts import OPEN_SPACE, closed_up
 from coursework.words.sentence import Sentence
-from coursework.words.words_file import read_words
+from coursework.words.words_file import line_of, read_words
 
 ENGLISH = "en"
 # Name of a rule -> the plural form for a whole number.  "other" is used for a number that is not whole and for a form that the
@@ -236,7 +236,7 @@ def _read(path: Path, language: str) -> dict[str, Any]:
     except ValueError as error:  # not TOML or not UTF-8
         if language == ENGLISH:
             raise  # the error itself could not be written
-        raise InputError(say("fault.L003", language=language, error=str(error))) from error
+        raise InputError(say("fault.L003", language=language, line=line_of(error, path))) from error
 
 
 def _over(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
@@ -259,7 +259,9 @@ def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
     import difflib  # imported here, as only mistakes need it
 
     found = [name for name in known if name.casefold() == word.casefold() and name != word and alike < 1]
-    found = found or difflib.get_close_matches(word, list(known), n=1, cutoff=alike)
+    found = found or [name for name in known if sorted(name) == sorted(word) and alike < 1]  # two letters in the other order
+    likely = known if len(word) > 2 else [name for name in known if name[:1].casefold() == word[:1].casefold()]  # ws is no s
+    found = found or difflib.get_close_matches(word, likely, n=1, cutoff=alike)
     return say("hint.closest", name=found[0]) if found else ""
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 _LINE = re.compile(
@@ -25,6 +26,14 @@ def read_words(text: str) -> dict[str, Any]:
 
     words = _plain_words(text, tomllib.loads)
     return tomllib.loads(text) if words is None else words
+
+
+def line_of(error: ValueError, path: Path) -> int:
+    """Return the line at which a file is not TOML, or not UTF-8."""
+    if isinstance(error, UnicodeDecodeError):
+        return error.object.count(b"\n", 0, error.start) + 1
+    at = re.search(r"at line (\d+)", str(error))
+    return int(at[1]) if at else path.read_bytes().rstrip().count(b"\n") + 1
 
 
 def _plain_words(text: str, read: Callable[[str], dict[str, Any]]) -> dict[str, Any] | None:

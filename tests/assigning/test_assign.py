@@ -225,7 +225,7 @@ def test_another_students_data_are_told_apart(tmp_path):
             ("--ranges", "nowhere"),
             'There are no ranges named "nowhere". Name a file (--ranges FILE), or those of a template: 31',
         ),
-        ("id\na\n", ("--ranges", "nowhere.toml"), "nowhere.toml: the file could not be read (No such file or directory)."),
+        ("id\na\n", ("--ranges", "nowhere.toml"), "nowhere.toml: the file could not be read (there is no such file or folder)."),
         ("id\na\n", ("--template", "cardan"), 'There are no ranges named "cardan"'),
         ("id\na\n", ("--language", "xx"), 'no words for the language "xx"'),
     ],

@@ -108,7 +108,7 @@ def test_turning_counted_clockwise_is_said_and_contradicts_nothing(tmp_path: Pat
         (csv(students.table()[:20]), "", "Rows: 20 of 25"), (csv(students.table(), 1), "", "few decimals to be marked"),
         (b"%PDF-1.7", "", "Table: not read. The file is really PDF"), (None, EQUATIONS[0], "Table: not read."),
         (csv(students.table()), "r1*wq = 0", 'symbol "wq" is not declared'),
-        (csv(students.table()).replace(b";w4", b";V_M"), "", "Missing columns: w4"),
+        (csv(students.table()).replace(b";w4", b";V_M"), "", "without numbers in the file: w4"),
         (csv(students.table()).replace(b";w4", b";total"), "", "The columns headed total may be w4"),
         (csv(students.table()).replace(b";3,3700", b";"), "", "can be read: 1; the first is phi2 in row 1."),
         (csv(students.table()).replace(b";3,37", b";<3,37"), "", "the first is phi2 in row 1: “<3,37"),
@@ -188,5 +188,5 @@ def test_a_person_reads_letters_as_pages_set_them_and_a_program_names(tmp_path: 
     assert re.search(r"\n  θ₃ {7}column", shown)
     assert "Row 5: theta_3 does not follow from your own row 4 and its w_3" in piped
     assert "Row 5: θ₃ does not follow from your own row 4 and its ω₃" in shown
-    assert ("Missing columns: wj." in piped, "Missing columns: ω_j." in shown) == (True, True)
+    assert ("without numbers in the file: wj." in piped, "without numbers in the file: ω_j." in shown) == (True, True)
     assert ("phij" in piped, "φ_j" in shown, "phij" in shown) == (True, True, False)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+import zipfile
 from pathlib import Path
 
+import pandas
 import pytest
 
 import coursework
@@ -48,3 +50,62 @@ def test_an_equation_of_positions_is_told_as_that_even_where_the_start_is_not_qu
     page = re.sub("<[^>]*>", "", Path("marks/feedback/ada.html").read_text(encoding="utf-8"))
     assert "It is an equation of positions and names none of the velocities" in page
     assert "its derivative with respect to time is wanted" in page
+
+
+def test_an_empty_file_is_told_once_and_by_name() -> None:
+    place = handed_in("")
+    assert prechecked(place).count("empty") == 1 and "Table: not read. table.csv is empty." in prechecked(place)
+    call("grade", place.parent, "--variant", "saw", "--out", "marks")
+    assert Path("marks/feedback/ada.html").read_text(encoding="utf-8").count("table.csv is empty.") == 1
+
+
+@pytest.mark.parametrize(("head", "kind"), [(b"Rar!\x1a\x07", "RAR"), (b"7z\xbc\xaf\x27\x1c", "7z"), (b"\x1f\x8b\x08", "gzip")])
+def test_an_archive_of_another_kind_is_handed_in_as_zip(head: bytes, kind: str) -> None:
+    place = handed_in()
+    files = [*place.iterdir()]
+    with zipfile.ZipFile(place / "work.zip", "w") as packed:
+        for file in files:
+            packed.write(file, file.name)
+    assert "Every step of the angles follows" in str(call("precheck", place / "work.zip", "--variant", "saw").output)
+    (place / "work.rar").write_bytes(head + bytes(99))
+    told = str(call("precheck", place / "work.rar", "--variant", "saw").output)
+    assert f"The file is really {kind}, an archive that is not opened. Hand in the files themselves, or a zip of them." in told
+
+
+def test_what_a_program_leaves_beside_an_open_file_is_no_work() -> None:
+    place = handed_in()
+    (place / "~$table.xlsx").write_bytes(b"\x05Ada" + bytes(160))
+    (place / ".~lock.table.csv#").write_text(",ada,desk;", encoding="utf-8")
+    assert "lock" not in prechecked(place) and "~$" not in prechecked(place)
+
+
+def test_a_table_that_is_a_picture_is_not_said_to_be_not_handed_in() -> None:
+    place = handed_in()
+    (place / "table.csv").rename(place / "photo.jpg")
+    (place / "photo.jpg").write_bytes(b"\xff\xd8\xff\xe0JFIF")
+    call("grade", place.parent, "--variant", "saw", "--out", "marks")
+    page = re.sub("<[^>]*>", "", Path("marks/feedback/ada.html").read_text(encoding="utf-8"))
+    assert "Nothing that can be read was handed in for one part: table." in page
+
+
+def test_two_sheets_with_other_numbers_are_told_and_one_of_them_is_read() -> None:
+    place = handed_in()
+    frame = pandas.read_csv(place / "table.csv")
+    (place / "table.csv").unlink()
+    other = frame.assign(q=frame["q"] + 0.1)
+    for second, told in ((other, True), (frame, False), (other[:60], False)):
+        with pandas.ExcelWriter(place / "table.xlsx", engine="openpyxl") as book:
+            frame.to_excel(book, sheet_name="Euler", index=False)
+            second.to_excel(book, sheet_name="again", index=False)
+        text = "Two tables have the same number of cells of the task: table.xlsx (Euler) and table.xlsx (again). Hand in one."
+        assert (text in prechecked(place)) is told
+
+
+def test_a_column_of_words_is_not_said_to_be_missing() -> None:
+    place = handed_in()
+    frame = pandas.read_csv(place / "table.csv").assign(vB="see below")
+    frame.to_csv(place / "table.csv", index=False)
+    assert "Columns of the task without numbers in the file: vB." in prechecked(place)
+    call("grade", place.parent, "--variant", "saw", "--out", "marks")
+    page = re.sub("<[^>]*>", "", Path("marks/feedback/ada.html").read_text(encoding="utf-8"))
+    assert "Columns of the task without numbers in the file: vB." in page

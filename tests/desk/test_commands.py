@@ -70,6 +70,7 @@ def test_a_wrong_policy_is_told(folder, text, codes):
     with pytest.raises(InputError) as wrong:
         read_policy(Path("p.toml"))
     assert [fault.code for fault in wrong.value.faults] == codes
+    assert [fault.line for fault in wrong.value.faults] == [*range(1, len(codes) + 1)]
     assert call("serve", "--policy", "p.toml").exit_code == 2
     assert call("serve", "--policy", "none.toml").stderr.startswith("V003")
 

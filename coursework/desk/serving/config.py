@@ -60,11 +60,15 @@ def config_of(
                     if (files or each.is_here()) and suffix in (policy.formats or (suffix,))],
         "policy": {"equations": policy.equations, "exact": policy.exact, "language": policy.language},
         "folder": str(files.folder.path) if files else None, "writable": bool(files and files.folder.is_writable()),
-        "words": shell_words(language),
+        "words": shell_words(language, is_own=files is not None),
     }  # fmt: skip
 
 
-def shell_words(language: str) -> dict[str, str]:
-    """Return the words of the shell; words that a language does not have yet are English."""
+def shell_words(language: str, *, is_own: bool) -> dict[str, str]:
+    """Return the words of the shell; words that a language does not have yet are English.
+
+    Whoever has started the desk (`is_own`) is told how to start it again where it does not answer.
+    """
     own, english = (load_phrases(each).entries.get("desk", {}).get("shell", {}) for each in (language, ENGLISH))
-    return {**english, **own}
+    words: dict[str, str] = {**english, **own}
+    return words | {"state_unreachable": words["state_start_again"]} if is_own else words

@@ -22,7 +22,8 @@ from coursework.desk.serving.application import Application, Wish
 from coursework.desk.serving.config import opened
 from coursework.desk.serving.guard import Gate
 from coursework.desk.serving.limits import Limits
-from coursework.words.errors import InputError, reason_of
+from coursework.words.errors import InputError
+from coursework.words.reasons import reason_of
 from coursework.words.sentences import say
 
 TRIED = 50  # ports tried, from the wished one on

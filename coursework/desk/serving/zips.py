@@ -10,7 +10,7 @@ import zipfile
 from collections.abc import Iterator
 from typing import Any
 
-from coursework.desk.inside import is_name, read_inside
+from coursework.desk.inside import is_name, read_inside, refused_name
 from coursework.desk.serving.bodies import MOST_BYTES, Refused
 from coursework.desk.serving.folder import SUFFIX, Folder, Stale, tables_named
 from coursework.system.files.whole_files import write_bytes
@@ -58,8 +58,10 @@ def unpacked(folder: Folder, content: bytes, words: Phrases) -> dict[str, Any]:
 def _taken_back(folder: Folder, name: str, content: bytes) -> str | None:
     """Write one file; return why it was not written, or None if it was written or is there with the same content."""
     stem, _, suffix = name.rpartition(".")
-    if not is_name(stem) or suffix not in {"toml", "csv"}:
+    if suffix not in {"toml", "csv"}:
         return say("desk.zip_other", name=name[:100])
+    if not is_name(stem):
+        return refused_name(stem)
     if len(content) > MOST_BYTES:
         return say("desk.too_large", most=MOST_BYTES)
     there = read_inside(folder.path, name, MOST_BYTES)

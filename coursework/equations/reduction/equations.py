@@ -162,7 +162,10 @@ def _bound(geometry: Geometry, equations: tuple[VelocityEquation, ...]) -> tuple
 def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> list[Position]:
     if not symbols.is_vector(constraint.left):
         both = Formula("-", (constraint.left, constraint.right))
-        return [Position(constraint.name, symbols.scalar(both), "zero", unit_of(both, variant), closes=True)]
+        name, is_zero = constraint.name, constraint.right.op == "number" and not constraint.right.value
+        written = spelled(on_axes(constraint.left if is_zero else both)) if len(name) == 1 and name.isalpha() else ""
+        written = written if len(written) <= _LONGEST_WRITTEN else ""  # a letter alone would be taken for a coordinate
+        return [Position(name, symbols.scalar(both), "zero", unit_of(both, variant), written, closes=True)]
     left, right = symbols.vector(constraint.left), symbols.vector(constraint.right)
     name = f"{constraint.name} " if constraint.name[-1:].isalpha() else constraint.name  # 1x, but "cylinder x"
     return [Position(f"{name}{axis}", a - b, "zero", closes=True) for axis, a, b in zip("xy", left, right, strict=True)]

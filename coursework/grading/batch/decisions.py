@@ -74,6 +74,9 @@ def read_overrides(
         if not any(values.values()):
             continue
         line = cells.records[record][0].line
+        if any(cell.value.strip() for cell in cells.records[record][len(cells.titles) :]):
+            faults.append(Fault(say("fault.G046", count=len(cells.titles)), file, line))
+            continue
         student = ids.get(same_key(values["id"]))
         if student is None:
             hint = closest(values["id"], list(known))

@@ -23,7 +23,8 @@ from coursework.grading.reading.files.archive import legible_name
 from coursework.grading.reading.files.kinds import is_ignored, is_named_as_table
 from coursework.grading.reading.limits import FILE_BYTES, FILES, INFLATED_BYTES
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
-from coursework.words.errors import Fault, InputError, reason_of
+from coursework.words.errors import Fault, InputError
+from coursework.words.reasons import reason_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -129,7 +130,7 @@ def _open_zip(path: Path) -> zipfile.ZipFile:
     try:
         opened = _zip_of(path)
     except (zipfile.BadZipFile, OSError, ValueError) as error:
-        raise InputError([Fault(say("fault.G002", error=str(error)), str(path))]) from error
+        raise InputError([Fault(say("fault.G002"), str(path))]) from error
     if len(opened.infolist()) > _MOST_PARTS:
         raise InputError([Fault(say("fault.G003", most=_MOST_PARTS), str(path))])
     return opened
@@ -161,8 +162,9 @@ def collect_one(place: Path) -> Submission:
 
 
 def collect_files(paths: Iterable[Path]) -> Submission:
-    """Return a submission of some files.  Raises `InputError` if a file is not there."""
-    listed = list(paths)
+    """Return a submission of some files, without those a program leaves beside them.  Raises `InputError` if one is not there."""
+    named = list(paths)
+    listed = [path for path in named if not is_ignored(path.name)] or named
     if missing := [path for path in listed if not path.is_file()]:
         raise InputError([Fault(say("fault.G005"), str(missing[0]))])
     return _alone((path.name, path) for path in listed)

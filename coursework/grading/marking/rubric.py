@@ -6,7 +6,7 @@ Used by the commands, before anything is graded.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import field, replace
 from datetime import datetime
 from decimal import ROUND_HALF_UP, Decimal
@@ -52,7 +52,7 @@ class Rubric:
     """`points` for the whole; `weights` of the parts; floors and `carried` (the worth of a carried cell) are shares of 1.
 
     `clockwise` says how work is taken in which angles count clockwise: one of `CONVENTIONS`. `forces` names the columns
-    of forces that a table must have besides the others.
+    of forces that a table must have besides the others. `line_of` finds the line of a place in the file.
     """
 
     points: float = 100.0
@@ -69,6 +69,7 @@ class Rubric:
     clockwise: str = "accept"
     late: Late | None = None
     forces: tuple[str, ...] = ()
+    line_of: Callable[[str], int] = field(default=lambda place: 0, compare=False)
 
     @property
     def is_scaled(self) -> bool:
@@ -120,7 +121,7 @@ class _Reader:
         weights = {part: self._number(parts, part, default.weights[part], "parts.", most=1e6) for part in PARTS}
         points = self._number(found, "points", default.points, most=1e6)
         if not sum(weights.values()) or not points:
-            self._fault("parts", "fault.G034")
+            self._fault("parts" if points else "points", "fault.G034")
         missing = found.get("missing_part", default.missing_part)
         if missing not in ("review", "zero"):
             self._fault("missing_part", "fault.G035", missing=missing)
@@ -141,14 +142,15 @@ class _Reader:
             raise InputError(self.faults)
         return Rubric(
             points, missing, weights, **floors, answers=answers, confusions=confusions, clockwise=clockwise, late=late,
-            forces=asked,
+            forces=asked, line_of=self._line_of,
         )  # fmt: skip
 
+    def _line_of(self, place: str) -> int:
+        path = tuple(int(part) - 1 if part.isdecimal() else part for part in place.split(".") if part)
+        return self.source.positions.find(path, key=True)[0]
+
     def _fault(self, place: str, key: str, **values: object) -> None:
-        path = tuple(
-            int(part) - 1 if part.isdecimal() else part for part in f"{place}.{values.get('key_', '')}".split(".") if part
-        )
-        line = self.source.positions.find(path, key=True)[0]
+        line = self._line_of(f"{place}.{values.get('key_', '')}")
         self.faults.append(Fault(say(key, **values), self.source.file, line, place=place))
 
     def _refuse_unknown(self, section: Mapping[str, Any], known: tuple[str, ...], place: str) -> None:
@@ -189,6 +191,8 @@ class _Reader:
 
     def _late(self, found: Mapping[str, Any]) -> Late | None:
         section = self._section(found, "late", ("deadline", "grace", "lost_per_day", "at_most"))
+        if section is not found["late"]:  # no section, which is told
+            return None
         deadline, grace = section.get("deadline"), section.get("grace", "0 min")
         try:
             deadline = datetime.fromisoformat(deadline) if isinstance(deadline, str) else deadline
@@ -232,17 +236,17 @@ def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") ->
     asked += [(answer.of, f"answers.{answer.name}.of", (*known, *of_forces)) for answer in rubric.answers]
     for of, place, allowed in asked:
         if of not in allowed:
-            faults.append(Fault(say("fault.G040", of=of, hint=closest(of, allowed), known=", ".join(allowed)), name, place=place))
+            told = say("fault.G040", of=of, hint=closest(of, allowed), known=", ".join(allowed))
+            faults.append(Fault(told, name, rubric.line_of(place), place=place))
     for answer in rubric.answers:
         if answer.row is not None and answer.row > variant.time.steps + 1:
-            faults.append(
-                Fault(say("fault.G041", number=variant.time.steps + 1, row=answer.row), name, place=f"answers.{answer.name}.row")
-            )
-    for entry in rubric.confusions:
+            told, place = say("fault.G041", number=variant.time.steps + 1, row=answer.row), f"answers.{answer.name}.row"
+            faults.append(Fault(told, name, rubric.line_of(place), place=place))
+    for number, entry in enumerate(rubric.confusions, start=1):
         try:
             replace(rubric, confusions=(entry,)).confused(variant)
         except UnitFault as error:
-            faults.append(Fault(error.message, name, place=f"confusion.{entry.datum}"))
+            faults.append(Fault(error.message, name, rubric.line_of(f"confusion.{number}"), place=f"confusion.{entry.datum}"))
     if faults:
         raise InputError(faults)
 

@@ -78,7 +78,9 @@ def read_gradebook(content: bytes, file: str, points: float) -> Gradebook:
     possible = next((k for k in range(1, min(6, len(cells.records))) if cells.value(k, 0) == "Points Possible"), None)
     listed = [place for place, title in enumerate(titles) if _ASSIGNMENT.fullmatch(title)]
     fitting = [place for place in listed if possible is None or _points(cells, possible, place) in (points, None)]
-    known = "; ".join(titles[place] for place in listed) or "none"
+    if not listed:
+        raise InputError([Fault(say("fault.G010"), file, 1)])
+    known = "; ".join(titles[place] for place in listed)
     if not fitting:
         raise InputError([Fault(say("fault.G012", points=points, known=known), file, 1)])
     students = tuple(k for k in range(1, len(cells.records)) if k > (possible or 0) and _is_student(cells, k))

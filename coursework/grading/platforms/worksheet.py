@@ -91,13 +91,11 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
     found = {name: titles[title] for name, known in MOODLE["titles"].items() for title in known if title in titles}
     equal = _columns_where(cells, _are_one_number, first=1)
     maximum = found.get("maximum", equal[0] if len(equal) == 1 else None)
-    if maximum is None:
+    if maximum is None or found.get("grade", maximum - 1) < 1:
         raise InputError([Fault(say("fault.G022"), file, 1)])
     columns = {"identifier": 0, "name": 1, "grade": maximum - 1, "maximum": maximum} | found
     if found.get("status") == columns["name"]:  # while marking is blind there are no names
         del columns["name"]
-    if columns["grade"] < 1:
-        raise InputError([Fault(say("fault.G023"), file, 1)])
     last = len(cells.titles) - 1
     if "maximum" not in found and last >= maximum + _AFTER_MAXIMUM:
         columns.setdefault("comment", last)
@@ -133,12 +131,14 @@ def _are_addresses(values: list[str]) -> bool:
 
 def _maximum(cells: CellText, place: int) -> tuple[float, str]:
     """Return the maximum grade and the sheet's decimal mark.  Raises `InputError` if the column is not one positive number."""
-    values = [value for record in range(1, len(cells.records)) if (value := cells.value(record, place))]
-    first = next(iter(values), "")
+    values = {record: value for record in range(1, len(cells.records)) if (value := cells.value(record, place))}
+    first = next(iter(values.values()), "")
     mark = "," if "," in first and "." not in first else "."
     number = filled_in(first, mark)
-    if not number.is_number or number.value <= 0 or len({*values}) != 1:
-        raise InputError([Fault(say("fault.G024", first=first[:20]), cells.file, 2)])
+    other = next((record for record, value in values.items() if value != first), None)
+    if not number.is_number or number.value <= 0 or other:
+        record = other or next(iter(values), 1)
+        raise InputError([Fault(say("fault.G024", found=values.get(record, "")[:20]), cells.file, cells.records[record][0].line)])
     return number.value, mark
 
 

@@ -29,6 +29,7 @@ from coursework.grading.reading.files.archive import Archive, legible_name
 from coursework.grading.reading.files.encoding import decode
 from coursework.grading.reading.files.html_text import text_of
 from coursework.grading.reading.files.kinds import (
+    ARCHIVES,
     OLD_EXCEL,
     OLD_WORD,
     PICTURES,
@@ -93,8 +94,9 @@ class _Found:
             (self.refused if could_be_table or is_question else self.attached).append(refused.trouble)
             if refused.trouble.code == "no_pdf_reader":
                 self.unopened = refused.trouble.text
-            code = "empty_part" if refused.trouble.code == "empty" else "attachment"
-            self.notes.append(note(code, name=file.name, why=refused.trouble.text))
+            why = refused.trouble.text
+            is_empty = refused.trouble.code == "empty"
+            self.notes.append(Note("empty_part", why) if is_empty else note("attachment", name=file.name, why=why))
             return ("attachment",)
 
     def _read(self, file: SubmittedFile) -> tuple[_Kind, ...]:
@@ -108,7 +110,7 @@ class _Found:
         if file.content.startswith(b"PK"):
             return self._read_archive(file)
         if not file.content.strip():
-            raise unreadable("empty")
+            raise unreadable("empty", name=file.name)
         return self._read_text(file)
 
     def _read_archive(self, file: SubmittedFile) -> tuple[_Kind, ...]:
@@ -267,7 +269,7 @@ def _other_kind(kind: str, key: str = "other_kind") -> Refused:
     """Return the refusal of a file of this kind, which tells the student how to save it instead."""
     if kind in {OLD_EXCEL, OLD_WORD}:
         return unreadable("old_excel" if kind == OLD_EXCEL else "old_word")
-    return other_kind("picture" if kind in PICTURES else key, kind=kind)
+    return other_kind("picture" if kind in PICTURES else "archive" if kind in ARCHIVES else key, kind=kind)
 
 
 def _unread_cells(table: Table) -> Sentence | None:

@@ -19,6 +19,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from coursework.system.extras import installing
 from coursework.words.custom_templates import templates_in_use
 from coursework.words.data_folders import folder
 from coursework.words.errors import CourseworkError, InputError, OutputError
@@ -42,7 +43,7 @@ def _typst() -> Any:
     try:
         import typst
     except ImportError as error:
-        raise OutputError(say("fault.W014", error=error)) from error
+        raise OutputError(say("fault.W014", error=error, command=installing("typst"))) from error
     return typst
 
 
@@ -69,7 +70,7 @@ def _faces() -> Path:
         return _places[-1]
     found = importlib.util.find_spec("matplotlib")
     if found is None or found.origin is None:
-        raise OutputError(say("fault.W013"))
+        raise OutputError(say("fault.W013", command=installing("matplotlib")))
     source = Path(found.origin).parent / "mpl-data" / "fonts" / "ttf"
     try:
         place = Path(tempfile.mkdtemp(prefix="coursework-fonts-"))

@@ -14,7 +14,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import IO
 
-from coursework.words.errors import Fault, OutputError, reason_of
+from coursework.words.errors import Fault, OutputError
+from coursework.words.reasons import reason_of
 from coursework.words.sentences import say
 
 _BEGUN = ".coursework-"

@@ -44,7 +44,7 @@ def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Brok
         faulty = any(broken.has("group", number - 1, name) for name in ((key, "guide") if key == "guides" else (key,)))
         if count not in right and not faulty:
             wanted = say_count(f"fault.shape.{_KEYS[key]}", right[-1])
-            roles = _roles(key, group, shape, count)
+            roles = _roles(key, group, shape, count, variant)
             told = say("fault.V343", number=number, kind=group.kind, wanted=wanted, found=count, roles=roles)
             yield Fault(told, variant.file, variant.line_of("group", number - 1, key) or group.line)
     own = [c for c in variant.coordinates if c.name in group.coordinates]
@@ -71,7 +71,7 @@ def _shared(variant: Variant, broken: Broken) -> Iterator[Fault]:
                 yield Fault(told, variant.file, variant.line_of("group", number - 1, "coordinates") or group.line)
 
 
-def _roles(key: str, group: Group, shape: Shape, count: int) -> Sentence | str:
+def _roles(key: str, group: Group, shape: Shape, count: int, variant: Variant) -> Sentence | str:
     """Return the roles of the missing entries of a list, or of all its entries if there are too many."""
     most = shape.counts[key][-1]
     if not most:
@@ -79,6 +79,11 @@ def _roles(key: str, group: Group, shape: Shape, count: int) -> Sentence | str:
     # A length is named by letters; if a point has no name, by the letter of the kind.
     letters = letters_of(shape, replace(group, meets=group.meets or shape.letters[-1]))
     told = entries(shape, key, letters, count + 1 if count < most else 1)
+    if key == "guides" and not count:
+        through = variant.points[0][0] if variant.points else "A"
+        lines = [f'{{ through = "{through}", angle = "{turned} deg" }}' for turned in (0, 90)]
+        line = f"guide = {lines[0]}" if most == 1 else f"guides = [{', '.join(lines)}]"
+        return say("fault.shape.write", roles=told, line=line)
     return say("fault.shape.missing" if count < most else "fault.shape.all", roles=told)
 
 

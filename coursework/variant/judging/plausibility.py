@@ -107,7 +107,7 @@ def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
             for given in few:
                 named.setdefault(given.name, (given, many))
     for given, others in named.values():
-        neighbour, better = others[0], _nearer(given, others[len(others) // 2])
+        neighbour, better = others[0], _nearer(given, others[len(others) // 2], {other.unit for other in others})
         key = "remark.length" if better else "remark.length_alone"
         yield "LENGTH", ("given", given.name), say(
             key, name=given.name, text=_written(given), beside=_written(neighbour), better=f"{given.text} {better}"
@@ -122,11 +122,15 @@ def _written(given: Given) -> str:
     return f"{given.text} {given.unit or 'm'}"
 
 
-def _nearer(given: Given, middle: Given) -> str:
-    """Return the unit with which the same number would be nearest to the middle one of the others, "" if none brings it near."""
+def _nearer(given: Given, middle: Given, written: Collection[str]) -> str:
+    """Return the unit with which the same number would be nearest to the middle one of the others, "" if none brings it near.
+
+    A unit in which one of the others is `written` comes first.
+    """
     units = _LENGTHS[any("а" <= letter <= "я" for letter in given.unit)]
     apart = math.log(abs(float(given.text.replace("−", "-")))) - math.log(_size(middle))  # a quotient may be 0 or infinite
-    far, unit = min((abs(apart + math.log(float(UNITS[unit][0]))), unit) for unit in units)
+    near = [(abs(apart + math.log(float(UNITS[unit][0]))), unit) for unit in units]
+    far, unit = min(near, key=lambda entry: (entry[0] >= math.log(_FAR) or entry[1] not in written, entry))
     return unit if far < math.log(_FAR) and unit != (given.unit or "m") else ""
 
 

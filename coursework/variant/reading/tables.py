@@ -19,7 +19,8 @@ from coursework.variant.formula.units import plain_unit
 from coursework.variant.record.entries import last_place
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
-from coursework.words.errors import Fault, reason_of
+from coursework.words.errors import Fault
+from coursework.words.reasons import reason_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 

@@ -16,7 +16,8 @@ from typing import Any
 from coursework.system.frozen import frozen
 from coursework.variant.formula.alphabet import foreign_letter, spell, spell_path
 from coursework.variant.toml.positions import KeyPath, Positions, locate
-from coursework.words.errors import Fault, InputError, reason_of
+from coursework.words.errors import Fault, InputError
+from coursework.words.reasons import reason_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 

@@ -95,6 +95,7 @@ def test_all_work_goes_into_a_zip_and_comes_back_on_another_computer(client, tmp
     with desk(elsewhere) as second:
         found = second.post("/api/zip", content=packed.content).json()
         assert [each["name"] for each in found["skipped"]] == ["other.toml"]
+        assert found["skipped"][0]["sentence"].endswith("Rename the file and open it again.")
         assert (elsewhere / "other.toml").read_text(encoding="utf-8") == "b"
         assert (elsewhere / "mine.toml").read_bytes() == (tmp_path / "mine.toml").read_bytes()
         assert len(found["written"]) == 2
@@ -109,6 +110,8 @@ def test_a_hostile_zip_writes_nothing_outside(client, tmp_path):
             archive.writestr(name, b"0" * (10**7 if name == "bomb.toml" else 1))
     found = client.post("/api/zip", content=content.getvalue()).json()
     assert found["written"] == ["abs.toml", "out.toml", "up.toml"]  # by their names alone, in this folder
-    assert {each["name"] for each in found["skipped"]} == {"CON.toml", "x.exe", ".deleted", "bomb.toml"}
+    why = {each["name"]: each["sentence"] for each in found["skipped"]}
+    assert set(why) == {"CON.toml", "x.exe", ".deleted", "bomb.toml"}
+    assert "cannot be the name of a file here" in why["CON.toml"] and "neither a variant nor a table" in why["x.exe"]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["abs.toml", "out.toml", "up.toml"]
     assert not (tmp_path.parent / "out.toml").exists()

@@ -63,6 +63,12 @@ def test_the_page_knows_what_was_opened(client, tmp_path):
     assert config_of(client.get("/").text)["text"] == "another"
 
 
+def test_whoever_started_a_desk_is_told_how_to_start_it_again(client):
+    assert config_of(client.get("/").text)["words"]["state_unreachable"].endswith("start it again: coursework edit")
+    with desk() as of_others:
+        assert "start" not in config_of(of_others.get("/").text)["words"]["state_unreachable"]
+
+
 def test_a_folder_that_cannot_be_written_is_known_from_the_start(client, monkeypatch):
     monkeypatch.setattr("os.access", lambda *_: False)
     assert config_of(client.get("/").text)["writable"] is False

@@ -68,7 +68,8 @@ def test_health_and_metrics_need_no_cookie_and_tell_no_names(client):
 )
 def test_another_host_is_refused(client, host):
     for path in ("/", "/health", "/api/files"):
-        assert client.get(path, headers={"Host": host}).status_code == 403
+        assert (refused := client.get(path, headers={"Host": host})).status_code == 403
+        assert "coursework serve --allow-host NAME" in refused.text
 
 
 @pytest.mark.parametrize("host", [f"localhost:{PORT}", f"[::1]:{PORT}", HOST])

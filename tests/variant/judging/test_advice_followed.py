@@ -222,6 +222,24 @@ def test_a_tabulated_drive_without_its_argument_is_of_time() -> None:
     coursework.parse_variant(text.replace('"law.csv"', '"law.csv", of = "t"'), tables=law)
 
 
+def test_a_missing_guide_is_told_with_the_line_to_copy() -> None:
+    slider = RETURN.replace('kind = "RPR"\nfrom = ["A", "Q"]', 'kind = "RRP"\nfrom = ["A"]\nlengths = ["b"]')
+    (told,) = refused(slider)
+    assert 'Write guide = { through = "O", angle = "0 deg" }, with your own' in told
+    line = told.partition(" Write ")[2].partition(", with")[0]
+    coursework.parse_variant(
+        slider.replace('lengths = ["b"]', f'lengths = ["b"]\n{line}').replace('{ rate = "vx"', '{ unit = "m", rate = "vx"')
+    )
+
+
+@pytest.mark.parametrize("name", ["y", "5"])
+def test_an_equation_called_by_a_letter_is_told_as_written_where_it_drifts(name: str) -> None:
+    closed = SAW.replace(VELOCITY, POSITION.replace("equation", "closure")).replace("-6.8764", "-6.4709")
+    run = coursework.solve(coursework.parse_variant(closed.replace('name = "y"', f'name = "{name}"')))
+    (drift,) = [check for check in run.checks if check.code == "DRIFT"]
+    assert str(drift.sentence).startswith("l*sin(q) + L*sin(s) is 0.0105 m off in row 30") is (name == "y")
+
+
 def test_laws_in_a_circle_are_told_once_at_the_first() -> None:
     (told,) = refused(SAW.replace("[points]", '[functions]\nf = "g + l"\ng = "f - l"\n[points]'))
     assert told == "V057 variant:26:5  functions.f: no law can depend on itself: f → g → f."

@@ -273,4 +273,12 @@ def test_data_of_a_place_are_told_with_the_point_that_they_place() -> None:
 ])  # fmt: skip
 def test_a_unit_is_advised_that_brings_a_number_within_thirty_times_the_usual_length(text: str, unit: str, better: str) -> None:
     """The usual length is 0.8 m; 24 m and 2.67 cm are thirty times as long and as short."""
-    assert _nearer(SimpleNamespace(text=text, unit=unit), SimpleNamespace(value=-0.8)) == better
+    assert _nearer(SimpleNamespace(text=text, unit=unit), SimpleNamespace(value=-0.8), ()) == better
+
+
+@pytest.mark.parametrize(
+    ("text", "written", "better"), [("45", "cm", "cm"), ("45", "mm", "mm"), ("45", "ft", "mm"), ("800", "cm", "mm")]
+)
+def test_a_unit_of_the_others_is_advised_first_if_it_brings_the_number_near(text: str, written: str, better: str) -> None:
+    """Beside 12 cm, 45 mm would be a little nearer than 45 cm; 800 cm is more than thirty times as long."""
+    assert _nearer(SimpleNamespace(text=text, unit=""), SimpleNamespace(value=0.12), {written}) == better

@@ -31,6 +31,7 @@ _HTML = re.compile(
 _RECORD = re.compile(r'\s*\{\s*"variant": ".{0,9999}?"versions": \{"coursework": "', re.DOTALL)
 _ITS_END = re.compile(r'"stamp": "[0-9a-f]+",\s*"files": \{')
 OLD_EXCEL, OLD_WORD = "xls", "doc"
+ARCHIVES = {"RAR", "7z", "gzip"}
 PICTURES = {"JPEG", "PNG", "GIF", "TIFF", "BMP", "HEIC", "WebP", "DjVu"}
 _WORD_STREAM = "WordDocument".encode("utf-16-le")  # the name of a stream inside an OLE file
 

@@ -17,13 +17,14 @@ from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.files.separators import split
-from coursework.grading.reading.limits import Refused, bounds, unreadable
+from coursework.grading.reading.limits import Refused, bounds, doubtful, unreadable
 from coursework.grading.reading.numbers import ROUNDED
 from coursework.grading.reading.student_work import Table, TableColumn
 from coursework.grading.reading.submission import note
 from coursework.grading.reading.table.parts import Origin, Part, parts_of
 from coursework.grading.reading.table.table import read_parts, weight
 from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 _FORMULA, _ROWS = re.compile(r"[^=].*\b(?:sin|cos)\s*[(\[]"), 2
 
@@ -63,13 +64,22 @@ def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[tuple[Par
 
 
 def _best(parts: Sequence[Part], grid: Grid) -> tuple[Part, Table] | None:
-    """Return the table with the greatest weight, None if there is none.  Raises `Refused` if the heaviest one is refused."""
+    """Return the table with the greatest weight, None if there is none.
+
+    Raises `Refused` if the heaviest one is refused, or if another sheet has one as heavy with other numbers.
+    """
     read = read_parts(parts, grid)
     if not read:
         return None
     part, table = max(read, key=lambda entry: (weight(entry[0], entry[1], grid), _stands(entry[1])))
     if isinstance(table, Refused):
         raise table
+    equal = [
+        one.sheet for one, other in read if isinstance(other, Table) and other.weight == table.weight and not alike(other, table)
+    ]
+    if rivals := [sheet for sheet in equal if sheet != part.sheet]:
+        names = [say("reading.place.in_file", file=part.origin.file, place=sheet or "") for sheet in (part.sheet, *rivals)]
+        raise doubtful("two_tables", names=tuple(names))
     return part, table
 
 

@@ -241,7 +241,7 @@ def test_without_the_extra_a_person_is_asked_and_told_the_command(monkeypatch: p
     monkeypatch.setattr(pdf, "is_readable", lambda: False)
     work = read(content)
     assert work.trouble is not None and (work.trouble.state, work.trouble.code) == ("needs-review", "no_pdf_reader")
-    assert 'pip install "coursework[pdf]"' in work.trouble.text
+    assert "coursework --versions" in work.trouble.text
     beside = read_submission(Submission("x", None, (submitted_file("r.pdf", content), GOOD)), expected())
     assert beside.table is not None and beside.unopened is not None
 

@@ -45,7 +45,7 @@ def is_readable() -> bool:
 def document_of_pdf(content: bytes, most_rows: int, most_columns: int) -> Document:
     """Return the tables and lines of a PDF.  Raises `Refused`."""
     if not is_readable():
-        raise doubtful("no_pdf_reader", command='pip install "coursework[pdf]"')
+        raise doubtful("no_pdf_reader", command="coursework --versions")
     try:
         with _bounded():
             return _read(content, most_rows, most_columns)
