@@ -70,6 +70,11 @@ def test_the_plan_says_which_effects_are_on(folder):
     assert "springs              off: not named in [forces]" in effects
     assert "9 equations of 3 links with 9 unknown forces" in effects
     assert "Effects" not in call("run", "example-1", "--plan").stdout
+    friction = '[friction]\nC = { coefficient = "0.1" }\n\n[ask]'
+    Path("moved.toml").write_text(mechanism("example-2-motor", ("[ask]", friction)), encoding="utf-8")
+    moved = call("run", "moved", "--plan").stdout
+    assert "friction             on: named in [friction]; the row is solved again in each of at most 2000 rounds" in moved
+    assert "motor                on: named in [motor]; free accelerations of a slope: 1" in moved
 
 
 def test_a_file_without_forces_imports_nothing_of_them(tmp_path):
