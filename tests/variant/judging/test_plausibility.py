@@ -274,3 +274,10 @@ def test_data_of_a_place_are_told_with_the_point_that_they_place() -> None:
 def test_a_unit_is_advised_that_brings_a_number_within_thirty_times_the_usual_length(text: str, unit: str, better: str) -> None:
     """The usual length is 0.8 m; 24 m and 2.67 cm are thirty times as long and as short."""
     assert _nearer(SimpleNamespace(text=text, unit=unit), SimpleNamespace(value=-0.8)) == better
+
+
+def test_a_factor_that_turns_a_speed_once_more_is_told_with_its_equation():
+    text = mechanism("slider-crank-equations", ("-r*w1*sin(phi1)", "-r*n*pi/30*sin(phi1)"), ("[given]", '[given]\nn = "60 rpm"'))
+    (told,) = parse_variant(text).plausibility
+    assert (told.code, told.line) == ("RPM", text.splitlines().index('name = "x"') + 3)
+    assert "n = 60 rpm is already in rad/s; in constraint x the factor in r*n*pi/30*sin(phi1) turns it once more" in told.sentence
