@@ -165,6 +165,8 @@ def test_the_command_prints_or_writes(folder):
     assert shown.exit_code == 0 and shown.stdout == written(solved("31"), "python")
     assert "W011 own.png" in call("listing", "31", "--chart", "own.png").stderr
     assert "W006 ." in call("listing", "31", "--out", ".").stderr
+    alone = call("listing", "31", "--chart", "own.svg")
+    assert alone.exit_code == 0 and alone.stdout.startswith("Written to own.svg") and "def rates" not in alone.stdout
     done = call("listing", "31", "--language", "c", "--out", "own.c", "--chart", "own.svg")
     assert done.exit_code == 0
     assert [float(size) for size in re.findall(r": (\d+) kB", done.output)] == pytest.approx(
