@@ -90,7 +90,7 @@ def tell_plan(results: Results, wanted: Sequence[Format]) -> None:
         from coursework.effects.told import effect_lines
 
         needed = any(run.asks(one) for one in (FORCES, ENERGY, DYNAMICS))
-        for line in effect_lines(run.variant, run.of(FORCES) if needed else None):
+        for line in effect_lines(run.variant.forces, run.of(FORCES) if needed else None):
             tell(line)
     title = run.scheme_title
     tell(say_count("screen.evaluations", run.tableau.slopes, title=title) if run.tableau else say("screen.scheme", title=title))

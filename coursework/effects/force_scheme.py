@@ -5,12 +5,12 @@ Used by `scheme.py`, which reads them, `rows.py`, `kinetostatics.py` and all tha
 
 R<i><j> is the force of link i on link j, 0 the frame.  For a pin that joins more than two links, R<P><j> is the force of the pin
 on link j, since pair forces are not unique there.  N acts across a guide, K is the couple of a body that cannot turn in its
-guide, T acts along a rolling contact.
+guide, T acts along a rolling contact.  Of a second slide or contact of the same two links the names end in _2.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from coursework.mechanism.joints import FRAME
@@ -137,14 +137,3 @@ def torques_beside_drives(scheme: ForceScheme) -> Iterator[tuple[str, str, Load]
 def drives_of(scheme: ForceScheme) -> tuple[Unknown, ...]:
     """Return the unknowns that move the mechanism."""
     return tuple(one for one in scheme.unknowns if one.is_drive)
-
-
-def names_of(unknowns: Iterable[Unknown]) -> tuple[str, ...]:
-    """Return the names of unknowns, each once: repeated names, for joints between the same two links, get a prime."""
-    found: dict[str, None] = {}
-    for one in unknowns:
-        name = one.name
-        while name in found:
-            name += "'"
-        found[name] = None
-    return tuple(found)

@@ -157,7 +157,7 @@ class _Reader:
             if (point := self.bodies.point(joint)) != "":
                 joint = replace(joint, where=named(point))  # friction is given by the name of the point
             if not joint.pins:
-                found += self.sliding(joint) if joint.kind.slides else self.rolling(joint)
+                found += _numbered([*(self.sliding(joint) if joint.kind.slides else self.rolling(joint))], found)
                 continue
             held = self.bodies.hinges()[point] if point else set(joint.bodies)
             names = in_order(self.bodies.called[body] for body in held)
@@ -283,6 +283,13 @@ class _Reader:
             for other in joint.bodies if other != body
         ]  # fmt: skip
         return FRAME if FRAME in others or not others else others[0]
+
+
+def _numbered(own: list[Unknown], found: list[Unknown]) -> list[Unknown]:
+    """Return the unknowns of a joint; of the second slide or contact of two links they end in _2."""
+    taken, endings = {one.name for one in found}, ("", *(f"_{number}" for number in range(2, len(found) + 2)))
+    ending = next(each for each in endings if taken.isdisjoint(one.name + each for one in own))
+    return [replace(one, name=one.name + ending) for one in own]
 
 
 def _pair(first: str, second: str) -> str:

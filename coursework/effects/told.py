@@ -1,6 +1,6 @@
 """What is told about the forces of a run: which effects are on, why the others are off, and what run.json records.
 
-Enters: a `Variant`, a `ForceAnalysis`.  Leaves: sentences, plain data.
+Enters: `Forces`, a `ForceAnalysis`.  Leaves: sentences, plain data.
 Used by `commands/run.py`, `motion_results.py` and `report/output/record.py`.
 """
 
@@ -14,21 +14,18 @@ from coursework.effects.effects import EFFECTS, FRICTION, MOTOR, Effect
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.kinetostatics.flywheel import find_flywheel
 from coursework.results.kinematics.extra import ExtraTable
-from coursework.variant.record.variant import Variant
+from coursework.variant.record.forces import Forces
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 
-def effect_lines(variant: Variant, found: ForceAnalysis | None) -> list[Sentence]:
-    """Return which effects a file turns on or off and why, and the cost of a row; empty for a file without forces."""
-    forces = variant.forces
-    if forces is None:
-        return []
+def effect_lines(forces: Forces, found: ForceAnalysis | None) -> list[Sentence]:
+    """Return which effects a file turns on or off and why, and the cost of a row if the forces were `found`."""
     lines = [say("plan.effects")]
     for effect in EFFECTS:
         on = effect.named(forces)
         why = say("plan.on" if on else "plan.off", section=effect.section)
-        cost = _cost(effect, variant, found) if on and found is not None else None
+        cost = _cost(effect, found) if on and found is not None else None
         lines.append(
             say("plan.line", name=f"{effect.name:<20}", why=why if cost is None else joined([why, cost], "join.nothing"))
         )
@@ -38,14 +35,14 @@ def effect_lines(variant: Variant, found: ForceAnalysis | None) -> list[Sentence
     return lines
 
 
-def _cost(effect: Effect, variant: Variant, found: ForceAnalysis) -> Sentence:
+def _cost(effect: Effect, found: ForceAnalysis) -> Sentence:
     """Return the sentence about what an effect adds to every row."""
     if effect is FRICTION:
         from coursework.effects.friction.friction import MOST_ROUNDS
 
         return say("plan.effect_rounds", most=MOST_ROUNDS)
-    if effect is MOTOR:
-        return say("plan.effect_slope", count=len(variant.motor.rates) if variant.motor is not None else 0)
+    if (motor := found.rows.scheme.forces.motor) is not None and effect is MOTOR:
+        return say("plan.effect_slope", count=len(motor.rates))
     acts = [*effect.acts(found.rows)]
     couples = sum(one.couple is not None for one in acts)
     return say("plan.effect_acts", forces=len(acts) - couples, couples=couples)

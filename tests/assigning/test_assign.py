@@ -165,6 +165,14 @@ def test_a_student_added_and_another_order_change_nobody_elses_files(out, tmp_pa
     assert {path: path.stat().st_mtime_ns for path in (tmp_path / "out").rglob("*.html")} == written
 
 
+def test_the_table_of_a_law_lies_beside_the_variants_that_need_it(tmp_path):
+    ranges = tmp_path / "own.toml"
+    ranges.write_text('[given]\nl2 = { from = "0.38 m", to = "0.45 m", step = "0.01 m" }\n', encoding="utf-8")
+    assigned(tmp_path, "id,name\na,Ann\n", "--ranges", str(ranges), template="variable-crank-table")
+    own = coursework.load(tmp_path / "out" / "a.toml")
+    assert own.functions[0].table == coursework.load("variable-crank-table").functions[0].table
+
+
 def test_two_students_with_equal_data_are_told(tmp_path):
     (tmp_path / "few.toml").write_text('[given]\np = { choice = ["12.9 1/s"] }\n', encoding="utf-8")
     page = assigned(tmp_path, ROSTER, "--ranges", tmp_path / "few.toml") / "class.html"

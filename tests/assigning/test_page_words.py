@@ -34,6 +34,15 @@ def test_a_drive_by_a_table_names_its_file():
     assert sentence.endswith(" is given in the file speed.csv.")
 
 
+@pytest.mark.parametrize(("name", "said"), [
+    ("variable-crank-exact", ["x = l₁ cos φ₀ + √(l₂² − l₁² sin² φ₀) − (V / ω₀) (φ₁ − φ₀)", "r = x cos φ₁ + √(l₂² − x² sin² φ₁)"]),
+    ("variable-crank-table", ["r is given in the file variable-crank-table.csv."]),
+])  # fmt: skip
+def test_functions_of_a_file_are_told_as_formulas_or_by_their_table(name, said):
+    _, told = drives(coursework.load(name), WORDS)
+    assert [one.translate({0xE000: None, 0xE001: None}) for one in told] == said
+
+
 @pytest.mark.parametrize("name", ["31", "example-1"])
 def test_the_table_has_the_rows_of_the_run(name):
     """Both where the task is told and where its marks are."""

@@ -8,6 +8,7 @@ import pytest
 import coursework
 from coursework.effects.draft import with_forces
 from coursework.effects.rows import SECOND
+from coursework.report.pages import build_model, render_html
 from coursework.variant.formula.reader import parse
 from tests.effects.massed import of_text
 from tests.mechanisms.library import mechanism
@@ -94,3 +95,26 @@ def test_the_rod_of_a_cylinder_is_pushed_at_its_pin_and_the_boom_feels_it_there(
     push = (90 * 9.81 * 0.65 * np.cos(phi) + 90 * 1.3**2 / 3 * e) / (1.3 * np.sin(psi - phi))
     assert found.column("F") == pytest.approx(push, rel=1e-10)
     assert found.column("R13x") + 1j * found.column("R13y") == pytest.approx(-push * np.exp(1j * psi), rel=1e-10)
+    assert found.energy.drive == pytest.approx(push * found.rows.motion.column("us"), abs=1e-9)
+
+
+@pytest.mark.parametrize("rubs", [(0, 0), (0.1, 0.2)])
+def test_a_carriage_on_two_pins_has_a_force_at_each_of_them(rubs):
+    """By hand, 1 kg between the pins and 10 N on the second; both forces were named N01, which no page could set."""
+    friction = f"[friction]\nC = {{ coefficient = {rubs[0]} }}\nE = {{ coefficient = {rubs[1]} }}\n" if any(rubs) else ""
+    text = mechanism(
+        "drawn-block", ("[coordinates]", '[drive]\nu = "0.5*cos(3*t)"\n[coordinates]'),
+        ('"(s, 0)"', '"(s, 0)"\nE = "(s + 0.1, 0)"'),
+        ('["C"]', '["C", "E"]'), ("rails = [ ", 'rails = [ { through = "E", angle = "0" }, '), ("C = { mass", "1 = { mass"),
+        ('at = "C", force = "(2 - u, 0)"', 'at = "E", force = "(0, -10)"'), ("[forces]", '[forces]\ngravity = "9.81 m/s^2"'),
+        ('[motor]\nrates = ["u"]\nstart = { u = "0 m/s" }\n', friction), ('"dynamics", "accuracy"', '"forces"'), end="1 s",
+    )  # fmt: skip
+    run = coursework.solve(coursework.parse_variant(text), scheme="rk4")
+    found = run.results.forces
+    second, first = found.names[:2]
+    assert (second, first) == ("N01", "N01_2")
+    assert found.column(second) == pytest.approx(9.81 / 2 + 10) and found.column(first) == pytest.approx(9.81 / 2)
+    t = found.rows.motion.t
+    against = np.sign(np.cos(3 * t)) * (rubs[0] * 9.81 / 2 + rubs[1] * (9.81 / 2 + 10))
+    assert found.column("F") == pytest.approx(-1.5 * np.sin(3 * t) + against)
+    assert "01_2</sub>" in render_html(build_model(run, "en"))

@@ -69,6 +69,27 @@ def test_fault(name, old, new, code, told):
     assert line is None or f"bad.toml:{line}" in message, message
 
 
+JACK, LEVER = mechanism("jack", ("v = ", "w1 = "), V="0.02 1/s"), mechanism("slotted-lever-by-an-angle")
+CRANK = """[[group]]
+kind = "crank"
+from = ["A"]
+meets = "B"
+lengths = ["r1"]
+coordinates = ["phi1"]
+"""
+WEIGHED = '[masses]\n1 = { mass = "1 kg", inertia = "rod" }\n'
+
+
+@pytest.mark.parametrize(("text", "told"), [
+    (JACK.replace('"E"], rate = "w1"', '"E"]'), "V729 .* no link has the driven rate w1"),
+    (LEVER.replace('["A", "D"]', '["A"]'), "V728 .*links.3: link 3 has no two points"),
+    (mechanism("four-bar", (CRANK, ""), ('"(d, 0)"', '"(d, 0)"\nB = "r1 @ phi1"')), "V727 .*the joint of 0 – 1 has no point"),
+])  # fmt: skip
+def test_a_joint_or_a_drive_that_no_point_and_no_link_shows(text, told):
+    with pytest.raises(coursework.InputError, match=told):
+        _ = coursework.solve(coursework.parse_variant(text + WEIGHED), scheme="rk4").results.forces
+
+
 def test_a_link_whose_length_follows_a_law_has_no_force_analysis():
     """What lengthens the crank works too: virtual power gave another M than the reactions, and blamed the rows for it."""
     masses = '[masses]\n1 = { mass = "2 kg", inertia = "0.02 kg*m^2", centre = "O" }\n\n[ask]'

@@ -85,6 +85,11 @@ def test_the_plan_says_which_effects_are_on(folder):
     assert "springs              off: not named in [forces]" in effects
     assert "9 equations of 3 links with 9 unknown forces" in effects
     assert "Effects" not in call("run", "example-1", "--plan").stdout
+    friction = '[friction]\nC = { coefficient = "0.1" }\n\n[ask]'
+    Path("moved.toml").write_text(mechanism("example-2-motor", ("[ask]", friction)), encoding="utf-8")
+    moved = call("run", "moved", "--plan").stdout
+    assert "friction             on: named in [friction]; the row is solved again in each of at most 2000 rounds" in moved
+    assert "motor                on: named in [motor]; free accelerations of a slope: 1" in moved
 
 
 def test_a_file_without_forces_imports_nothing_of_them(tmp_path):
@@ -130,6 +135,18 @@ def test_a_motion_of_no_rows_has_tables_of_no_rows_and_no_error():
     results = coursework.solve(coursework.parse_variant(text), quantities=["forces", "energy"]).results
     assert len(results.forces.table) == 0
     assert not [check.code for check in results.force_checks if check.verdict == "ERROR"]
+
+
+@pytest.mark.parametrize(("start", "rows"), [("2.0344439357957027 rad", 0), ("2.03 rad", 1)])
+def test_a_motion_of_no_row_or_one_is_written_in_every_way(folder, start, rows):
+    """Plans of velocities, levers of forces and the workbook ended in an error of the tool."""
+    Path("own.toml").write_text(mechanism("31-forces", ('start = "2.87 rad"', f'start = "{start}"')), encoding="utf-8")
+    asked = "table,plots,checks,forces,energy,accelerations,points,plans,hodographs,trajectories,graph_check,flowchart"
+    told = call("run", "own", "--scheme", "rk4", "--quantities", asked, "--format", "html,csv,xlsx", "--out", "out")
+    assert told.exit_code == 1 and "Stopped (dead point)" in told.stdout
+    for name in ("table", "forces", "polygons"):
+        assert (len(read(f"{name}.csv")) - 1 > 0) == (rows > 0)
+    assert "<h2" in Path("out/report.html").read_text(encoding="utf-8") and Path("out/report.xlsx").stat().st_size > 5000
 
 
 def test_units_of_forces_are_said_in_the_language_of_the_page():

@@ -221,3 +221,15 @@ def test_reactions_that_are_not_unique_leave_friction_unknown():
     text = PARALLEL.replace('[drive]\nw1 = "w0"\n', motor) + '[friction]\nA = { radius = "10 mm", coefficient = "0.1" }\n'
     with pytest.raises(coursework.InputError, match="V718"):
         coursework.solve(coursework.parse_variant(text)).motion  # noqa: B018
+
+
+def test_a_pin_of_four_links_takes_the_power_that_its_friction_takes():
+    """What drive, weight and friction give is what the energy grows by; the first link has no pair with itself."""
+    drive = ('w1 = "a0*t"                    # from rest\n', ""), ("[drive]\n", ""), ('end    = "0.03 s"', 'end = "0.003 s"')
+    moved = (
+        '[friction]\nE = { radius = "1 mm", coefficient = "0.1" }\n[motor]\nrates = ["w1"]\nstart = { w1 = "20 rad/s" }\n\n[ask]'
+    )
+    text = mechanism("andrews-forces", *drive, ("[ask]", moved), ('"table", "checks", "forces", "energy"', '"forces"'))
+    run = coursework.solve(coursework.parse_variant(text), scheme="exact")
+    left, exchanged = remainder(run.results.forces)
+    assert (run.results.forces.energy.friction < 0).all() and np.abs(left).max() < 1e-4 * exchanged

@@ -10,6 +10,7 @@ import pytest
 
 import coursework
 from coursework import many
+from coursework.api import step_choice
 from coursework.procedures import CannotAssemble, Guide, Pair, crank, rrp, rrr
 
 WRONG = [
@@ -276,3 +277,12 @@ def test_everything_named_is_there_and_nothing_else(tmp_path):
         coursework.slove  # noqa: B018
     text = (Path(coursework.__file__)).read_text(encoding="utf-8")
     assert "if not TYPE_CHECKING:" in text
+
+
+@pytest.mark.parametrize("asked", [lambda run: step_choice(run, 1e-3), lambda run: run.round_off])
+def test_what_needs_the_whole_motion_is_refused_for_one_that_stops(asked):
+    run = coursework.solve(coursework.load("31").with_data(given={"alpha": 0.02}), quantities=["table"])
+    with pytest.raises(
+        coursework.InputError, match=r"D037 the motion stops before its end, .*: 2\*cos\(phi3\) \+ sin\(phi3\) = 0"
+    ):
+        asked(run)

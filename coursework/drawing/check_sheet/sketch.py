@@ -127,7 +127,8 @@ def read_sketch(
     """Return `read(motion, row)` (row from 0), compiled once for all rows; `lengths` are the driven lengths."""
     variant, posed = equations.variant, read_poses(outline, equations)
     pushed = [name for name in given_points(outline, variant) if name not in outline.driven]
-    components = [part for name in pushed for part in equations.symbols.vectors[name]]
+    places = dict(outline.points)  # of points without a name, too
+    components = [part for name in pushed for part in equations.symbols.vector(places[name])]
     rates = jets(equations, components, 1)[1] if pushed else None
 
     def read(motion: Motion, row: int) -> Sketch:

@@ -80,4 +80,4 @@ class ForcePlans:
 
 def make_force_plans(analysis: ForceAnalysis, row: int) -> ForcePlans:
     """Return the plans of forces; `row` (from 0) is the one drawn on paper."""
-    return ForcePlans(analysis, row, group_plans(analysis), levers_of(analysis, row))
+    return ForcePlans(analysis, row, group_plans(analysis), levers_of(analysis, row) if analysis.rows.count else ())

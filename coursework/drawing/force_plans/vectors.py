@@ -139,7 +139,7 @@ def _dyad(found: ForceAnalysis, group: tuple[str, str], known: ByBody, outer: By
     for body in group:
         pin = next((vector for vector in inner[body] if vector.name[0] == "R"), None)
         for vector in outer[body]:
-            if vector.name[0] != "R" or pin is None or len(outer[body]) > 1 or np.abs(pin.at - vector.at).min() == 0:
+            if vector.name[0] != "R" or pin is None or len(outer[body]) > 1 or np.any(pin.at == vector.at):
                 along[body].append(vector)
                 continue
             part_across, part_along, moment = _parted(found, vector, pin, known[body])

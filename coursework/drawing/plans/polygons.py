@@ -39,7 +39,8 @@ def polygons(
     points from which lines lead there.
     """
     plan = _Plan(outline, kinematics, rates, lengths, stretching, row, on_sheet)
-    plan.draw(given)
+    if len(kinematics.t):  # a motion may stop before its first row
+        plan.draw(given)
     return Polygons(kinematics.t, tuple(plan.paper.segments.values()), tuple(plan.paper.found))
 
 

@@ -15,7 +15,7 @@ from dataclasses import field, replace
 import numpy as np
 
 from coursework.effects.effects import Action, actions_of, wrenches
-from coursework.effects.force_scheme import ForceScheme, names_of
+from coursework.effects.force_scheme import ForceScheme
 from coursework.effects.rows import Rows
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -126,7 +126,7 @@ def react_to(rows: Rows, actions: tuple[Action, ...]) -> Reactions:
     right[:, moments] /= length
     matrix[:, :, couples] *= length
     values, condition = solve(matrix, right)
-    names, partly = names_of(scheme.unknowns), {}
+    names, partly = tuple(one.name for one in scheme.unknowns), {}
     for place, (one, name) in enumerate(zip(scheme.unknowns, names, strict=True)):
         if one.direction.kind == "x" and np.isnan(values[:, place : place + 2]).any():
             partly[name.removesuffix("x")] = _across(
@@ -143,8 +143,9 @@ def solve(matrix: Array, right: Array) -> tuple[Array, Array]:
         both = np.concatenate([right[..., None], np.broadcast_to(np.eye(m), matrix.shape)], axis=-1)
         try:
             found = np.linalg.solve(matrix, both)
-        except np.linalg.LinAlgError:
-            found = np.full(both.shape, np.nan)
+        except np.linalg.LinAlgError:  # of a row that is singular to the last digit, the others are solved all the same
+            regular, found = np.linalg.slogdet(matrix)[0] != 0, np.full(both.shape, np.nan)
+            found[regular] = np.linalg.solve(matrix[regular], both[regular])
         condition = np.abs(matrix).sum(axis=1).max(axis=1) * np.abs(found[..., 1:]).sum(axis=1).max(axis=1)
         values = found[..., 0]
     else:

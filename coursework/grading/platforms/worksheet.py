@@ -109,7 +109,7 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
     return Worksheet(cells, columns, _rows(cells, columns), greatest, mark)
 
 
-def _columns_where(cells: CellText, holds: Callable[[list[str]], bool], first: int = 0) -> list[int]:
+def _columns_where(cells: CellText, holds: Callable[[list[str]], bool], first: int) -> list[int]:
     """Return the columns, from `first` on, for whose values below the head `holds` is true."""
     width = min(len(record) for record in cells.records)
     rows = range(1, len(cells.records))

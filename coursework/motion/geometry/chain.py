@@ -65,9 +65,7 @@ def chain_positions(equations: VelocityEquations, times: Array, *, advises: bool
         if group_kind(group.kind).driven:
             continue
         try:
-            mode = _mode(equations, group, q[:1])
-            assert mode is not None  # a file without a mode has been refused before
-            found = dyad(equations.symbols, group, mode, values).coordinates
+            found = dyad(equations.symbols, group, _mode(equations, group, q[:1]), values).coordinates
         except (groups.CannotAssemble, groups.AtDeadPoint) as error:
             named = ", ".join(map(spelled, group.start_points))
             reason = _in_letters_of(group, error.reason)
@@ -139,15 +137,13 @@ def _continued(angles: Array, start: float | None) -> Array:
     return np.asarray(smooth)
 
 
-def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
-    """Return the assembly mode: the one written, else the one nearest to the start values, None if these are not all written."""
+def _mode(equations: VelocityEquations, group: Group, q: Array) -> int:
+    """Return the assembly mode: the one written, else the one nearest to the start values, which a file without it has."""
     kind = group_kind(group.kind)
     if group.mode or not kind.modes:
         return group.mode
     chosen = [c for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
-    starts = np.array([c.start_or_guess for c in chosen if c.start_or_guess is not None])
-    if len(starts) < len(chosen):
-        return None
+    starts = np.array([c.start_or_guess for c in chosen], dtype=float)
 
     def values(wanted: list[Expression]) -> Array:
         return compile_rows(equations, wanted, 0)(np.zeros(1), q)

@@ -134,9 +134,6 @@ def _assembled(model: Model, group: Group, q: Array, numbers: Columns, guesses: 
     """Return the coordinates (k, n) of one dyad in the mode written, else in the mode nearest to the guesses."""
     if group.mode or not group_kind(group.kind).modes:
         return _in_mode(model, group, group.mode, q, numbers, doubtful)
-    if np.isnan(guesses).any():
-        doubtful |= True
-        return np.full_like(guesses, np.nan)
     units = [c.unit for name in group.coordinates for c in model.variant.coordinates if c.name == name]
     ways = [_in_mode(model, group, mode, q, numbers, doubtful) for mode in (1, -1)]
     away = []

@@ -208,6 +208,8 @@ def _blocks(context: PageContext, found: Moving, taken: int) -> Iterator[BlockOf
         )  # fmt: skip
         yield BlockOf(Box(number, "process", told), tuple(own), "" if fixed else determinant)
         number += 1 if fixed else 2
+    if not blocks and not is_forced:  # the drives give every velocity
+        yield BlockOf(Box(number, "process", ", ".join(found.variant.velocities)), tuple(waiting), "")
     if is_forced:
         closed = tuple(Line((after,), f"{after} = {name}") for name, after in found.closed)
         yield BlockOf(Box(number, "process", context.words("listing.forces")), (*waiting, *closed), "")

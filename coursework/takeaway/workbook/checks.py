@@ -55,7 +55,7 @@ def _names(motion: Motion, exact: Motion) -> tuple[str, ...]:
 
 
 def _rows(motion: Motion, exact: Motion) -> Any:
-    return np.array([exact.column(name) for name in _names(motion, exact)]).T.reshape(len(exact.t), -1)
+    return exact.rows[:, [exact.names.index(name) for name in _names(motion, exact)]]
 
 
 def write_checks(book: Book, sheet: Any, table: StepTable, residuals: list[Residual]) -> None:

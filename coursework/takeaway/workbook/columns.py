@@ -196,15 +196,15 @@ class _Writer(Maker):
         pairs = cramer(self.equations, self.reduction, [bool(solution) for solution in self.scene.solutions])
         for index, block in enumerate(self.rates.blocks):
             self._determinant(stages[0], block, motion.determinants[:, index], pairs[block])
-        positions = [[places[name] for name in self.rates.coordinates]]
         found = [slopes[:-1]]
         for stage in range(1, self.scheme.slopes if steps > 1 else 1):
             stages.append(self._later(stage, places, stages, found))
         for index, (name, rate) in enumerate(zip(self.rates.coordinates, motion.velocity_names, strict=False)):
             column = table.columns[1 + index]
-            rates = [stage.places[rate] for stage in stages]
             column.first = table.names[start_of(name)]
-            column.formula = self._moved(positions[0][index], self.scheme.outer, rates, BEFORE)
+            if steps > 1:
+                rates = [stage.places[rate] for stage in stages]
+                column.formula = self._moved(places[name], self.scheme.outer, rates, BEFORE)
 
     def _moved(self, own: str, row: Sum, rates: Sequence[str], at: str) -> str:
         return f"{own}{at}+{row.text([f'{rate}{at}' for rate in rates], share(row.factor, STEP), '+')}"

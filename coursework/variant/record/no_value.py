@@ -65,8 +65,10 @@ def in_order(variant: Variant) -> list[Law]:
 
 
 def _within(law: Law, argument: float) -> float:
-    """Return the value at the node before an argument; outside its table the law reports the error itself."""
-    return next((value for at, value in reversed(law.table) if at <= argument), law.table[0][1])
+    """Return the value on the line between two nodes; outside its table the law reports the error itself."""
+    after = next((place for place, (at, _) in enumerate(law.table) if at > argument), len(law.table) - 1) or 1
+    (begin, low), (end, high) = law.table[after - 1 : after + 1]
+    return low + (high - low) * (min(max(argument, begin), end) - begin) / (end - begin)
 
 
 def _judged(variant: Variant, path: KeyPath, name: str, formula: Formula, values: dict[str, complex], t: float) -> Fault | None:

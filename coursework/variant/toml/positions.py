@@ -119,9 +119,8 @@ class _Scanner:
             names = (*names, next(part for part in (*match.groups(), "") if part is not None))
             self.at = match.end()
             if not self.text.startswith(".", self.at):
-                return names
+                break
             self.at += 1
-        self.at += 1
         return names
 
     def value(self, path: KeyPath) -> None:

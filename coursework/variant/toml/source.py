@@ -42,12 +42,17 @@ _KEY_EXPECTED = re.compile(r"Invalid statement|Invalid initial character|Expecte
 # Start of the TOML reader's message -> the last part of the key of the advice.
 _ADVICE = (
     ("Cannot overwrite", "key_twice"),
+    ("Duplicate inline table key", "key_twice"),
     ("Cannot mutate", "key_or_section_twice"),
+    ("Cannot redefine", "key_or_section_twice"),
     ("Illegal character '\\n'", "quote"),
     ("Unterminated string", "quote"),
-    ('Expected "\'"', "single_quote"),
+    ("Expected \"'", "single_quote"),
     ("Illegal character", "unprintable"),
+    ("Found invalid character", "unprintable"),
     ("Unescaped", "backslash"),
+    ("Escaped character", "backslash"),
+    ("Invalid hex value", "backslash"),
     ("Expected '=' after a key", "equals"),
     ("Expected ']", "bracket"),
     ("Unclosed array", "open_list"),
@@ -55,6 +60,7 @@ _ADVICE = (
     ("Invalid statement", "line"),
     ("Invalid initial character for a key part", "key"),
     ("Invalid value", "value"),
+    ("Invalid date", "value"),
     ("Exceeds the limit", "digits"),
     ("maximum recursion", "nested"),
 )
@@ -277,7 +283,7 @@ def _advice(reason: str, found: str) -> str:
     for begin, key in _ADVICE:
         if reason.startswith(begin):
             return say(f"fault.toml.{key}")
-    return reason[:1].lower() + reason[1:]
+    return reason[:1].lower() + reason[1:]  # of a later Python, whose reader says it otherwise
 
 
 def _after_a_value(found: str) -> str:

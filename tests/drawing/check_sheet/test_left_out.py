@@ -43,6 +43,12 @@ def test_links_that_the_others_do_not_determine_are_named(
         assert not {f"ω{one}" for one in open_links} & {reading.name for reading in check.readings}
 
 
+def test_a_driven_point_that_has_no_name_leaves_the_drawing_open() -> None:
+    """The group hangs on (x, 0), whose velocity was looked for under a name of its own: an error of the tool."""
+    check = solve(parse_variant(mechanism("driven-slider")), quantities=["graph_check"]).graph_check
+    assert check is not None and "the drawing does not determine every link" in load_phrases("en").written(check.unread)
+
+
 @pytest.mark.parametrize("name", ["31", "v107", "v108", "v112"])
 @pytest.mark.parametrize("row", [2, 12])
 def test_a_motion_that_keeps_its_lengths_is_said_to_drift_nowhere(name: str, row: int) -> None:

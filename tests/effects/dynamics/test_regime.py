@@ -56,7 +56,10 @@ def test_an_even_turn_has_no_unevenness():
     assert told == pytest.approx((0.0, 3.0, 3.0, 3.0, 0.2, 0.2), abs=1e-10)
 
 
-@pytest.mark.parametrize("slope", [lambda t, phi, w: (-1.0,), lambda t, phi, w: (w,), lambda t, phi, w: (1 / (phi - 1.0),)])
+@pytest.mark.parametrize("slope", [
+    lambda t, phi, w: (-1.0,), lambda t, phi, w: (w,), lambda t, phi, w: (1 / (phi - 1.0),),
+    lambda t, phi, w: (w * (0.2 + 0.1 * math.sin(3 * w)),),  # faster after every turn, and never by the same
+])  # fmt: skip
 def test_what_stands_still_only_grows_or_has_no_value_has_no_steady_motion(slope):
     assert find_regime(SimpleNamespace(free=(0,), others=(), kept=(), slope=slope), [0.0], 1.0) is None
 

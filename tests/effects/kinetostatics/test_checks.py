@@ -9,6 +9,7 @@ import pytest
 import coursework
 from coursework.effects.kinetostatics import checks
 from coursework.effects.kinetostatics.checks import _accuracy, _agreement, _balance, _condition, _contact, _friction
+from coursework.effects.kinetostatics.kinetostatics import solve
 from tests.mechanisms.library import mechanism
 
 NAN = math.nan
@@ -24,6 +25,14 @@ def test_two_ways_agree_to_a_share_of_the_largest(share, verdict):
     assert told.limit == 1e-10
     for way, largest in ((None, 20.0), (found * NAN, 20.0), (found, 0.0)):
         assert _agreement(way, other, ("R01", "M"), largest, "GROUPS").verdict == "SKIP"
+
+
+@pytest.mark.parametrize(("right", "found"), [(0.0, [3.0, NAN]), (1.0, [NAN, NAN])])
+def test_a_row_in_which_forces_are_not_unique_leaves_the_others_their_digits(right, found):
+    """0 x = 0 leaves x open, 0 x = 1 cannot be; the row beside it was told to have no digits either."""
+    values, condition = solve(np.array([np.diag([1.0, 0.0]), np.diag([2.0, 4.0])]), np.array([[3.0, right], [4.0, 8.0]]))
+    assert values[0] == pytest.approx(found, nan_ok=True) and values[1].tolist() == [2.0, 2.0]
+    assert condition.tolist() == [math.inf, 2.0]
 
 
 def moved(power, count=9, spoilt=None, pieces=()):

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from coursework.grading.collecting.file_lists import FileList
-from coursework.grading.collecting.sources import Source, collect_one
+from coursework.grading.collecting.sources import Source, collect_files, collect_one
 from coursework.grading.platforms.escapes import shown, text_cell
 from coursework.grading.platforms.names import file_stem
 from coursework.grading.reading.files.archive import Archive
@@ -171,6 +171,21 @@ def test_a_folder_around_the_whole_zip_is_taken_off(tmp_path: Path) -> None:
         file.writestr("Group 21/petrov/table.csv", b"x")
         file.writestr("__MACOSX/Group 21/ivanov/._table.csv", b"x")
     assert set(read(path)[1]) == {"ivanov", "petrov"}
+    with zipfile.ZipFile(path, "a") as file:  # a zip that names its folders has those in which nothing was handed in, too
+        for folder in ("Group 21/", "Group 21/ivanov/", "Group 21/ivanov/more/", "Group 21/sidorov/", "__MACOSX/"):
+            file.mkdir(folder)
+    assert {student: names(each) for student, each in read(path)[1].items()} == {
+        "ivanov": ["table.csv"], "petrov": ["table.csv"], "sidorov": [],
+    }  # fmt: skip
+
+
+@pytest.mark.skipif(os.name != "posix", reason="elsewhere links need rights that students do not have")
+def test_a_link_among_files_of_everybody_is_told_its_student(tmp_path: Path) -> None:
+    write(tmp_path, "ivanov_table.csv")
+    (tmp_path / "petrov_table.csv").symlink_to(tmp_path / "ivanov_table.csv")
+    platform, found, _ = read(tmp_path)
+    assert platform == "flat" and [len(each.files) for each in found.values()] == [1, 0]
+    assert [note.code for note in [*found.values()][1].notes] == ["ignored_file"]
 
 
 def test_only_regular_files_are_opened(tmp_path: Path) -> None:
@@ -218,6 +233,9 @@ def test_a_source_that_is_none_is_refused(tmp_path: Path) -> None:
     for path in (tmp_path / "x.zip", tmp_path / "nowhere"):
         with pytest.raises(InputError, match=str(path.name)):
             Source(path)
+    for collected, code in ((lambda: collect_one(path), "G004"), (lambda: collect_files([path]), "G005")):
+        with pytest.raises(InputError, match=f"{code} .*nowhere"):
+            collected()
 
 
 @pytest.mark.parametrize(

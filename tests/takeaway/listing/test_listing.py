@@ -12,6 +12,7 @@ import pytest
 import coursework
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
+from coursework.takeaway.listing.chart import block_diagram
 from coursework.takeaway.listing.listings import listing
 from coursework.takeaway.listing.program import program_of
 from coursework.takeaway.listing.syntax import syntax_of
@@ -19,6 +20,7 @@ from coursework.variant.catalogue import names
 from tests.command import call
 from tests.effects.dynamics.test_dynamics import JUMPS, pushed
 from tests.hard.scenes import scene, solve
+from tests.mechanisms.library import mechanism
 from tests.motion.singular.test_passages import BY_CLOSURE, past_its_pivot
 from tests.sample import SAMPLE, sampled
 from tests.solved import solved
@@ -54,6 +56,10 @@ def printed(text, language, folder):
     assert told.returncode == 0, told.stderr
     head, *rows = told.stdout.splitlines()
     return head, np.array([row.split(",") for row in rows], dtype=float)
+
+
+def chart_of(run):
+    return block_diagram(program_of(PageContext(run, load_words("en"))), load_words("en"))
 
 
 def agrees(run, language, folder):
@@ -109,6 +115,16 @@ def test_names_that_a_language_keeps_for_itself_are_changed(language, tmp_path):
     assert agrees(solve(ODD), language, tmp_path)
 
 
+@pytest.mark.parametrize("language", PROGRAMS)
+def test_cranks_that_nothing_hangs_on_have_a_program_of_their_drives_alone(language, tmp_path):
+    run = coursework.solve(coursework.parse_variant(mechanism("two-arms")), scheme="euler", quantities=["table"])
+    assert agrees(run, language, tmp_path)
+    numbers = [int(one) for one in re.findall(r"<text[^>]*font-size=\"10\"[^>]*>([0-9]+)<", chart_of(run))]
+    assert numbers == [*range(1, len(numbers) + 1)]
+    told = re.findall(rf"(?:^ *|  ){re.escape(syntax_of(language).comment)}([0-9]+) ", written(run, language), re.MULTILINE)
+    assert {*map(int, told)} == {*numbers}
+
+
 def test_a_motion_that_stops_prints_the_rows_before(tmp_path):
     variant = coursework.load("31").with_data(given={"alpha": 0.02})
     run = coursework.solve(variant, quantities=["table"])
@@ -149,6 +165,8 @@ def test_the_command_prints_or_writes(folder):
     assert shown.exit_code == 0 and shown.stdout == written(solved("31"), "python")
     assert "W011 own.png" in call("listing", "31", "--chart", "own.png").stderr
     assert "W006 ." in call("listing", "31", "--out", ".").stderr
+    alone = call("listing", "31", "--chart", "own.svg")
+    assert alone.exit_code == 0 and alone.stdout.startswith("Written to own.svg") and "def rates" not in alone.stdout
     done = call("listing", "31", "--language", "c", "--out", "own.c", "--chart", "own.svg")
     assert done.exit_code == 0
     assert [float(size) for size in re.findall(r": (\d+) kB", done.output)] == pytest.approx(

@@ -73,3 +73,15 @@ def test_without_geometry_a_negative_length_is_a_remark():
     ).plausibility
     assert [remark.code for remark in remarks] == ["LENGTH"]
     assert "r2 = -0.847 m is negative" in str(remarks[0].sentence)
+
+
+@pytest.mark.parametrize(("sets", "told"), [
+    ({"x": [0.01, 0.4]}, "D021 set 2: RRR, the link from B: a finite length above zero was expected, found -0.05 m"),
+    ({"x": [0.4, 0.5]}, "D021 set 1: RRR, the link from B: a finite length above zero was expected, found -0.05 m"),
+    ({"r3": [5.0, 6.0]}, "D021 set 1: RRR .B, D. cannot be assembled"),
+])  # fmt: skip
+def test_many_sets_of_a_link_whose_length_is_a_function_tell_of_the_first_without_one(sets, told):
+    law = ("[time]", '[functions]\nq = "r2 - x"\n[time]'), ('["r2", "r3"]', '["q", "r3"]'), ("[given]", '[given]\nx = "1 cm"')
+    variant = coursework.parse_variant(mechanism("four-bar", *law))
+    with pytest.raises(coursework.InputError, match=told):
+        coursework.solve_many(variant, sets)

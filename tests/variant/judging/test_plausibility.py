@@ -282,3 +282,10 @@ def test_a_unit_is_advised_that_brings_a_number_within_thirty_times_the_usual_le
 def test_a_unit_of_the_others_is_advised_first_if_it_brings_the_number_near(text: str, written: str, better: str) -> None:
     """Beside 12 cm, 45 mm would be a little nearer than 45 cm; 800 cm is more than thirty times as long."""
     assert _nearer(SimpleNamespace(text=text, unit=""), SimpleNamespace(value=0.12), {written}) == better
+
+
+def test_a_factor_that_turns_a_speed_once_more_is_told_with_its_equation():
+    text = mechanism("slider-crank-equations", ("-r*w1*sin(phi1)", "-r*n*pi/30*sin(phi1)"), ("[given]", '[given]\nn = "60 rpm"'))
+    (told,) = parse_variant(text).plausibility
+    assert (told.code, told.line) == ("RPM", text.splitlines().index('name = "x"') + 3)
+    assert "n = 60 rpm is already in rad/s; in constraint x the factor in r*n*pi/30*sin(phi1) turns it once more" in told.sentence

@@ -65,6 +65,31 @@ def test_a_slip_is_told_by_one_sentence_with_what_to_write(right: str, wrong: st
         assert told[fault.code] in str(fault.message)
 
 
+@pytest.mark.parametrize(("line", "told"), [
+    ("a = { x = 1, x = 2 }", "this key occurs twice"), ("[[a.b]]\n[a]\nb.c = 1", "this key or section occurs twice"),
+    ('a = "\\ud800"', "a backslash in a text is written twice"), ('a = "\\uzzzz"', "a backslash in a text is written twice"),
+    ("a = '''b", "a quotation mark ' is missing"), ("# \x01", "a text contains a letter that does not print"),
+    ("a = 2021-02-30", 'a number, or a text in quotation marks " ", was expected'),
+])  # fmt: skip
+def test_what_is_no_toml_is_told_in_words_of_the_tool_and_not_of_the_reader(line: str, told: str) -> None:
+    with pytest.raises(coursework.InputError, match=rf"^V009 .*: {re.escape(told)}"):
+        coursework.parse_variant(f"format = 1\n{line}\n")
+
+
+@pytest.mark.parametrize(("name", "right", "wrong", "told"), [
+    ("slider-crank-equations", '"m/s"', '"Hz"', "V110 .*unknowns.u: Hz does not say whether turns"),
+    ("slider-crank-equations", '"m/s"', '{ unit = "m/s", of = 3 }', "V015 .*unknowns.u.of: a text in quotation marks"),
+    ("four-bar", '["r2", "r3"]', '["r2", "r3"]\nguides = [{ through = "A", angle = "0" }]', "V343 .*found 1.. Take guides out"),
+    ("four-bar", 'w1 = "n"', "w1 = [1]", "V015 .*drive.w1: a formula in quotation marks, .* or .* was expected"),
+    ("four-bar", '"0 deg"', "[]", "V015 .*coordinates.phi1.start: .value unit., .* or a number was expected"),
+    ("four-bar", "format = 1", "format = 1\nask = 3", "V015 .*ask: a section of lines key = value was expected, found 3"),
+])  # fmt: skip
+def test_what_has_another_form_is_told_alone(name: str, right: str, wrong: str, told: str) -> None:
+    with pytest.raises(coursework.InputError, match=f"^{told}") as caught:
+        coursework.parse_variant(mechanism(name, (right, wrong)))
+    assert len(caught.value.faults) == 1
+
+
 def test_an_acceleration_for_a_drive_is_told_as_that() -> None:
     with pytest.raises(coursework.InputError, match=r"V404 .*Nothing is moved by eps1 .* a velocity, such as w1; for an acceler"):
         assert coursework.solve(coursework.parse_variant(mechanism("slider-crank-loop", ("w1 =", "eps1 =")))).motion

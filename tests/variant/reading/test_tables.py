@@ -189,3 +189,15 @@ def test_a_table_has_at_most_twenty_thousand_nodes(tmp_path, nodes, told):
         return
     with pytest.raises(coursework.InputError, match=told):
         coursework.load(tmp_path / "v.toml")
+
+
+@pytest.mark.parametrize("scheme", ["euler", "rk4"])
+def test_an_equation_without_a_value_between_two_nodes_is_told_as_that(tmp_path, scheme):
+    """r is 0.1027 m at 0.3 rad, 0.1064 m at 0.4 rad; it was taken to be that of the node before, where the root has a value."""
+    (tmp_path / "r.csv").write_text("\n".join(["phi1,r", *ROWS]), encoding="utf-8")
+    text = TEXT.replace("u = r*w1", "u = w1*sqrt(k^2 - r^2)").replace("[given]", '[given]\nk = "0.104 m"')
+    (tmp_path / "v.toml").write_text(text.replace("TABLE", "r.csv"), encoding="utf-8")
+    with pytest.raises(
+        coursework.InputError, match=r"V019 .*constraint 1, column 8: there is no value at t = 0.04.* is no real n"
+    ):
+        _ = coursework.solve(tmp_path / "v.toml", scheme=scheme).motion

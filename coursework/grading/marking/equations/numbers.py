@@ -32,13 +32,13 @@ class NoValue(ValueError):
     """A formula has no value at all: a vector stands where a number is needed, or the other way round."""
 
 
-def value_of(tree: Formula, names: Mapping[str, Any], known: Mapping[int, Any] | None = None) -> Any:
+def value_of(tree: Formula, names: Mapping[str, Any]) -> Any:
     """Return the value of a formula; `names` maps names to floats, arrays (n,), or complex arrays for points.
 
-    `known` maps the id of nodes to values that need not be computed again.  Raises `NoValue`.
+    Raises `NoValue`.
     """
     with np.errstate(all="ignore"):
-        return computed(tree, names, known or {})
+        return computed(tree, names, {})
 
 
 def size_of(tree: Formula, names: Mapping[str, Any]) -> Any:
@@ -48,7 +48,10 @@ def size_of(tree: Formula, names: Mapping[str, Any]) -> Any:
 
 
 def computed(tree: Formula, names: Mapping[str, Any], known: Mapping[int, Any]) -> Any:
-    """Return the same as `value_of`, for callers that have silenced NumPy's warnings themselves."""
+    """Return the same as `value_of`, for callers that have silenced NumPy's warnings themselves.
+
+    `known` maps the id of nodes to values that need not be computed again.
+    """
     if id(tree) in known:
         return known[id(tree)]
     return combined(tree, [computed(arg, names, known) for arg in tree.args], names)

@@ -13,7 +13,6 @@ from functools import cached_property
 import numpy as np
 
 from coursework.api import solve
-from coursework.effects.force_scheme import names_of
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.kinetostatics.misread import slipped
 from coursework.effects.scheme import read_scheme
@@ -26,7 +25,7 @@ from coursework.variant.record.variant import Variant
 
 def force_names(variant: Variant) -> tuple[str, ...]:
     """Return the names of the forces that can be asked for: components and couples, and magnitudes (the name without x or y)."""
-    names = names_of(read_scheme(build(variant)).unknowns)
+    names = tuple(one.name for one in read_scheme(build(variant)).unknowns)
     sizes = dict.fromkeys(name[:-1] for name in names if name[-1] in "xy" and name[0] in "RF")
     return (*names, *sizes)
 

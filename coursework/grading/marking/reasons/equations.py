@@ -38,9 +38,6 @@ def equation_reasons(marked: EquationMarks, points: float | None, most: float) -
         yield Reason("equations", "finding", say("feedback.more_lines", number=more))
     if points is None:
         return
-    if marked.unread is not None:
-        yield Reason("equations", "rule", say("feedback.earned.unread", independent=marked.independent, needed=marked.needed))
-        return
     wrong = marked.different
     known = {"independent": marked.independent, "needed": marked.needed, "wrong": wrong, "points": points, "most": most}
     among = max(marked.needed, marked.independent + wrong)

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
+from coursework.grading.marking.equations.numbers import NoValue, computed, real, size_of, value_of
 from coursework.variant.formula.reader import parse
 
 A, B = 0.3, -0.7
@@ -52,4 +52,4 @@ def test_a_number_stands_for_every_row_and_a_vector_for_none() -> None:
 
 def test_what_is_known_of_a_part_is_not_computed_again() -> None:
     tree = parse("a + b*a")
-    assert value_of(tree, NAMES, {id(tree.args[1]): 5.0}) == A + 5.0
+    assert computed(tree, NAMES, {id(tree.args[1]): 5.0}) == A + 5.0

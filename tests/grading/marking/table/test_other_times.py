@@ -120,6 +120,15 @@ def test_rows_of_another_step_are_found_by_their_times_and_told_with_their_place
     assert all(str(one.first.sentence).startswith(told) for one in (marks, few))
 
 
+@pytest.mark.parametrize("parts", [4, 12])
+def test_a_step_with_which_the_drive_cannot_be_followed_earns_its_rows_and_is_told(parts):
+    """With twelve steps in one the drive turns more than half a turn from row to row: no motion of the tool has that step."""
+    machine = variants()[0].machine
+    table = machine.table(step=parts * machine.h, rows=(machine.rows - 1) // parts + 1)
+    points, marks = variants()[0].marked(table, times=np.arange(len(table)) * parts * machine.h)
+    assert 0 < points < 60 / parts and "other_step" in codes(marks)
+
+
 @pytest.mark.long
 def test_a_table_truly_made_with_another_step_is_told_so():
     for desk in variants()[::2]:

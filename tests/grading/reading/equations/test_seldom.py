@@ -12,7 +12,7 @@ from coursework.grading.reading.equations.line_kinds import own_name
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.of_r import in_brackets
-from coursework.grading.reading.equations.systems.parts import parts_of
+from coursework.grading.reading.equations.systems.parts import parts_of, rows_of
 from tests.grading.reading.equations.notation.test_notations import PLAIN, marked
 from tests.grading.scenes import expected
 
@@ -62,6 +62,11 @@ def test_of_prose_between_formulas_the_equations_are_left(text: str, parts: list
 )  # fmt: skip
 def test_a_matrix_is_read_if_its_rows_are_of_one_length(way: Callable[[str], str], text: str, read: str | None) -> None:
     assert way(text) == (text if read is None else read)
+
+
+@pytest.mark.parametrize(("content", "rows"), [("[w1, w2]", [["w1", "w2"]]), ("[a, b], [c]", [["a", "b"], ["c"]])])
+def test_a_row_in_brackets_of_its_own_is_a_row(content: str, rows: list[list[str]]) -> None:
+    assert rows_of(content) == rows
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,7 @@ from coursework.grading.marking.table.explained import Explained, Fit, euler_cel
 from coursework.grading.marking.table.points import stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.untold import FINEST, untold_cells
-from coursework.grading.marking.table.ways import KEY, StudentTable, near
+from coursework.grading.marking.table.ways import KEY, OwnRows, StudentTable, near
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
@@ -156,7 +156,7 @@ def explanations(
         for code, fit in fits.items()
         if fit.share > least + BETTER or code.startswith((ROWS_SHIFTED, ORIGIN))
     }
-    if (own := cells.student.own) and (fitting := _other_step(key, cells)):
+    if (own := cells.student.own) and (fitting := _other_step(key, cells, own)):
         share, fit = fitting
         if share >= NAMED:
             # The table's own times prove the step, even if its digits do not; if its rows leave out steps of the task, other
@@ -212,13 +212,11 @@ def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:
 
     A cell with the task's value had the claim's before it was put right; what follows from the earlier value is right too.
     """
-    assert claim.velocities_at is not None
+    assert claim.velocities_at is not None and claim.table is not None
     own = MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at, part=claim.part, task=key)
-    table = claim.table() if claim.table else None
+    table = claim.table()
     made = mark_cells(own, cells.student, table)
     right = ~made.wrong & ~made.missing
-    if table is None:
-        return right
     put = alike(key, cells.student, key.table) & ~alike(key, cells.student, table)
     if not put.any():
         return right
@@ -245,14 +243,14 @@ def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
     return best | whole
 
 
-def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
-    """Return two shares that are right on the table's own times: of cells, behind the gates; None if these are the task's."""
-    own = on_own_rows(key, cells)
-    if own is None:
+def _other_step(key: Key, cells: Cells, own: OwnRows) -> tuple[float, float] | None:
+    """Return two shares that are right on the table's own times: of cells, behind the gates; None if no motion has these."""
+    found = on_own_rows(key, cells, own)
+    if found is None:
         return None
-    right, says = euler_cells(own.key, own.cells)
-    right |= own.put_right & says
-    return share_of(right, says), own.filled * Explained(own.key, own.cells).share(right)
+    right, says = euler_cells(found.key, found.cells)
+    right |= found.put_right & says
+    return share_of(right, says), found.filled * Explained(found.key, found.cells).share(right)
 
 
 def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = None) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key, key_of
 from coursework.grading.marking.table.cells import Cells, mark_cells
-from coursework.grading.marking.table.ways import KEY, StudentTable
+from coursework.grading.marking.table.ways import KEY, OwnRows, StudentTable
 from coursework.system.arrays import Flags
 from coursework.words.errors import CourseworkError
 
@@ -33,11 +33,8 @@ class OnOwnRows:
     put_right: Flags
 
 
-def on_own_rows(key: Key, cells: Cells) -> OnOwnRows | None:
-    """Return a table marked on its own rows, None if its times are the task's or a motion with its step cannot be computed."""
-    own = cells.student.own
-    if own is None:
-        return None
+def on_own_rows(key: Key, cells: Cells, own: OwnRows) -> OnOwnRows | None:
+    """Return a table marked on its `own` rows, None if a motion with their step cannot be computed."""
     rows = len(own.values)
     try:
         made = key_of(key.variant.timed(step=own.step, end=(rows - 1) * own.step))

@@ -190,3 +190,7 @@ def test_a_line_nobody_can_read_is_a_question_while_equations_are_missing():
 )
 def test_every_sign_that_programs_paste_is_that_of_a_keyboard(pasted: str, typed: str) -> None:
     assert [plain_signs(f"w1{sign}w2") for sign in pasted] == [f"w1{typed}w2"] * len(pasted)
+
+
+def test_a_letter_with_its_dot_is_a_letter_and_a_dot() -> None:
+    assert plain_signs("\u1e8b_M = \u017c_2") == plain_signs("x\u0307_M = z\u0307_2") == "x\u0307_M = z\u0307_2"
