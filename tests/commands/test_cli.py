@@ -282,8 +282,7 @@ def test_what_is_installed_of_each_extra_and_how_to_install_what_is_not(monkeypa
 
 def test_every_command_is_in_the_readme():
     text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
-    for name in main.commands:
-        assert f"coursework {name}" in text, name
+    assert [name for name in main.commands if f"coursework {name}" not in text] == []
 
 
 @pytest.mark.parametrize("options", [("--step", "auto", "--error", "0.01"), ("--precision", "single")])
