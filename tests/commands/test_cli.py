@@ -131,10 +131,7 @@ WRONG = {
     "format closest": (["run", "31", "--format", "htm"], 'Did you mean "html"?'),
     "quantity": (["run", "31", "--quantities", "tabel"], 'there is no quantity "tabel". Did you mean "table"?'),
     "column": (["run", "31", "--quantities", "phi4"], 'there is no quantity "phi4". Did you mean "phi3"?'),
-    "column and whole": (
-        ["run", "31", "--quantities", "phi3,points"],
-        '"points" needs every coordinate, not only what phi3 needs',
-    ),
+    "column and whole": (["run", "31", "--quantities", "phi3,points"], '"points" needs every coordinate, not only what phi3'),
     "no crank": (["run", "31", "--quantities", "analogs", "--format", "csv"], "analogs and invariants need one driven crank"),
     "projection": (
         ["run", "31", "--quantities", "phi3", "--project", "--format", "csv"],

@@ -154,3 +154,16 @@ def test_contours_are_those_of_every_closure_wherever_it_stands() -> None:
         constraints=[one("1", "u = r*w"), one("2", "A + r @ f = B"), one("3", "w = u"), one("4", "B + s @ g = A")],
     )
     assert [contour.name for contour in contours_of(mechanism)]  # type: ignore[arg-type] == ["2", "4"]
+
+
+@pytest.mark.parametrize(("written", "parts"), [
+    (
+        "-(A + b @ phi2) = -((d, 0) + c @ phi3)",
+        ["-(A.x + b*cos(phi2))", "-(A.y + b*sin(phi2))", "-(d + c*cos(phi3))", "-c*sin(phi3)"],
+    ),
+    ("2*(A + b @ phi2) = 2*((d, 0) + c @ phi3)", []),
+])  # fmt: skip
+def test_a_loop_turned_round_is_projected_and_one_that_is_stretched_is_left_as_it_is(written: str, parts: list[str]) -> None:
+    text = mechanism("four-bar-loop", ("A + b @ phi2 = (d, 0) + c @ phi3", written))
+    contours = contours_of(coursework.solve(coursework.parse_variant(text), quantities=["table"]).scene.mechanism)
+    assert [spelled(part) for one in contours for part in (*one.left_parts, *one.right_parts)] == parts
