@@ -23,6 +23,7 @@ from coursework.grading.reading.student_work import Table, TableColumn
 from coursework.grading.reading.submission import note
 from coursework.grading.reading.table.parts import Origin, Part, parts_of
 from coursework.grading.reading.table.table import read_parts, weight
+from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -66,21 +67,27 @@ def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[tuple[Par
 def _best(parts: Sequence[Part], grid: Grid) -> tuple[Part, Table] | None:
     """Return the table with the greatest weight, None if there is none.
 
-    Raises `Refused` if the heaviest one is refused, or if another sheet has one as heavy with other numbers.
+    Raises `Refused` if the heaviest one is refused, or if another sheet has one as heavy with other numbers, and neither sheet
+    is called after the scheme that is asked for.
     """
     read = read_parts(parts, grid)
     if not read:
         return None
-    part, table = max(read, key=lambda entry: (weight(entry[0], entry[1], grid), _stands(entry[1])))
+    part, table = max(read, key=lambda entry: (weight(entry[0], entry[1], grid), _stands(entry[1]), _is_named(entry[0])))
     if isinstance(table, Refused):
         raise table
     equal = [
         one.sheet for one, other in read if isinstance(other, Table) and other.weight == table.weight and not alike(other, table)
     ]
-    if rivals := [sheet for sheet in equal if sheet != part.sheet]:
+    if not _is_named(part) and (rivals := [sheet for sheet in equal if sheet != part.sheet]):
         names = [say("reading.place.in_file", file=part.origin.file, place=sheet or "") for sheet in (part.sheet, *rivals)]
         raise doubtful("two_tables", names=tuple(names))
     return part, table
+
+
+def _is_named(part: Part) -> bool:
+    """Return whether a sheet is called after the scheme that is asked for, as in the workbook of a run."""
+    return DEFAULT_SCHEME.name in (part.sheet or "").casefold()
 
 
 def _stands(found: Table | Refused) -> bool:
