@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from coursework.commands.line.screen import tell
-from coursework.system.extras import installed_from, installing
+from coursework.system.extras import installing_extra
 from coursework.system.processes.budget import Budget
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
@@ -53,4 +53,4 @@ def _told(sentence: str) -> None:
 def _require_extra() -> None:
     """Raise `InputError` with the command that installs the server packages, if one is missing."""
     if any(find_spec(name) is None for name in SERVERS):
-        raise InputError(say("fault.C080", command=installing(installed_from("desk"))))
+        raise InputError(say("fault.C080", command=installing_extra("desk")))

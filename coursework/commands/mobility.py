@@ -50,7 +50,7 @@ def of_mobility(run: Run) -> list[Sentence]:
 
 def _as_one(variant: Variant, freedoms: int) -> Sentence | None:
     """Return which links turn as one, such as two wheels of one shaft, if that takes all `freedoms` not driven, else None."""
-    held = [(link.name, link.rate, {*link.points, link.wheel} - {None}) for link in variant.links]
+    held = [(link.name, link.rate, {*link.held}) for link in variant.links]
     pairs = [
         (one[0], other[0]) for one, other in combinations(held, 2) if one[1] and one[1] == other[1] and one[2] & other[2]
     ]  # fmt: skip

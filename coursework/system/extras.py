@@ -26,15 +26,20 @@ def installed_from(extra: str) -> str:
 
 
 def installing(what: str) -> str:
-    """Return the command that installs a package, or what `installed_from` returns, into the Python that runs."""
+    """Return the command that installs a package, or another argument of pip, into the Python that runs."""
     python = f'"{sys.executable}"' if " " in sys.executable else sys.executable
     return f"{python} -m pip install {what}"
+
+
+def installing_extra(extra: str) -> str:
+    """Return the command that installs the packages of an extra."""
+    return installing(installed_from(extra))
 
 
 def require(module: str, format_name: str, extra: str) -> None:
     """Raise `NotToBeHad`, with the line that installs it, if a `module` that a format needs cannot be found."""
     if find_spec(module) is None:
-        raise NotToBeHad(say("fault.W040", format=format_name, package=module, command=installing(installed_from(extra))))
+        raise NotToBeHad(say("fault.W040", format=format_name, package=module, command=installing_extra(extra)))
 
 
 def packages() -> dict[str, list[str]]:

@@ -10,7 +10,7 @@ import platform
 from importlib.metadata import PackageNotFoundError, version
 
 from coursework.commands.line.screen import in_language, speak, tell
-from coursework.system.extras import OWN, installed_from, installing, packages
+from coursework.system.extras import OWN, installing_extra, packages
 from coursework.system.version import VERSION
 from coursework.words.sentences import ENGLISH, joined, say
 
@@ -23,7 +23,7 @@ def tell_versions() -> None:
         found = {name: _version(name) for name in named}
         there = joined([f"{name} {number}" for name, number in found.items() if number], "join.comma")
         missing = joined([name for name, number in found.items() if not number], "join.comma")
-        line = say("screen.missing", packages=missing, command=installing(installed_from(extra))) if missing else ""
+        line = say("screen.missing", packages=missing, command=installing_extra(extra)) if missing else ""
         tell(f"{extra:<9} {in_language(joined([there, line], 'join.semicolon'))}")
 
 

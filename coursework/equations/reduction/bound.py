@@ -232,7 +232,7 @@ def _bodies(mechanism: Mechanism) -> dict[str, _Body]:
     """Return the links by name: those of [links], or else those of the chain of groups, numbered by their rates."""
     variant = mechanism.variant
     if variant.links:
-        own = {link.name: next((name for name in (*link.points, link.wheel) if name), None) for link in variant.links}
+        own = {link.name: next(iter(link.held), None) for link in variant.links}
         return {link.name: _Body(link.rate, named(point) if (point := own[link.name]) else None, link) for link in variant.links}
     if not variant.groups:
         return {}

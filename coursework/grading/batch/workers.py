@@ -12,7 +12,7 @@ from collections.abc import Generator, Iterable, Iterator
 from typing import Any
 
 from coursework.grading.batch.work import Outcome, Setup, Task, failed
-from coursework.system.extras import installed_from, installing
+from coursework.system.extras import installing_extra
 from coursework.system.processes.plain_lines import line_of, plain_of, read_line, record_of
 from coursework.system.processes.pool import Pool, Trade, Worker
 from coursework.words.errors import InputError
@@ -59,7 +59,7 @@ def on_cluster(
     try:
         import distributed
     except ImportError:
-        raise InputError(say("fault.G032", command=installing(installed_from("cluster")))) from None
+        raise InputError(say("fault.G032", command=installing_extra("cluster"))) from None
     cluster: Any = distributed  # its calls carry no types
     try:
         client = cluster.Client(address, timeout=PATIENCE)

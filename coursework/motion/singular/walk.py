@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
-from itertools import dropwhile, takewhile
+from itertools import groupby
 
 import numpy as np
 
@@ -124,10 +124,10 @@ class Walk:
 
     def _boundless(self, state: Array) -> NotFollowed:
         """Return the fault of a formula at its pole, of a coordinate gone too far, else of a rate that grows as time stands."""
-        sizes = [max(map(abs, self._determinants(one))) for one in self.way]
-        if first := list(dropwhile(lambda k: not sizes[k] > POLE, range(len(sizes)))):
-            pole = max(takewhile(lambda k: sizes[k] > POLE, first), key=sizes.__getitem__)
-            return without_value(float(self.way[pole][-1]), say("event.no_value"))
+        sizes = ((max(map(abs, self._determinants(one))), float(one[-1])) for one in self.way)
+        if first := next((list(run) for beyond, run in groupby(sizes, lambda one: one[0] > POLE) if beyond), None):
+            _, pole = max(first, key=lambda one: one[0])
+            return without_value(pole, say("event.no_value"))
         variant, time, bound = self.flow.equations.variant, float(state[-1]), say("event.no_bound")
         name = variant.rates[int(np.argmax(np.abs(self.slope[:-1])))]
         if (far := np.abs(state[:-1])).max() > BOUNDLESS:

@@ -58,20 +58,20 @@ def _no_pivots(variant: Variant) -> Iterator[Found]:
     points, moving = dict(variant.points), {*variant.names} - {*variant.values}
     moving |= {group.meets for group in variant.groups if group.meets}
     for link in variant.links:
-        for point in dict.fromkeys((*link.points, *filter(None, [link.wheel]))):
+        for point in link.held:
             if point in points and point not in variant.frame.hinges and not moving & reached([point], points):
                 yield "PIVOT", ("links", link.name), say("remark.pivot", link=link.name, point=point)
 
 
 def bare_hinges(variant: Variant) -> list[str]:
     """Return the pivots of the frame that no link has; a spring may end at one, a rope run over it."""
-    held = {name for link in variant.links for name in (*link.points, link.wheel)}
+    held = {name for link in variant.links for name in link.held}
     return [point for point in variant.frame.hinges if variant.links and point not in held]
 
 
 def _empty_guides(variant: Variant) -> Iterator[Found]:
     """Yield guides through a point that no link of [links] has: only the point it passes through slides in a guide."""
-    held = {name for link in variant.links for name in (*link.points, link.wheel, link.contact)}.union(variant.frame.hinges)
+    held = {name for link in variant.links for name in (*link.held, link.contact)}.union(variant.frame.hinges)
     begun = {guide.through for group in variant.groups for guide in group.guides if group.meets}  # its pin slides there
     for place, (through, _) in enumerate(variant.frame.rails if variant.links else ()):
         if through.op == "name" and through.name not in held and through not in begun:

@@ -10,6 +10,8 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from graphlib import TopologicalSorter
 
+import numpy as np
+
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any
 from coursework.variant.record.variant import Law, Variant
 from coursework.variant.toml.positions import KeyPath
@@ -66,9 +68,8 @@ def in_order(variant: Variant) -> list[Law]:
 
 def _within(law: Law, argument: float) -> float:
     """Return the value on the line between two nodes; outside its table the law reports the error itself."""
-    after = next((place for place, (at, _) in enumerate(law.table) if at > argument), len(law.table) - 1) or 1
-    (begin, low), (end, high) = law.table[after - 1 : after + 1]
-    return low + (high - low) * (min(max(argument, begin), end) - begin) / (end - begin)
+    nodes, values = zip(*law.table, strict=True)
+    return float(np.interp(argument, nodes, values))
 
 
 def _judged(variant: Variant, path: KeyPath, name: str, formula: Formula, values: dict[str, complex], t: float) -> Fault | None:

@@ -215,24 +215,29 @@ def _too_deep(text: str) -> int:
 def explained(message: str, text: str, file: str) -> Fault:
     """Return the fault at the place that the reader's message names, or at the end of the text if it names none."""
     match = re.search(r"^(.*?) \(at (?:line (\d+), column (\d+)|end of document)\)", message, re.DOTALL)
-    lines = text.split("\n")
-    reason = match[1] if match else message
-    line, column = (int(match[2]), int(match[3])) if match and match[2] else (len(text.rstrip("\n").split("\n")), 0)
-    if not match:
-        line = 0
-    single = _SINGLE.match(lines[line - 1]) if reason.startswith("Cannot declare") else None
-    if reason.startswith("Cannot overwrite") and _SINGLE.match(lines[line - 1].replace("[[", "[").replace("]]", "]")):
-        begun = ((number, _SINGLE.match(one)) for number, one in enumerate(_structure(text), start=1))
-        line, single = next(((number, one) for number, one in begun if one), (line, None))
+    lines, reason = text.split("\n"), match[1] if match else message
+    last = len(text.rstrip("\n").split("\n")) if match else 0
+    line, column = (int(match[2]), int(match[3])) if match and match[2] else (last, 0)
+    line, single = _in_single_brackets(reason, text, line)
     if reason.startswith("Unclosed array") and line and not lines[line - 1][: max(column - 1, 0)].strip():
-        above = lines[: line - bool(column)]  # at the end of the text no column is named
-        line = max((number for number, one in enumerate(above, start=1) if one.strip() and one.lstrip()[0] != "#"), default=line)
+        above = enumerate(lines[: line - bool(column)], start=1)  # at the end of the text no column is named
+        line = max((number for number, one in above if one.strip() and one.lstrip()[0] != "#"), default=line)
         column = len(lines[line - 1].rstrip()) + 1
     found = lines[line - 1].strip() if 0 < line <= len(lines) else ""
-    advice = _strange(lines[line - 1], column - 1) if found and column and _KEY_EXPECTED.match(reason) else None
-    advice = say("fault.toml.double", name=single[1]) if single else advice or _of_key(reason, lines[line - 1], column - 1)
-    advice = advice or _advice(reason, found)
+    strange = _strange(lines[line - 1], column - 1) if found and column and _KEY_EXPECTED.match(reason) else None
+    advice = single or strange or _of_key(reason, lines[line - 1], column - 1) or _advice(reason, found)
     return Fault(_told(advice, found), file, line, column)
+
+
+def _in_single_brackets(reason: str, text: str, line: int) -> tuple[int, str | None]:
+    """Return the line of a section in single brackets that stands in double ones elsewhere, and the advice; else `line`, None."""
+    lines, begun = text.split("\n"), []
+    here = lines[line - 1] if 0 < line <= len(lines) else ""
+    if reason.startswith("Cannot declare"):
+        begun = [(line, _SINGLE.match(here))]
+    elif reason.startswith("Cannot overwrite") and _SINGLE.match(here.replace("[[", "[").replace("]]", "]")):
+        begun = [(number, _SINGLE.match(one)) for number, one in enumerate(_structure(text), start=1)]
+    return next(((number, say("fault.toml.double", name=one[1])) for number, one in begun if one), (line, None))
 
 
 def _told(advice: str, found: str) -> Sentence:

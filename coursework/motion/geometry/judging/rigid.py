@@ -127,7 +127,7 @@ def may_be_hinges(equations: VelocityEquations, start: Sequence[float]) -> tuple
 
 def _of_two_links(variant: Variant, points: Iterable[str]) -> list[tuple[str, str]]:
     """Return the pairs of points of links that no link has both of."""
-    links = [{*link.points, link.wheel or ""} for link in variant.links]
+    links = [{*link.held} for link in variant.links]
     pairs = [pair for pair in combinations(points, 2) if all(any(name in of for of in links) for name in pair)]
     return [pair for pair in pairs if not any({*pair} <= of for of in links)]
 

@@ -54,7 +54,7 @@ def _outputs(context: PageContext) -> Iterator[Coordinate]:
             unit = "m" if slides else "rad"
             found += [coordinates[name] for name in names if name in coordinates and coordinates[name].unit == unit]
     else:
-        rates = [link.rate for link in variant.links if {*link.points, link.wheel} & {*variant.frame.hinges}]
+        rates = [link.rate for link in variant.links if {*link.held} & {*variant.frame.hinges}]
         found += [c for c in coordinates.values() if c.rate in rates and c.unit == "rad"]
     yield from reversed(found)
 
