@@ -101,6 +101,8 @@ def _derivative(tree: Formula, spellings: Spellings) -> Formula:
             return named(spellings.rates[meant])
         if meant in spellings.data:
             return number(0)
+        if (function := spellings.functions.get(meant or "")) is not None:
+            return derived(function)
     elif tree.op == "neg":
         return Formula("neg", (derived(tree.args[0]),))
     elif tree.op in {"+", "-"}:
@@ -117,6 +119,8 @@ def _derivative(tree: Formula, spellings: Spellings) -> Formula:
         (angle,) = tree.args
         turned = Formula("call", (angle,), "cos" if tree.name == "sin" else "sin")
         return _product(turned if tree.name == "sin" else Formula("neg", (turned,)), derived(angle))
+    elif tree.op == "call" and tree.name == "sqrt":
+        return Formula("/", (derived(tree.args[0]), Formula("*", (number(2), tree))))
     raise _NotKnown
 
 

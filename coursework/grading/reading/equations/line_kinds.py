@@ -40,6 +40,8 @@ _APART = re.compile(r"^\s*[-–—]\s+")  # a dash with a blank behind it: the m
 _CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
 _CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
+_OF_POINT = r"\s*[vV]_?\{?(?:[A-Z]\d?'?){1,2}\}?\s*"
+_OF_POINTS = re.compile(rf"{_OF_POINT}=(?:{_OF_POINT}[-+])+{_OF_POINT}[.,;]?\s*")
 _LINE_NUMBER = re.compile(r"^\s*(\d{1,5})\s+(?=[^\W\d])")
 _STEPS, _SEVERAL_LINES = (5, 10, 100), 2
 _FEWEST = 4  # an expression has more words than this, so that it is not prose
@@ -211,6 +213,12 @@ def is_row(text: str) -> bool:
     """
     rest, count = PAIR.subn("", text)
     return count > 1 and not any(map(str.isalnum, rest))
+
+
+def is_vector_sum(text: str, names: Names) -> bool:
+    """Return whether a line adds velocities of points as vectors, V_C = V_B + V_CB; without axes it is no equation of numbers."""
+    found = _OF_POINTS.fullmatch(plain_signs(text))
+    return found is not None and any(names.spellings.canonical(word) is None for word in WORD.findall(found[0]))
 
 
 def is_datum(text: str, names: Names) -> bool:

@@ -22,6 +22,7 @@ from coursework.grading.reading.equations.line_kinds import (
     is_equation_without_sign,
     is_row,
     is_step,
+    is_vector_sum,
     no_velocity,
     own_name,
     sign_of_list,
@@ -115,7 +116,13 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
         elif beside is not None:
             read = read_line(line, name, number, names)
             found.equations += [read] if relates(read, names) else []
-        elif not (_defines(line, own, names, defined) or is_datum(line, names) or is_step(line, names) or is_row(line)):
+        elif not (
+            _defines(line, own, names, defined)
+            or is_datum(line, names)
+            or is_step(line, names)
+            or is_row(line)
+            or is_vector_sum(line, names)
+        ):
             one = kept(read_line(line, name, number, with_own)) if _is_equation(line, names) else None
             found.equations += [one] if one else []
     if beside is not None and all(line.tree is None for line in found.equations):
@@ -199,16 +206,20 @@ def _defined(
     with_own = replace(names, own=own, spellings=names.spellings.with_own(dict.fromkeys([*before, *names_left])))
     labels: set[str] = set()  # names that label several lines: V_D = … = 0 along x, and again along y
     for turn in range(_PASSES):  # in a program the data may follow the formulas that use them
-        waiting = 0
+        met, is_waiting = set[str](), False
         for _, line in lines[:_MOST_DEFINITIONS]:
-            waits = {*map(plain_name, WORD.findall(line.partition("=")[2]))} & names_left - own.keys()
-            waiting += bool(waits)
-            if waits and turn < _PASSES - 1:
-                continue
+            if {*map(plain_name, WORD.findall(line.partition("=")[2]))} & names_left - own.keys():
+                is_waiting = True
+                if turn < _PASSES - 1:
+                    met.add(plain_name(own_name(line, names.spellings)[0]))
+                    continue
             if (found := definition(line, with_own)) and (words[found[0]] > 1 or no_velocity(line, names)):
-                labels |= {found[0]} if not turn and found[0] in own and VANISHED.search(line) else set()
-                own.setdefault(*found)
-        if not waiting:
+                if found[0] in met:
+                    labels |= {found[0]} if VANISHED.search(line) else set()
+                else:
+                    own.setdefault(*found)
+                met.add(found[0])
+        if not is_waiting:
             break
     return {name: formula for name, formula in own.items() if name not in labels}
 

@@ -29,7 +29,8 @@ class Spellings:
     and of `angles`, data or not.
 
     `rates` also has angles of which the variant declares only the velocity: phi4 has the rate w4.  `own` are names that the text
-    itself defines, with their formulas as far as known: a P of the student is not the datum p.
+    itself defines, with their formulas as far as known: a P of the student is not the datum p.  `functions` are those of the
+    task that have one formula.
     """
 
     known: frozenset[str]
@@ -38,6 +39,7 @@ class Spellings:
     data: frozenset[str] = frozenset()
     own: Mapping[str, Formula | None] = field(default_factory=dict)
     angles: frozenset[str] = frozenset()
+    functions: Mapping[str, Formula] = field(default_factory=dict)
 
     def canonical(self, name: str) -> str | None:
         """Return the declared name that a spelling means, None if it means none."""
@@ -120,6 +122,9 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     for link in (one for one in variant.links if one.rate):  # ω_AB of the link with the points A and B
         pairs = {_key(f"{symbol}{first}{second}") for symbol in ("w", "omega") for first in link.points for second in link.points}
         others |= {key: link.rate for key in pairs if link.rate and key not in others}
+    for one in variant.bindings:
+        if one.point and one.along and (axis := _AXES.get(spelled(one.along))):
+            rates.setdefault(_key(f"{axis}{one.point}"), one.name)  # dx_C/dt
     if point := variant.driven:
         others |= {_key(f"v{axis}{point}"): name for axis in "xy" if (name := f"V{point}{axis}") in names}
         rates |= {_key(f"{axis}{point}"): name for axis in "xy" if (name := f"V{point}{axis}") in names}  # ẋ_M, dx_M/dt
@@ -141,7 +146,8 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
             known.setdefault(symbol + spelling, rates[name])
     data = {entry.name: entry.si for entry in variant.given}
     angles = frozenset(name for name, unit in (data | units).items() if unit == "rad")
-    return Spellings(frozenset((*names, *BUILT_IN)), known, rates, frozenset(data), angles=angles)
+    functions = {law.name: law.formula for law in variant.functions if law.formula is not None}
+    return Spellings(frozenset((*names, *BUILT_IN)), known, rates, frozenset(data), angles=angles, functions=functions)
 
 
 def place_of_name(name: str, text: str) -> int:

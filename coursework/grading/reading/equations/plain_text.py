@@ -16,7 +16,7 @@ from coursework.grading.reading.equations.notation.latex import without_latex
 from coursework.grading.reading.equations.notation.signs import closing, depths, plain_signs
 from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import unit_of
-from coursework.variant.formula.tree import constant
+from coursework.variant.formula.tree import constant, named
 from coursework.variant.record.variant import Variant
 
 _PREFIX = re.compile(r"\b(?:[A-Za-z]\w{0,8}::(?=[A-Za-z])|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
@@ -247,6 +247,8 @@ def _rate(found: re.Match[str], spellings: Spellings) -> str:
         return f" {spellings.rates[name]} "
     if "/" in found[0] and spellings.is_own(found[1]):
         return derived(spellings.own[plain_name(found[1])], spellings)
+    if "/" in found[0] and name and name not in spellings.data:
+        return derived(named(name), spellings)
     glued = _GLUED.fullmatch(found[1]) if len(found.groups()) == 1 else None  # r2φ2' and, before a function, φ̇2sin
     name = spellings.angle(re.sub("\u0307", "", glued[2])) if glued else None
     return f"{glued[1]} {spellings.rates[name]} {glued[3]}" if glued and name in spellings.rates else found[0]

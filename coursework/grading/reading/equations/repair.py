@@ -111,7 +111,13 @@ def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
 
     Names as the task has them go before other spellings: vrcos is vr*cos, though v may be short for the only speed.
     """
-    return _chain(text, spellings.known_as) or _chain(text, spellings.canonical)
+    if found := _chain(text, spellings.known_as):
+        return found
+    found = _chain(text, spellings.canonical)
+    # VB is the velocity of B and Vr a relative one, not v*b and v*r
+    letters = text.replace("_", "")
+    is_word = letters.isascii() and letters.isalpha() and not letters.islower()
+    return None if found is None or (is_word and all(part.kind == "name" for part in found)) else found
 
 
 def _chain(text: str, meaning: Callable[[str], str | None]) -> tuple[_Token, ...] | None:

@@ -21,6 +21,7 @@ from coursework.grading.reading.equations.notation.latex import logical_lines
 from coursework.grading.reading.equations.notation.signs import VANISHED, depths, relates_two_sides, relations
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
+from coursework.grading.reading.equations.systems.own_functions import as_names
 from coursework.grading.reading.equations.systems.parts import LIST, at_commas, of_row
 from coursework.grading.reading.equations.systems.vectors import with_entries_named
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
@@ -69,6 +70,9 @@ _BLOCK, _STARRED = re.compile(r"/\*+((?:[^*]|\*(?!/))*)\*/"), re.compile(r"^[ \t
 _UNPACKED = re.compile(r"\(?[^\W\d]\w{0,20}(?:\s*,\s*[^\W\d]\w{0,20})+\)?\s*:?=")  # a11, a12 = …, …
 # Slashes and dots between the equations of one line, a = b / c = d.
 _TWO = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
+_SQUARED = re.compile(
+    r"([^\W\d]\w{0,20})\s*(?:\^\s*\{?\s*2\s*\}?|²|\*\*\s*2)\s*=\s*([^=]+?)[\s.,;]*"
+)  # DA² = … by the law of cosines
 _MOST_SLASHES = 20  # slashes of a line
 _ONE = re.compile(r"(?<=\S)\s+[/•·∙⋅●]\s+(?=\S)")
 
@@ -102,6 +106,8 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
             rest = bare[returned.end() :]  # a list of residuals is not the value of a name
             is_value = TURNED.search(rest) or function.partition(" ")[0] in names.expected.variant.sought
             bare = f"{function if is_value and not rest.startswith('[') else ''}{rest}"
+        if (square := _SQUARED.fullmatch(bare)) and names.spellings.canonical(square[1]) is None:
+            bare = f"{square[1]} = sqrt({square[2]})"
         bare = _closed(bare)
         if any(map(str.isalnum, bare)):  # not an underline of signs below a title
             yield number, bare
@@ -127,7 +133,7 @@ def _one_by_one(line: str) -> str:
 
 def _by_names(text: str, names: Names) -> str:
     """Return a text with matrix systems written as equations and with names in place of vector entries."""
-    rows = in_rows(in_one_line(without_line_numbers(text)), names.expected.variant.sought)
+    rows = in_rows(in_one_line(as_names(without_line_numbers(text), names.is_name)), names.expected.variant.sought)
     return with_entries_named(rows, names.expected.variant, names.spellings)
 
 

@@ -58,12 +58,34 @@ def test_the_tables_of_a_file_have_the_equations(name):
 BEFORE = "w3 = VMy/(r3*(2*cos(phi3) + sin(phi3)))\nw4 = 2*w3*(cos(phi3) - 2*sin(phi3))\n"
 MATRIX = "[[r1*sin(phi1), r2*sin(phi2)], [r1*cos(phi1), r2*cos(phi2)]]"
 SIDES = "[0.5*r3*w4 - r3*w3*cos(phi3), r3*w3*sin(phi3)]"
+BY_LINES = MATRIX[1:-1].replace("], [", "\n     ")  # a row of a matrix in MATLAB ends with its line
 SOLVED = {
     "lists": f"w1, w2 = np.linalg.solve({MATRIX}, {SIDES})", "arrays": f"w1, w2 = solve(np.array({MATRIX}), np.array({SIDES}))",
     "over lines": f"w1, w2 = np.linalg.solve({MATRIX},\n    {SIDES})\nprint(w1)",
     "divided": f"[w1, w2] = {MATRIX[1:-1].replace('], [', '; ')}\\[{SIDES[1:-1].replace(', ', '; ')}];",
+    "a matrix by its name": f"K = {BY_LINES};\nx = K\\[{SIDES[1:-1].replace(', ', '; ')}];\nw1 = x(1); w2 = x(2);",
+    "inverted": f"K = {BY_LINES}\nw = inv(K)*[{SIDES[1:-1]}]';\nw1 = w(1); w2 = w(2);",
+    "a name and a list": f"M = {MATRIX}\nw1, w2 = np.linalg.solve(M, {SIDES})",
+    "functions": f"K(f) = {BY_LINES}\nb(t) = {SIDES}\nw = K(f) \\ b(t)\nw1 = w[1]; w2 = w[2]",
     "entries": f"x = {MATRIX[1:-1].replace('], [', '; ')}\\[{SIDES[1:-1].replace(', ', '; ')}];\nw1 = x(1); w2 = x(2);",
 }  # fmt: skip
+
+
+VELOCITIES = """VCy = VMy - BM*w3*cos(phi3) - r3*w3*sin(phi3); VCy = 0
+VPx = BM*w3*sin(phi3) - r3*w3*cos(phi3) + CP*w4; VPx = 0
+VDx = -CP*w4 + r3*w3*cos(phi3) + r2*w2*sin(phi2) + r1*w1*sin(phi1); VDx = 0
+VDy = r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*cos(phi1); VDy = 0"""
+LENGTHS = "BM = 2*r3, CP = r3/2"
+
+
+@pytest.mark.parametrize("text", [
+    f"{LENGTHS}\n{VELOCITIES}", f"{VELOCITIES}\n{LENGTHS}", f"{VELOCITIES}\n{LENGTHS}".replace("; ", "\n"),
+    f"{VELOCITIES}\n{LENGTHS}\nVCy = VPx = VDx = VDy = 0".replace("; VCy = 0", "").replace("; VPx = 0", "")
+    .replace("; VDx = 0", "").replace("; VDy = 0", ""),
+])  # fmt: skip
+def test_velocities_with_names_that_vanish_are_equations_wherever_their_lengths_are_said(text):
+    assert marked(text, "31").share == 1.0
+    assert marked(text.replace("- r3*w3*sin", "+ r3*w3*sin"), "31").independent == 3
 
 
 @pytest.mark.parametrize("form", SOLVED)

@@ -72,8 +72,12 @@ _ASSIGNED = re.compile(r"(?m)^[ \t]*([^\W\d]\w{0,20})[ \t]*:[ \t]*(?=invert\b|[^
 _ROUND = str.maketrans("[]", "()")  # of functions in Mathematica
 _BRACES = str.maketrans("{}", "[]")
 # A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\[e; f]
-_CALLED = re.compile(rf"{_SOLVER}(?=\s*[\w.]{{0,20}}\s*\(?\s*\[)")
-_DIVIDED = re.compile(r"(?m)(?<==)[ \t]*(\[[^=\n]{1,2000}\])[ \t]*\\[ \t]*(\[[^=\n]{1,1000}\])(?=[ \t]*;?[ \t]*(?:[%#/].*)?$)")
+_CALLED = re.compile(rf"{_SOLVER}(?=\s*(?:{_NAME[1:-1]}\s*,\s*)?[\w.]{{0,20}}\s*\(?\s*\[)")
+_FACTOR = rf"(\[[^=\n]{{1,2000}}\]|{_NAME[1:-1]})"
+_DIVIDED = re.compile(
+    rf"(?m)(?<==)[ \t]*(?:{_FACTOR}[ \t]*\\|inv\({_FACTOR}\)[ \t]*[*@])[ \t]*{_FACTOR}(?:\.?'|\.T)?"
+    r"(?=[ \t]*;?[ \t]*(?:[%#/].*)?$)"
+)
 _SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
 _OF_CALL = ("matrix_of_call", "sides_of_call")
 _SMATH = re.compile(r"(?<!\w)mat\(")
@@ -96,7 +100,7 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
         apart = _named_apart(text)
         whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(apart)) if _LATEX.search(apart) else apart
         if not (solved := _with_first_system(whole, sought)):
-            return apart
+            break
         text = solved
     return text
 
@@ -225,21 +229,28 @@ def _names_of_call(text: str, place: int) -> str:
 
 
 def _named_apart(text: str) -> str:
-    """Return a text in which matrix and right side of a system that is solved in one line have names, defined at the end."""
+    """Return a text in which matrix and right side have names, defined at the end, where they stand in the line that solves."""
     for begun in _CALLED.finditer(text):
         end = closing(text, begun.end() - 1, _LONGEST)
-        parts = [_WRAPPED.fullmatch(part) for part in at_commas(text[begun.end() : end])]
-        if len(parts) == 2 and parts[0] and parts[1] and re.search(r"[;\[]", parts[0][1][1:]):
-            matrix, sides = parts[0][1], parts[1][1]
+        parts = [one.strip() for one in at_commas(text[begun.end() : end])]
+        wrapped = [_WRAPPED.fullmatch(part) for part in parts]
+        if (
+            len(parts) == 2
+            and (wrapped[1] or parts[1].isidentifier())
+            and (not wrapped[0] or re.search(r"[;\[]", wrapped[0][1][1:]))
+        ):
+            parts = [found[1] if found else part for part, found in zip(parts, wrapped, strict=True)]
+            before, between, behind = text[: begun.end()], ", ", text[end:]
             lines = "\n" * text.count("\n", begun.end(), end)
-            call = text[: begun.end()] + ", ".join(_OF_CALL) + text[end:].replace("\n", f"{lines}\n", 1)
             break
     else:
         if (divided := _DIVIDED.search(text)) is None:
             return text
-        matrix, sides = divided.groups()
-        call = text[: divided.start()] + " " + "\\".join(_OF_CALL) + text[divided.end() :]
-    return f"{call}\n{_OF_CALL[0]} = {matrix}\n{_OF_CALL[1]} = {sides}"
+        parts = [one for one in divided.groups() if one]
+        before, between, behind, lines = f"{text[: divided.start()]} ", "\\", text[divided.end() :], ""
+    names = [name if part.startswith("[") else part for name, part in zip(_OF_CALL, parts, strict=True)]
+    defined = "".join(f"\n{name} = {part}" for name, part in zip(names, parts, strict=True) if part.startswith("["))
+    return f"{before}{between.join(names)}{behind.replace(chr(10), lines + chr(10), 1)}{defined}" if defined else text
 
 
 def _as_cells(row: re.Match[str]) -> str:

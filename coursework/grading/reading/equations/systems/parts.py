@@ -41,6 +41,7 @@ _SOLVED = re.compile(
     r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+?)(?:,\s*[\[{][\w\s,]+[\]}]|(?:,\s*[^\W\d]\w{0,9})+)\s*[)\]];?"
 )
 _ROW = re.compile(r"\|(.+)\||\"?\d{1,3}\"?\s*;(.+)")  # a row of a table
+_ALL_ZERO = re.compile(r"(?:[^\W\d]\w{0,20}\s*=\s*){2,12}0\s*[.;]?")  # V_Cy = V_Dx = 0
 _LONGEST = 4000
 _MOST_ROWS, _MOST_WITHIN = 12, 3  # most rows of a matrix; most brackets around it
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
@@ -58,6 +59,8 @@ def parts_of(line: str) -> list[str]:
         return [one for piece in pieces for one in (parts_of(piece) if relates_two_sides(piece) else [f"{piece} = 0"])]
     if rows := _rows(line) or _listed(line):
         return rows
+    if _ALL_ZERO.fullmatch(line):
+        return [f"{name.strip()} = 0" for name in line.split("=")[:-1]]
     if len(line) > EQUATION_CHARACTERS:
         return [line]
     line = with_formulas_joined(line)

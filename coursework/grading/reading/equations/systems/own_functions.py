@@ -1,0 +1,28 @@
+"""A function of the student that always has the same arguments, V(t) := …, A(f) = […] -> a name, V and A.
+
+Enters: a text, and what says whether a name means something already.  Leaves: the text without the arguments of such functions.
+Used by `text_lines.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+_NAME = r"[^\W\d]\w{0,20}"
+_DEFINED = re.compile(rf"(?m)^[ \t]*({_NAME})[ \t]*\([ \t]*{_NAME}[ \t]*(?:,[ \t]*{_NAME}[ \t]*){{0,9}}\)[ \t]*:?=(?!=)")
+_MOST = 20
+
+
+def as_names(text: str, is_known: Callable[[str], bool]) -> str:
+    r"""Return a text in which functions that always have the same arguments are names.
+
+    >>> as_names("V(t) := a*t\nw = V( t )/r", {"w"}.__contains__), as_names("x(i) = 1\ny = x(j)", {"w"}.__contains__)
+    ('V := a*t\nw = V/r', 'x(i) = 1\ny = x(j)')
+    """
+    for name in [*dict.fromkeys(found[1] for found in _DEFINED.finditer(text))][:_MOST]:
+        used = re.compile(rf"(?<![\w.\\]){name}[ \t]*\(([^()\n]{{0,80}})\)")
+        uses = [re.sub(r"\s", "", arguments) for arguments in used.findall(text)]
+        if not is_known(name) and len(uses) > 1 and len({*uses}) == 1:
+            text = used.sub(name, text)
+    return text
