@@ -54,7 +54,11 @@ def _agreement(found: Array | None, other: Array, names: tuple[str, ...], larges
 def _virtual_power(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     found = _by_power(own)
     # The links in a scheme's rows may have drifted, so that they move as no mechanism can; the exact rows are closed.
-    return _by_power(exact) if found.verdict == "FAIL" and exact is not None else found
+    found = _by_power(exact) if found.verdict == "FAIL" and exact is not None else found
+    alone = next((one.line for one in own.equations.variant.plausibility if one.code == "CONTACT"), None)
+    if found.verdict == "PASS" or alone is None:
+        return found
+    return replace(found, sentence=joined([found.sentence, say("check.VIRTUAL-POWER.alone", line=alone)]))
 
 
 def _by_power(own: ForceAnalysis) -> Finding:

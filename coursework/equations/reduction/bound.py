@@ -91,13 +91,22 @@ class Geometry:
         return tuple(found)
 
     def rates_of_links(self, known: set[str]) -> tuple[Bound, ...]:
-        """Return the sought rates of links that are not among the `known` velocities but follow from points."""
+        """Return the sought rates of links that are not among the `known` velocities but follow from points.
+
+        A rate has a further equation for each further contact: a planet touches the sun and the ring.
+        """
         found: dict[str, Bound] = {}
-        for name, body in self._bodies.items():
-            if body.link is None or body.rate not in self.variant.sought or body.rate in known or body.rate in found:
-                continue
-            if (speed := self._from_points(body.link, _of(body.rate))) is not None:
-                found[body.rate] = Bound(body.rate, speed, name)
+        links = [(name, body.link, body.rate) for name, body in self._bodies.items() if body.link is not None]
+        sought = [(name, link, rate) for name, link, rate in links if rate in self.variant.sought and rate not in known]
+        touched: set[str | None] = set()
+        for name, link, rate in sought:
+            if rate not in found and (speed := self._from_points(link, _of(rate))) is not None:
+                found[rate] = Bound(rate, speed, name)
+                touched.add(link.contact)
+        for name, link, rate in sought:
+            if link.contact and link.contact not in touched and (speed := self._from_points(link, _of(rate))) is not None:
+                found[f"{rate} {link.contact}"] = Bound(f"{rate} {link.contact}", speed, name)
+                touched.add(link.contact)
         return tuple(found.values())
 
     def _line(self, binding: Binding) -> int:

@@ -18,6 +18,7 @@ from coursework.equations.reduction.tidying.tidy import as_sum
 from coursework.motion.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event
+from coursework.motion.singular.triad import lines_meet
 from coursework.variant.formula.made import as_read
 from coursework.variant.record.held import unit_of
 from coursework.words.sentence import Sentence
@@ -54,6 +55,8 @@ def explain(
         holds = meaning_of(block.condition, equations.variant, block.unknowns, coordinates)
         if holds == say("determinant.never"):  # nor is it, but as a slide runs away it becomes as small as anything
             holds = say("determinant.zero", formula=as_read(block.condition))
+    elif (met := lines_meet(equations, block.unknowns, event.time, event.position.tolist())) is not None:
+        holds = met
     kept = say("event.kept", row=rows) if rows else say("event.none_kept")
     if branches is None:
         event, branches = replace(event, kind="dead point"), ()

@@ -43,7 +43,7 @@ def remarks_on(
     told = {path for _, path, _ in slips}  # where a number looks wrong for want of a unit, that is said once
     found = [
         *slips, *(bare for bare in _bare(variant, dimensions, phases) if bare[1] not in told),
-        *_left_out(variant, dimensions), *_weight(variant), *frequencies_turned_twice(variant),
+        *_left_out(variant, dimensions), *_weight(variant), *_of_forces(variant, dimensions), *frequencies_turned_twice(variant),
         *parts_unused(variant, dimensions),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
@@ -82,6 +82,19 @@ def _weight(variant: Variant) -> Iterator[Found]:
     size = math.hypot(*(known_value(part, variant.values) or 0.0 for part in parts))
     if size and not _EARTH / _FAR < size < _EARTH * _FAR:
         yield "GRAVITY", ("forces", "gravity"), say("remark.gravity", size=size, times=size / _EARTH)
+
+
+def _of_forces(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
+    """Yield the lengths of springs and pairs, written as numbers, that are far longer than the longest one of the data."""
+    data = [given for given in variant.given if dimensions.known.get(given.name) == {LENGTH: 1}]
+    longest = max(data, key=_size, default=None)
+    if longest is None or variant.forces is None:
+        return
+    for path, formula, unit in variant.forces.measured():
+        size = known_value(formula, {})
+        if unit == "m" and size is not None and abs(size) >= _FAR * _size(longest) > 0:
+            name = f"{path[1]}.{path[2]}"
+            yield "LENGTH", path, say("remark.length_alone", name=name, text=f"{size:.6g} m", beside=_written(longest))
 
 
 def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:

@@ -16,8 +16,11 @@ from tests.mechanisms.library import mechanism
 TEMPLATE = (folder("reports") / "new-variant.toml").read_text(encoding="utf-8").replace("NAME", "mine")
 BOUND = 'u = { unit = "m/s", of = "B", along = "0 deg" }'
 # A slider-crank; a shaper, whose u is its block along the lever; the same as a chain with three velocities by hand beside it;
-# two gears and a sleeve on the second; gears in two stages, the last with a crank that a position equation leaves open.
-OWN = ("slider-crank-with-slide-velocity", "shaper-equations", "shaper-with-more-velocities", "gears", "gears-and-crank")
+# two gears and a sleeve on the second; gears in two stages, the last with a crank that a position equation leaves open; a planet.
+OWN = (
+    "slider-crank-with-slide-velocity", "shaper-equations", "shaper-with-more-velocities", "gears", "gears-and-crank",
+    "planet-between-sun-and-ring",
+)  # fmt: skip
 FILES = {"template": TEMPLATE, **{name: mechanism(name) for name in OWN}}
 WRITTEN = re.compile(r'name *= "([^"]+)"\n(?:because *= "[^"]*"\n)?equation *= "([^"]+)"')
 
@@ -122,6 +125,17 @@ def test_what_the_geometry_says_stands_for_an_equation_where_none_is_written():
     assert "equation" not in bare.split("[points]")[0].split("[time]")[1]
     derived, written = (agreement_of(text, "rk4")[0].table["u"].to_numpy() for text in (bare, TEMPLATE))
     np.testing.assert_allclose(derived, written, atol=1e-6 * np.ptp(written))
+
+
+def test_a_planet_has_an_equation_for_each_of_its_contacts():
+    """Without written equations both contacts move it; by Willis the carrier has the mean of both rates, weighted by teeth."""
+    text = FILES["planet-between-sun-and-ring"]
+    bare = coursework.parse_variant(text[: text.index("[[constraint]]")] + text[text.index("[points]") :], "v.toml")
+    table = coursework.solve(bare, "rk4", quantities=["table"]).table
+    np.testing.assert_allclose(table["wh"], (20 * 8 * np.pi + 52 * 15 * np.cos(10 * table.index)) / 72, rtol=1e-12)
+    wrong = text.replace("z3*(w3 - wh) = z2", "z3*(w3 - wh) = -z2")
+    with pytest.raises(coursework.InputError, match=r"equation ring contradicts the geometry"):
+        closure_of(wrong)
 
 
 def test_a_wheel_on_a_rail_has_its_rate_from_the_geometry():

@@ -29,6 +29,8 @@ _AT_BREAK = 1e-9
 _BEFORE = 1e-12
 # A velocity that changes by less than this share of the largest goes on.
 _GOES_ON = 1e-6
+# A jump is judged against this share of the largest value near it, too: a pulse between two rows leaves no trace in their range.
+_NEAR = 0.1
 # Number of suspect intervals that are examined one by one.
 _MOST_SUSPECTS = 5
 
@@ -170,6 +172,7 @@ def _looked_into(evidence: Evidence, row: int, place: int) -> Jump | None:
                 end, high = middle, between
             else:
                 begin, q, low = middle, there, between
+            scale = max(scale, _NEAR * abs(between))
             if abs(high - low) <= LIMIT * scale:
                 return None
     except (ArithmeticError, ValueError, OutsideTable):

@@ -1,8 +1,9 @@
-"""TABLE-DIGITS: the effect of the last printed digit of a tabulated law on velocities and accelerations.
+"""TABLE-DIGITS: what the last printed digit of a tabulated law, or the scatter of measured points, does to the velocities.
 
 Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
 A value rounded to the place q is off by up to q/2.  A derivative is a weighted sum of values, so at worst it is off by q/2 times
-the sum of its weights' sizes.  The weights are found from tables of zeros with a single one.
+the sum of its weights' sizes.  The weights are found from tables of zeros with a single one.  Measured points that scatter by
+twice their standard deviation to each side have this width in place of q.
 """
 
 from __future__ import annotations
@@ -29,18 +30,24 @@ _ROUND_OFF = 1e-14
 # Nodes of the tables from which weights are found: the ends have no influence on the middle node.
 _NODES = 25
 _MIDDLE = _NODES // 2
+# Sixth differences of points that scatter by 1: sqrt(924) times as large, and sqrt(924/70) = 3.6 times the fourth ones; those of
+# a smooth law with five nodes or more a period at most 1.4 times the fourth ones.
+_SIXTH, _ALTERNATE, _FEWEST = 924**0.5, 2.5, 16
+_MEDIAN = 0.6745  # of the size of a normal variable of unit deviation
+_COMPUTED = 1e-9  # share of the range of a table: a smaller scatter is the round-off of a program
 
 
 @frozen
 class Noise:
-    """The largest errors of one column that the rounding of the law `name` allows, in `unit`.
+    """The largest errors of one column that the rounding of the law `name`, or else its `scatter`, allows, in `unit`.
 
     `inside` and `end` are the errors inside the table and at its end; `worst` is the error in the rows, in `row` (from 0).
     `scale` is that of the column, `order` 1 for a velocity and 2 for an acceleration.
     """
 
     name: str
-    decimals: int
+    decimals: int | None
+    scatter: float
     column: str
     unit: str
     inside: float
@@ -75,14 +82,14 @@ def table_digits(evidence: Evidence) -> Finding:
     worst = max(found, key=lambda noise: noise.share)
     told = [
         say(
-            "check.TABLE-DIGITS.allows", decimals=noise.decimals, name=noise.name, column=noise.told, inside=noise.inside,
-            end=noise.end, unit=noise.unit, share=percent(noise.share),
+            f"check.TABLE-DIGITS.{'scatters' if noise.scatter else 'allows'}", decimals=noise.decimals, scatter=noise.scatter,
+            name=noise.name, column=noise.told, inside=noise.inside, end=noise.end, unit=noise.unit, share=percent(noise.share),
         )
         for noise in found
     ]  # fmt: skip
     verdict: Verdict = "PASS" if worst.share <= LIMIT else "COARSE"
     if verdict == "COARSE":
-        told.append(say("check.TABLE-DIGITS.coarse"))
+        told.append(say("check.TABLE-DIGITS.smooth" if worst.scatter else "check.TABLE-DIGITS.coarse"))
     unit, row = say("unit.of_the_scale"), worst.row + 1
     return Finding(verdict, joined(told), worst.share, LIMIT, unit, worst.column, row, cured=False)
 
@@ -95,6 +102,19 @@ def decimals(law: Law) -> int | None:
         if np.all(np.abs(scaled - np.round(scaled)) <= _ROUND_OFF * np.maximum(1.0, np.abs(scaled))):
             return count
     return None
+
+
+def scatter(law: Law) -> float:
+    """Return twice the standard deviation with which the points of a table scatter about a smooth curve, 0 if they do not.
+
+    Differences of high order of a smooth law are small; those of scattered points alternate.
+    """
+    nodes, values = np.array(law.table).T
+    if len(values) < _FEWEST or not np.allclose(np.diff(nodes), np.diff(nodes)[0], rtol=1e-3):
+        return 0.0
+    fourth, sixth = (float(np.median(np.abs(np.diff(values, order)))) for order in (4, 6))
+    deviation = sixth / _SIXTH / _MEDIAN
+    return 2 * deviation if sixth > _ALTERNATE * fourth and deviation > _COMPUTED * np.ptp(values) else 0.0
 
 
 @cache
@@ -123,7 +143,11 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
     is_drive = law in evidence.variant.drive
     count = decimals(law)
     exact = evidence.true
-    if count is None or law.of not in {"t", *exact.names}:
+    last_place, scattered = 0.0 if count is None else 10.0**-count, scatter(law)
+    if scattered <= last_place:  # it is the rounding
+        scattered = 0.0
+    width = 2 * scattered or last_place
+    if not width or law.of not in {"t", *exact.names}:
         return []
     first, last = law.table[0][0], law.table[-1][0]
     spacing = (last - first) / (len(law.table) - 1)
@@ -135,7 +159,7 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
     for order in range(1, min(evidence.order, 2) + 1):
         derivative = order - 1 if is_drive else order
         weights = np.array(amplification(law.method, derivative))
-        sizes = 10.0**-count / spacing**derivative * rate**derivative
+        sizes = width / spacing**derivative * rate**derivative
         scales = _scales(evidence, order)
         if not scales:
             continue
@@ -152,7 +176,8 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
         row, largest = int(np.argmax(worst)), float(np.max(sizes))
         shown, unit = ("d" * (order - 1)) + column, evidence.unit(column) + ("²" if order == 2 else "")
         inside, end = float(weights[-1]) * largest, float(weights[0]) * largest
-        found.append(Noise(law.name, count, shown, unit, inside, end, float(worst[row]), row, scales[column], order))
+        share = float(worst[row]), row, scales[column]
+        found.append(Noise(law.name, count, scattered, shown, unit, inside, end, *share, order))
     return found
 
 

@@ -51,6 +51,15 @@ def test_how_large_a_jump_is_one(height, verdict):
     assert judged.verdict == verdict, judged
 
 
+def test_a_pulse_between_two_rows_is_no_jump():
+    """Between the rows w rises from 1e-11 of its peak and falls back to it: no row shows how large it becomes."""
+    text = scene(
+        'phi = { start = "0 rad", rate = "w" }', given='r = "0.5 m"\nT = "2e-4 s"', step=0.01, end=0.3,
+        equations=["r*w = v"], drive='v = "100*exp(-((t - 0.151)/T)^2)"',
+    )  # fmt: skip
+    assert found(solve(text), "CONTINUITY").verdict != "FAIL"
+
+
 def test_a_break_of_the_drive_is_no_jump():
     text = scene(
         'phi = { start = "0 rad", rate = "w" }', given='r = "0.5 m"', step=0.05, end=0.5, equations=["r*w = v"],

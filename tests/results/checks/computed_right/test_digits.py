@@ -20,8 +20,10 @@ ROWS = [line.split(",") for line in (VARIANTS / "variable-crank-table.csv").read
 
 @pytest.fixture
 def crank(tmp_path):
-    def made(places: int | None, method: str = "five-point"):
-        rows = [f"{phi},{r if places is None else format(float(r), f'.{places}f')}" for phi, r in ROWS]
+    def made(places: int | None, method: str = "five-point", deviation: float = 0.0):
+        random = np.random.default_rng(7)
+        lengths = [(phi, repr(float(r) + random.normal(0, deviation)) if deviation else r) for phi, r in ROWS]
+        rows = [f"{phi},{r if places is None else format(float(r), f'.{places}f')}" for phi, r in lengths]
         (tmp_path / "variable-crank-table.csv").write_text("\n".join(["phi1,r", *rows]), encoding="utf-8")
         file = tmp_path / "crank.toml"
         file.write_text(TEXT.replace('"five-point"', f'"{method}"'), encoding="utf-8")
@@ -101,6 +103,29 @@ def test_the_limit(crank, factor, verdict):
     judged.__dict__["scale"] = scaled.__dict__["scale"]
     assert digits.table_digits(judged).verdict == verdict
     assert finding("TABLE-DIGITS", evidence).value > 0
+
+
+def table_of(values):
+    rows = tuple(zip(np.linspace(0, 1, len(values)).tolist(), np.asarray(values).tolist(), strict=True))
+    return replace(coursework.load("variable-crank-table").functions[0], table=rows)
+
+
+def test_measured_points_scatter_about_a_smooth_law():
+    """Twice the deviation that was put in; nothing for a law with six nodes a period, a kink, dwells, or digits of a program."""
+    random, nodes = np.random.default_rng(5), np.linspace(0, 6, 61)
+    for deviation in (1e-5, 1e-3):
+        found = digits.scatter(table_of(np.sin(nodes) + random.normal(0, deviation, 61)))
+        assert found == pytest.approx(2 * deviation, rel=0.35)
+    smooth = [np.sin(2 * np.pi * np.arange(61) / 6), np.abs(nodes - 3), np.clip(np.sin(nodes), 0, 0.5), np.sin(nodes), 0 * nodes]
+    assert [digits.scatter(table_of(values)) for values in smooth] == [0] * len(smooth)
+    assert digits.scatter(table_of(np.sin(nodes[:15]) + random.normal(0, 1e-3, 15))) == 0
+
+
+@pytest.mark.parametrize(("deviation", "verdict"), [(1e-7, "PASS"), (1e-4, "COARSE")])
+def test_points_that_scatter_are_told(crank, deviation, verdict):
+    judged = found(crank(None, deviation=deviation), "TABLE-DIGITS")
+    assert judged.verdict == verdict and "The points of r scatter by about ±" in judged.sentence
+    assert ("Smooth the points" in judged.sentence) == (verdict == "COARSE")
 
 
 DRIVEN = (VARIANTS / "31.toml").read_text(encoding="utf-8").replace('"plots", "checks"', '"accelerations", "checks"')
