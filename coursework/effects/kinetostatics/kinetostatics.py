@@ -174,6 +174,6 @@ def _across(matrix: Array, right: Array, rows: Flags, place: int) -> tuple[Array
         found, null = least(matrix[row], right[row])
         _, sizes, v = np.linalg.svd(null[:, place : place + 2])
         if len(sizes) < 2 or sizes[1] < _NULL:
-            across = v[1] if v[1, 1] > 0 or (v[1, 1] == 0 and v[1, 0] > 0) else -v[1]
+            across = v[1] if np.round(v[1, ::-1], 12).tolist() > [0.0, 0.0] else -v[1]  # upwards, or to the right
             value[row], angle[row] = across @ found[place : place + 2], np.arctan2(across[1], across[0])
     return value, angle

@@ -94,7 +94,7 @@ class VelocityEquations:
     positions: tuple[Position, ...]
     tables: Mapping[str, TableLaw]
     geometry: Geometry
-    bound: tuple[VelocityEquation, ...] = ()
+    bound: tuple[VelocityEquation, ...]
     facts: dict[Hashable, object] = field(default_factory=dict, repr=False)
 
     def once(self, key: Hashable, find: Callable[[], Fact]) -> Fact:

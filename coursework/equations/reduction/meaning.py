@@ -52,7 +52,7 @@ def _of_group(variant: Variant, unknowns: Sequence[str]) -> str:
     return ""
 
 
-def vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None = None) -> Formula:
+def vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None) -> Formula:
     """Return the determinant without sign and constant lengths: the part that can be zero, or that is zero `at` a position."""
     found = _vanishing(determinant, variant, at)
     return product_of(found) if found else determinant

@@ -148,7 +148,7 @@ class _Stages:
         lines = zip(self.shape.lines, renamed(self.shape.lines, inside), strict=True)
         return [moved.text for line, moved in lines if not self.outputs & set(line.targets)]
 
-    def later(self, latest: str = "") -> list[str]:
+    def later(self, latest: str) -> list[str]:
         """Return time, position and program of every stage but the first; times are limited to `latest`, if it is given."""
         lines = []
         for stage in range(1, self.scheme.slopes):

@@ -63,7 +63,7 @@ class Flow:
     largest: tuple[float, ...]
     rates: tuple[tuple[bool, int], ...]
     compile_clock: Callable[[int], Callable[..., tuple[float, ...]]]
-    noise: float = 0.0
+    noise: float
     clocks: dict[int, Callable[..., tuple[float, ...]]] = field(default_factory=dict)
     evaluations: int = field(default=0)
 
@@ -113,13 +113,9 @@ class Flow:
             involved = [u[column] for row in place.earlier for _, column in row]
             found: Sequence[float | None] = chosen
             if index != block:
-                try:
-                    known = [value or 0.0 for value in u]
-                    size = abs(_determinant(values, place)) / self.largest[index]
-                    solvable = None not in involved and size > 1e-6
-                    found = _solve(values, place, _rest(values, place, known)) if solvable else [None] * len(place.unknowns)
-                except ArithmeticError:
-                    found = [None] * len(place.unknowns)
+                known = [value or 0.0 for value in u]
+                solvable = None not in involved and abs(_determinant(values, place)) > 1e-6 * self.largest[index]
+                found = _solve(values, place, _rest(values, place, known)) if solvable else [None] * len(place.unknowns)
             for column, value in zip(place.unknowns, found, strict=True):
                 u[column] = value
         return u
@@ -151,7 +147,7 @@ class Clock:
         return dormand_prince_8(self.field, state, slope, length)
 
 
-def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequence[float] | None = None) -> Flow:
+def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequence[float] | None) -> Flow:
     """Return the flow of a scene; `start` (by default that of the file) scales determinants whose largest value is unknown."""
     used = [equation for equation in equations.equations if equation.name in reduction.used]
     system = compile_system(equations, used)
@@ -250,9 +246,17 @@ def _rest(values: Sequence[float], place: BlockColumns, u: Sequence[float]) -> l
 
 
 def _determinant(values: Sequence[float], place: BlockColumns) -> float:
-    if len(place.unknowns) > 3:
-        return float(np.linalg.det(_matrix(values, place)))
-    return _cramer(values, place, (0.0,) * len(place.unknowns))[1]
+    entries = [values[entry] for entry in place.entries]
+    match len(place.unknowns):  # the walk asks at every step, so small ones are written out
+        case 1:
+            return entries[0]
+        case 2:
+            a, b, c, d = entries
+            return a * d - b * c
+        case 3:
+            a, b, c, d, e, f, g, h, i = entries
+            return a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)
+    return float(np.linalg.det(_matrix(values, place)))
 
 
 def _matrix(values: Sequence[float], place: BlockColumns) -> Array:
@@ -260,27 +264,10 @@ def _matrix(values: Sequence[float], place: BlockColumns) -> Array:
     return np.array([values[entry] for entry in place.entries]).reshape(size, size)
 
 
-def _solve(values: Sequence[float], place: BlockColumns, rest: Sequence[float]) -> Sequence[float]:
-    above, below = _cramer(values, place, rest)
-    return [value / below for value in above]
-
-
-def _cramer(values: Sequence[float], place: BlockColumns, rest: Sequence[float]) -> tuple[Sequence[float], float]:
-    """Return adj(A) rest and det A; for four or more unknowns A^-1 rest and 1."""
-    entries = [values[entry] for entry in place.entries]
-    if len(rest) == 1:
-        return rest, entries[0]
-    if len(rest) == 2:
-        a, b, c, d = entries
-        x, y = rest
-        return (d * x - b * y, a * y - c * x), a * d - b * c
-    if len(rest) == 3:
-        a, b, c, d, e, f, g, h, i = entries
-        x, y, z = rest
-        first, second, third = e * i - f * h, f * g - d * i, d * h - e * g
-        return (
-            first * x + (c * h - b * i) * y + (b * f - c * e) * z,
-            second * x + (a * i - c * g) * y + (c * d - a * f) * z,
-            third * x + (b * g - a * h) * y + (a * e - b * d) * z,
-        ), a * first + b * second + c * third
-    return np.linalg.solve(_matrix(values, place), np.array(rest)).tolist(), 1.0
+def _solve(values: Sequence[float], place: BlockColumns, rest: Sequence[float]) -> list[float]:
+    """Return the unknowns of a block.  Raises `ZeroDivisionError` if it is singular."""
+    try:
+        found: list[float] = np.linalg.solve(_matrix(values, place), np.array(rest)).tolist()
+    except np.linalg.LinAlgError as error:
+        raise ZeroDivisionError("a block is singular") from error
+    return found

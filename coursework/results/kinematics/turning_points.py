@@ -80,7 +80,7 @@ def _turning_points(evidence: Evidence, exact: Motion, name: str, rate: str, of:
     begin, end = float(exact.t[0]), float(exact.t[last])
     points = tuple(TurningPoint(time, row[place], tuple(row)) for time, row in rows if begin <= time <= end)
     closes = abs(exact.t[last] - evidence.period) < STILL * evidence.period
-    both = len(points) > 1 and points[-1].time - points[0].time > evidence.period - STILL * evidence.period
+    both = points and points[-1].time - points[0].time > evidence.period - STILL * evidence.period
     return points[:-1] if closes and both else points  # the end of a period is its beginning
 
 

@@ -9,7 +9,7 @@ import pytest
 import coursework
 from coursework.effects.kinetostatics import checks
 from coursework.effects.kinetostatics.checks import _accuracy, _agreement, _balance, _condition, _contact, _friction
-from coursework.effects.kinetostatics.kinetostatics import solve
+from coursework.effects.kinetostatics.kinetostatics import _across, solve
 from tests.mechanisms.library import mechanism
 
 NAN = math.nan
@@ -248,3 +248,11 @@ def test_a_blow_is_told_where_too_few_rows_show_power():
     run = coursework.solve(coursework.parse_variant(mechanism("example-1-forces", w1=pieces)), step=0.05, end=0.15)
     assert {one.code: one.verdict for one in run.checks}["POWER"] == "SKIP"
     assert run.summary.startswith("At t = 0.05 s the drive jumps, and the velocities with it: a blow acts")
+
+
+@pytest.mark.parametrize("degrees", range(0, 180, 15))
+def test_a_force_of_which_one_component_is_known_is_told_along_it_upwards_or_to_the_right(degrees):
+    along = np.array([[[math.cos(math.radians(degrees)), math.sin(math.radians(degrees))]]])
+    for turned in (1, -1):
+        value, angle = _across(turned * along, np.array([[5.0 * turned]]), np.array([True]), 0)
+        assert (value[0], math.degrees(angle[0])) == pytest.approx((5.0, degrees))

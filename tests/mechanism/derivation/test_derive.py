@@ -7,14 +7,15 @@ from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 import coursework
 from coursework import parse_variant
 from coursework.mechanism.derivation.constants import named_angles
 from coursework.mechanism.derivation.contours import contours_of
-from coursework.mechanism.derivation.derive import Derivation, derive
-from coursework.mechanism.derivation.segments import point_graph
+from coursework.mechanism.derivation.derive import Derivation, _solved, derive
+from coursework.mechanism.derivation.segments import _part_of_pi, point_graph
 from coursework.mechanism.mechanism import build
 from coursework.variant.formula.reader import parse, parse_equation
 from coursework.variant.formula.tree import spelled
@@ -167,3 +168,18 @@ def test_a_loop_turned_round_is_projected_and_one_that_is_stretched_is_left_as_i
     text = mechanism("four-bar-loop", ("A + b @ phi2 = (d, 0) + c @ phi3", written))
     contours = contours_of(coursework.solve(coursework.parse_variant(text), quantities=["table"]).scene.mechanism)
     assert [spelled(part) for one in contours for part in (*one.left_parts, *one.right_parts)] == parts
+
+
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
+@pytest.mark.parametrize(("share", "is_sum"), [(0.9e-8, True), (1.1e-8, False)])
+def test_what_is_left_of_a_row_is_judged_by_its_length(size: float, share: float, is_sum: bool) -> None:
+    rows, wanted = np.array([[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]), np.array([3.0, 4.0, 5 * share]) * size
+    assert (_solved(rows, wanted) is not None) == is_sum
+
+
+@pytest.mark.parametrize(
+    ("written", "part"),
+    [("pi", "1"), ("pi/6", "1/6"), ("2*pi/3", "2/3"), ("-pi/4", "-1/4"), ("pi*3", "3"), ("3*(pi/4)", "3/4"), ("pi/2/5", "1/10")],
+)
+def test_an_angle_that_is_a_share_of_pi_is_known_exactly(written: str, part: str) -> None:
+    assert _part_of_pi(parse(written)) == Fraction(part)

@@ -242,3 +242,13 @@ def test_every_group_is_listed_once() -> None:
         if not kind.driven:
             assert "AtDeadPoint" in procedure.__doc__
             assert "determinant" in procedure.__doc__
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+def test_equal_links_folded_onto_each_other_are_at_a_dead_point_to_round_off_of_their_length(size: float) -> None:
+    for apart, is_dead in ((0.0, True), (1e-16, True), (1e-13, False)):
+        if is_dead:
+            with pytest.raises(AtDeadPoint, match="coincide"):
+                rrr([0.0, 0.0], [apart * size, 0.0], lengths=(size, size), mode=1)
+        else:
+            assert np.isfinite(rrr([0.0, 0.0], [apart * size, 0.0], lengths=(size, size), mode=1).coordinates).all()

@@ -296,3 +296,10 @@ def test_a_factor_that_turns_a_speed_once_more_is_told_with_its_equation():
     (told,) = parse_variant(text).plausibility
     assert (told.code, told.line) == ("RPM", text.splitlines().index('name = "x"') + 3)
     assert "n = 60 rpm is already in rad/s; in constraint x the factor in r*n*pi/30*sin(phi1) turns it once more" in told.sentence
+
+
+@pytest.mark.parametrize(("place", "stands"), [("(r, 0)", True), ("B + (r, 0)", False), ("C + (r, 0)", False)])
+def test_a_point_of_a_link_that_stands_still_is_told_as_a_pivot_and_none_that_goes_with_a_group(place: str, stands: bool) -> None:
+    links = '[links]\n1 = { points = ["A", "B"], rate = "w1" }\n2 = { points = ["B", "C", "E"], rate = "w2" }\n[frame]'
+    text = mechanism("slider-crank", ('A = "(0, 0)"', f'A = "(0, 0)"\nE = "{place}"'), ("[frame]", links))
+    assert any(one.code == "PIVOT" for one in parse_variant(text).plausibility) is stands

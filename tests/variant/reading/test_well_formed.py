@@ -113,3 +113,13 @@ def test_the_same_of_files_with_another_value_or_key_somewhere(name):
 def test_no_other_key_is_taken(kind):
     with pytest.raises(Unfit):
         fitted(kind, {"no such key": 1})
+
+
+@pytest.mark.parametrize("rest", ["", "\n", "   \n# of the list\n\n[given]\nr = '1 m'\n"])
+@pytest.mark.parametrize("items", ['"a", "bc"', '\n  "a",\n  "bc"'])
+def test_a_list_that_is_not_closed_is_told_where_its_last_item_ends(items, rest):
+    begun = f"format = 1\nx = [{items}"
+    with pytest.raises(InputError) as caught:
+        read_source((begun + rest).encode(), "a.toml", TESTS)
+    (fault,) = caught.value.faults
+    assert (fault.line, fault.column) == (begun.count("\n") + 1, len(begun.splitlines()[-1]) + 1)
