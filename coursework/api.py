@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from coursework.motion.settings import Settings, scheme_for, stepping
 from coursework.run import Run
 from coursework.scene.exact_scene import scene_of
+from coursework.scene.motion_results import needs_all
 from coursework.scene.quantities import TABLE, known_quantities, no_quantity, quantities_for
 from coursework.variant.catalogue import load, variant_from
 from coursework.variant.judging.bounds import seconds, timed
@@ -191,7 +192,7 @@ def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[s
     records = known_quantities()
     whole = [name for name in asked if not faults and not records[name].restrictable]
     if columns and whole:
-        told = say("fault.C001", name=whole[0], columns=tuple(columns))
+        told = needs_all(whole[0], columns)
         faults.append(_in_file(told, variant, whole[0], quantities is None))
     if faults:
         raise InputError(faults)

@@ -143,13 +143,18 @@ class Run(SceneRun):
         return pd.DataFrame(listed, index=pd.Index([row.steps for row in rows], name="steps"))
 
     def round_off_rows(self) -> Iterator[RoundOffRow]:
-        """Yield the rows of `round_off` as they are found.  Raises `InputError` for a motion that stops."""
+        """Yield the rows of `round_off` as they are found.  Raises `InputError` for a motion that stops or that forces give."""
+        import numpy as np
+
         from coursework.results.accuracy.round_off import round_off_curve
 
         if self.stop is not None:
             raise self.stop.refusal
-        scheme, end = stepping(self.variant, self.scheme), self.scene.exact.coordinates[-1]
-        return round_off_curve(self.scene.rates, scheme, self.scene.start, self.step, len(self.motion.t) - 1, end)
+        if self.variant.motor is not None:
+            raise InputError(say("fault.D040"))
+        scheme, rates = stepping(self.variant, self.scheme), self.scene.rates
+        end = np.array([self.exact.column(name)[-1] for name in rates.coordinates])
+        return round_off_curve(rates, scheme, self.scene.begin, self.step, len(self.motion.t) - 1, end)
 
     @property
     def end(self) -> float:

@@ -123,7 +123,9 @@ class Acceptance:
         drawn, least = 0, min(SURELY, self.ranges.limits.tries)
         while len(kept) < PILOTS:
             if drawn >= least and len(kept) * ONE_IN < drawn:
-                raise InputError(self._refusal("fault.A004", refused, feasible=len(kept), share=ONE_IN))
+                [(most, _)] = refused.most_common(1)
+                advice = say("assign.wider" if most == "same" else "assign.narrower")
+                raise InputError(self._refusal("fault.A004", refused, feasible=len(kept), share=ONE_IN, advice=advice))
             lots = [(PILOT, drawn + number) for number in range(min(BATCH, least))]
             for _, verdict in self._judged(lots):
                 drawn += 1

@@ -29,6 +29,7 @@ from coursework.grading.platforms.downloads import canvas_owner
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
 from coursework.grading.reading.submission import Submission
+from coursework.system.files.links import led_to
 from coursework.system.files.lock import held, refuse_link
 from coursework.system.processes.pool import Worker
 from coursework.words.custom_templates import templates_in_use
@@ -141,7 +142,7 @@ def _handed_in_alone(source: Path, submission: Submission, platform: str) -> str
 
 def _prepare(out: Path, source: Path) -> None:
     """Create OUT.  Raises `InputError` if it is inside the graded folder, `OutputError` if it cannot be made or is a link."""
-    if source.is_dir() and out.resolve().is_relative_to(source.resolve()):
+    if source.is_dir() and led_to(out).is_relative_to(led_to(source)):
         raise InputError([Fault(say("fault.C074", source=source), str(out))])
     refuse_link(out / PAGES)
     try:

@@ -28,6 +28,7 @@ from coursework.results.checks.result import Verdict
 from coursework.scene.quantities import CHECKS
 from coursework.system.files.csv_text import csv_text
 from coursework.system.files.file_set import clear_leftovers, working_folder
+from coursework.system.files.links import led_to
 from coursework.system.files.whole_files import write_bytes
 from coursework.system.frozen import frozen
 from coursework.system.processes.budget import Budget, watched
@@ -255,7 +256,7 @@ def _items(variants: Sequence[str]) -> list[Item]:
             path = find(variant)
         except CourseworkError:
             path = Path(variant)
-        key = str(path.resolve())
+        key = str(led_to(path))
         if key in seen:
             continue
         seen.add(key)

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from coursework.grading.platforms.names import file_stem
+from coursework.system.files.links import led_to
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -38,10 +39,8 @@ def read_inside(folder: Path, name: str, most: int) -> bytes | None:
 
     The extra byte shows that the file is too large.  Raises `OSError` if it cannot be read.
     """
-    if "/" in name or "\\" in name or "\0" in name or name.startswith("."):
-        return None
-    path = (folder / name).resolve()
-    if path.parent != folder.resolve():
+    path = _inside(folder, name)
+    if path is None:
         return None
     try:
         handle = os.open(path, _FLAGS)
@@ -49,6 +48,14 @@ def read_inside(folder: Path, name: str, most: int) -> bytes | None:
         return None
     with os.fdopen(handle, "rb") as file:
         return file.read(most + 1) if stat.S_ISREG(os.fstat(handle).st_mode) else None
+
+
+def _inside(folder: Path, name: str) -> Path | None:
+    """Return where a file of the folder lies, None for a name that leads out of it."""
+    if "/" in name or "\\" in name or "\0" in name or name.startswith("."):
+        return None
+    path = led_to(folder / name)
+    return path if path.parent == led_to(folder) else None
 
 
 class TablesOf(Mapping[str, bytes]):
@@ -67,8 +74,10 @@ class TablesOf(Mapping[str, bytes]):
 
     def __iter__(self) -> Iterator[str]:
         yield from self._sent
-        own = (path.name for folder in self._folders[:1] for path in sorted(folder.glob("*.csv"))[:MOST_NAMES])
-        yield from (name for name in own if name not in self._sent)
+        for folder in self._folders[:1]:
+            for name in sorted(path.name for path in folder.glob("*.csv"))[:MOST_NAMES]:
+                if name not in self._sent and (path := _inside(folder, name)) is not None and path.is_file():
+                    yield name
 
     def __len__(self) -> int:
         return sum(1 for _ in self)

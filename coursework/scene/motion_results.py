@@ -2,7 +2,7 @@
 
 Enters: the `WayToMotion` of a scene and any `Motion` of its mechanism.  Leaves: `MotionResults`, each property computed
 once, when it is first read.
-Used by `scene.py`, which makes it, `quantities.py`, `scene_run.py`, `report/` and `grading/marking/key/key.py`.
+Used by `scene.py`, which makes it, `api.py`, `quantities.py`, `scene_run.py`, `report/` and `grading/marking/key/key.py`.
 """
 
 from __future__ import annotations
@@ -21,6 +21,9 @@ from coursework.system.arrays import Array
 from coursework.system.on_demand import Ledger, Travelling, computed
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT, scheme_names
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from coursework.effects.kinetostatics.analysis import ForceAnalysis
@@ -32,6 +35,11 @@ if TYPE_CHECKING:
 Named = tuple[tuple[str, ...], Array]
 # Largest number of rows for a march in extended precision: a row there costs a hundred times one of the table.
 MOST_EXTENDED = 2001
+
+
+def needs_all(name: str, columns: Sequence[str]) -> Sentence:
+    """Return the sentence that a quantity needs the whole table, where only some columns are asked for."""
+    return say("fault.C001", name=name, columns=tuple(columns))
 
 
 def given_constants(variant: Variant, names: Sequence[str], rows: Array) -> dict[str, float]:
@@ -72,6 +80,8 @@ class MotionResults(Travelling):
     @computed("motion", "equations", "reduction", "search")
     def accelerations(self) -> Array:
         """The accelerations (n, k) of every row, from the differentiated equations (rad/s², m/s²)."""
+        if (columns := self.scene.settings.columns) and len(self.motion.names) < len(self.scene.variant.columns):
+            raise InputError(needs_all("accelerations", columns))
         return self.scene.accelerations_of(self.motion)
 
     @computed("motion", "equations")

@@ -199,12 +199,16 @@ class MotorScene(Scene):
             yield say("dynamics.steep_springs")
 
     def _with_values(self, found: FreeMotion) -> FreeMotion:
-        """Return rows as found.  Raises `InputError` where they end because a force has no value there."""
+        """Return rows up to where a force is beyond all numbers.  Raises `InputError` where they end because it has no value."""
         motor = self.free_equations.free
         names = (*(c.name for c in self.variant.coordinates), *(self.variant.coordinates[place].rate for place in motor))
         place = dict(zip(names, found.lost[1:], strict=False))
         if found.lost and (fault := without_value(self.variant, found.lost[0], place)):
             raise InputError([fault])
+        if found.ended == "not finite" and len(found.t) > 1:
+            t, q, v = found.t[-1:], found.coordinates[-1:], found.rates[-1:]
+            if not np.isfinite(self._table(t, q, v)).all():
+                return replace(found, t=found.t[:-1], coordinates=found.coordinates[:-1], rates=found.rates[:-1], at=float(t[0]))
         return found
 
     def _ended_as(self, found: FreeMotion) -> FreeMotion:

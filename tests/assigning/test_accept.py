@@ -174,14 +174,14 @@ def test_the_pilot_stops_where_fewer_than_one_draw_in_twenty_is_possible(monkeyp
 
 def test_ranges_that_leave_too_few_are_refused_with_reasons():
     never = {"given": {"alpha": {"from": "0 rad", "to": "0.05 rad", "step": "0.01 rad"}}, "limits": {"tries": 10}}
-    with pytest.raises(coursework.InputError, match=r"of 10 draws 10 could not go through the whole motion, and 0 can be given"):
+    with pytest.raises(coursework.InputError, match=r"of 10 draws 10 could not go .* or milder limits\."):
         coursework.draw("31", never, 1, "ada")
     r1, V1 = {"from": "0.94 m", "to": "0.96 m", "step": "0.001 m"}, {"from": "4.3 m/s", "to": "4.7 m/s", "step": "0.01 m/s"}
     strict = {"given": {"r1": r1, "V1": V1}, "limits": {"tries": 3}, "difficulty": {"band": 0.000001}}
     with pytest.raises(coursework.InputError, match=r"none of 3 draws for student ada is accepted: .*band of "):
         coursework.draw("31", strict, 1, "ada")
     same = {"given": {"p": {"choice": ["13.08 1/s"]}}, "limits": {"tries": 4}}
-    with pytest.raises(coursework.InputError, match="of 4 draws 4 had the template's own data"):
+    with pytest.raises(coursework.InputError, match=r"of 4 draws 4 had the template's own data, .* Take wider ranges: they"):
         coursework.draw("31", same, 1, "ada")
 
 

@@ -1,9 +1,12 @@
 """What is told of a motion under forces: on its page, by the study of what a step costs, where it stops and where it rests."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.schemes import SCHEMES
 from tests.commands.test_cli import call
 from tests.mechanisms.library import mechanism
 from tests.report.made import model_of
@@ -48,6 +51,43 @@ def test_a_step_with_which_a_scheme_leaves_the_paper_is_told_in_the_study():
     study = run.scene.energy_study()
     assert str(study.rows[0].failed).startswith("it came to row")
     assert "do not reach the end" in study.sentences[0] and study.own is None
+
+
+@pytest.mark.parametrize(("rows", "left_out"), [(5001, False), (5002, True)])
+def test_a_study_of_too_many_rows_is_left_out(rows, left_out):
+    from coursework.effects.dynamics.energy_study import energy_study
+
+    class Begun(Exception):
+        pass
+
+    def begin(_):
+        raise Begun
+
+    scene = solved("falling-arm", scheme="euler").scene
+    first = {name: np.repeat(getattr(scene.exact, name)[:1], rows, axis=0) for name in ("t", "coordinates", "velocities")}
+    given = scene.free_equations, scene.begin_of_forces, scene.variant.time, replace(scene.exact, **first), SCHEMES["euler"], ""
+    if left_out:
+        (why,) = energy_study(*given, progress=begin).left_out
+        assert "The study is left out: 5002 rows with every scheme take too long" in str(why)
+    else:
+        with pytest.raises(Begun):
+            energy_study(*given, progress=begin)
+
+
+# Stages of a scheme beyond all numbers: they were told as a point without a place, refused as a row without forces, or crashed.
+@pytest.mark.parametrize(("name", "torque", "scheme", "rows"), [
+    ("falling-arm", "1*exp((w1*T)^8)", "rk4", 23),
+    ("falling-arm", "1*exp(w1^2*T^2)", "euler", 59),
+    ("example-2-motor", "600*exp((w1*T)^8)", "rk4", 2),
+    ("example-2-motor", "600*exp((w1*T)^8)", "exact", 2),
+])  # fmt: skip
+def test_forces_beyond_all_numbers_end_the_rows(name, torque, scheme, rows):
+    cut = ('rates = ["w1", "w2"]', 'rates = ["w1", "w2"]\n1 = { torque = "?" }'), ('"M0 - k*w1"', '"?"')
+    text = mechanism(name, cut[name == "example-2-motor"], ("[given]", '[given]\nT = "1 s"')).replace("?", torque)
+    run = coursework.solve(coursework.parse_variant(text), scheme=scheme, end=0.64)
+    assert len(run.table) == rows and np.isfinite(run.scene.accelerations_of(run.motion)).all()
+    assert run.stop.kind == ("too steep" if scheme == "exact" else "not finite")
+    assert run.stop.time == pytest.approx(0.0104094 if scheme == "exact" else 0.01 * rows, rel=1e-5)
 
 
 def test_the_page_of_a_motor_sets_its_law_as_a_formula_and_says_what_the_lines_of_its_energy_are():

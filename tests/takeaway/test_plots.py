@@ -82,3 +82,13 @@ def test_the_study_of_accuracy_is_plotted_unasked_or_says_why_not():
     for run in (stopped, coursework.solve("31", quantities=["phi3"])):
         with pytest.raises(coursework.InputError, match="D039 a study of accuracy needs the whole motion and all columns"):
             run.accuracy.plot()
+    with pytest.raises(coursework.InputError, match='C001 "accelerations" needs every coordinate, not only what phi3 needs'):
+        _ = run.points
+
+
+def test_round_off_is_that_of_the_columns_asked_for_and_nothing_where_forces_move(monkeypatch):
+    monkeypatch.setattr("coursework.results.accuracy.round_off.SUBSTEPS", (1, 4))
+    found = coursework.solve("31", quantities=["phi3"])
+    assert found.round_off["double"][24] == pytest.approx(abs(found.table["phi3"].iloc[-1] - found.exact.column("phi3")[-1]))
+    with pytest.raises(coursework.InputError, match="D040 round-off is studied for motion that a drive gives"):
+        _ = coursework.solve("falling-arm", scheme="euler", quantities=["table"]).round_off

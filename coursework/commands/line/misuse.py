@@ -17,6 +17,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, closest, either, say
 
 VARIABLE = "COURSEWORK_LANGUAGE"
+_NO_VALUE = "does not take a value"
 _TOO_MANY = re.compile(r"Got unexpected extra arguments? \((.*)\)\Z", re.DOTALL)
 
 
@@ -36,6 +37,8 @@ def fault_of(error: click.ClickException) -> Sentence:
     if isinstance(error, click.NoSuchOption):
         hint = closest(error.option_name, [name for name in error.possibilities or () if name != "--help"])
         return say("fault.C051", name=error.option_name, hint=hint)
+    if isinstance(error, click.BadOptionUsage):
+        return say("fault.C099" if _NO_VALUE in error.message else "fault.C098", name=error.option_name)
     if isinstance(error, click.MissingParameter):
         return say("fault.C052", name=_name(error))
     if name := getattr(error, "command_name", None):

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from coursework.drawing.outline.outline import Outline
-from coursework.drawing.outline.poses import Poses, all_rows, read_poses, unit_vectors
+from coursework.drawing.outline.poses import Poses, read_poses, unit_vectors
 from coursework.drawing.outline.tracing import read_outline
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Complex
@@ -31,7 +31,7 @@ def picture(scene: Scene) -> str:
         return ""
     motion = scene.exact
     t, rows = np.zeros(1), np.array([scene.start])
-    if len(motion.t) > 1 and all_rows(scene.equations, motion):
+    if len(motion.t) > 1:
         at = np.linspace(0, len(motion.t) - 1, min(FRAMES, len(motion.t))).round().astype(int)
         t, rows = motion.t[at], motion.coordinates[at]
     poses = read_poses(outline, scene.equations)(t, rows)

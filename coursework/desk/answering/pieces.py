@@ -18,7 +18,7 @@ from coursework.desk.answering.edits import Additions, changed, with_additions
 from coursework.desk.answering.pictures import picture
 from coursework.desk.answering.typed import Desk
 from coursework.desk.job import OK, Answer, plain
-from coursework.drawing.outline.poses import all_rows, read_poses
+from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.mechanism.drafts.candidates import ROWS, End
 from coursework.mechanism.drafts.chain import DoesNotClose, draft_of, draft_on, letters
@@ -93,6 +93,8 @@ def piece(desk: Desk) -> dict[str, Any]:
     known, taken = _ends(scene), {*desk.variant.names, *(name for name, _ in scene.mechanism.points)}
     if not hung and kind != DRIVEN:
         return _without(desk, say("desk.piece_does_not_close", kind=kind))
+    if scene.stop is not None and not known and kind != DRIVEN:
+        return _without(desk, scene.stop.sentence)
     if missing := [name for name in hung if name not in known]:
         return _without(desk, say("desk.no_joint", joint=missing[0][:40]))
     if kind != DRIVEN and all(known[name].amplitude < STILL for name in hung):
@@ -135,14 +137,14 @@ def _hang(kind: str, ends: list[End], number: int, taken: set[str], desk: Desk) 
     return with_additions(desk.text, Additions(lines, entries))
 
 
-def _without(desk: Desk, why: Sentence) -> dict[str, Any]:
+def _without(desk: Desk, why: Sentence | str) -> dict[str, Any]:
     return {"text": desk.text, "ranges": [], "sentence": desk.words.written(why)}
 
 
 def _ends(scene: Scene) -> dict[str, End]:
     """Return the points to which a piece may be attached, with their paths; empty if they or the motion are not known."""
     outline, motion = read_outline(scene.mechanism), scene.exact
-    if outline is None or not len(motion.t) or not all_rows(scene.equations, motion):
+    if outline is None or not len(motion.t):
         return {}
     poses = read_poses(outline, scene.equations)(motion.t, motion.coordinates)
     at = np.linspace(0, len(motion.t) - 1, ROWS)

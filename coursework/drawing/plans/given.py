@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from coursework.drawing.outline.outline import Outline
-from coursework.drawing.outline.poses import all_rows, read_poses
+from coursework.drawing.outline.poses import read_poses
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.integration.motion import Motion
 from coursework.variant.record.entries import reached
@@ -46,7 +46,7 @@ def given_points(outline: Outline, variant: Variant) -> tuple[str, ...]:
 def driven_lengths(outline: Outline, equations: VelocityEquations, exact: Motion) -> DrivenLengths:
     """Return (link, rider) -> the rate of the driven distance along the link from its point to the rider, as in a cylinder."""
     driven = [c for c in equations.variant.driven_coordinates if c.unit == "m"]
-    if not driven or not outline.slots or len(exact.t) < 2 or not all_rows(equations, exact):
+    if not driven or not outline.slots or len(exact.t) < 2:
         return {}
     poses = read_poses(outline, equations)(exact.t, exact.coordinates)
     found = {}

@@ -13,7 +13,6 @@ import numpy as np
 
 from coursework.drawing.outline.lengths import stretching
 from coursework.drawing.outline.outline import Outline
-from coursework.drawing.outline.poses import all_rows
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.plans.given import DrivenLengths, driven_lengths, given_points
@@ -69,14 +68,12 @@ def make_plans(
 ) -> Plans:
     """Return the plans of a mechanism; `table` and `exact` are a motion and its accelerations each.
 
-    Raises `InputError` if the file places no points, or the table has only some of the columns.
+    Raises `InputError` if the file places no points.
     """
     variant = equations.variant
     outline = read_outline(mechanism)
     if outline is None or not outline.bars:
         raise InputError([Fault(say("fault.V523"), variant.file)])
-    if not all_rows(equations, table[0]):
-        raise InputError([Fault(say("fault.V524"), variant.file)])
     pairs = stretching(mechanism)
     given, rates = given_points(outline, variant), variant.known_rates
     driven = driven_lengths(outline, equations, exact[0])

@@ -94,6 +94,8 @@ class Dynamics:
 
     def slope(self, t: float, state: Sequence[float]) -> list[float]:
         """Return the rates and accelerations of a state (free coordinates, then their rates)."""
+        if not math.isfinite(sum(state)):  # between the rows of a scheme
+            raise OverflowError
         count = len(self.motion.free)
         free, rates = state[:count], state[count:]
         if not self.motion.others:
@@ -239,8 +241,7 @@ class Dynamics:
         return (state[-1], *self.q, *state[len(self.motion.free) : -1])
 
     def _march(self, state: Sequence[float], step: float, steps: int, take: Take) -> FreeMotion:
-        count, now = len(self.motion.free), list(state)
-        self.count, self._lost = 0, ()
+        count, now, self.count, self._lost = len(self.motion.free), list(state), 0, ()
         positions, rates, ended, at, by = [], [], "", 0.0, ""
         for row in range(steps + 1):
             t = row * step
@@ -254,8 +255,7 @@ class Dynamics:
                 if row < steps:
                     now = take(t, now)
                 if not (math.isfinite(sum(now)) and max(now) < _RUNAWAY and min(now) > -_RUNAWAY):
-                    ended, at = "not finite", t + step
-                    break
+                    raise OverflowError
             except (Open, ZeroDivisionError) as error:
                 ended = error.kind if isinstance(error, Open) else "dead point" if self.motion.others else "too steep"
                 at = t if math.isnan(found := getattr(error, "at", math.nan)) else found
@@ -264,11 +264,11 @@ class Dynamics:
                 ended, at, by = "locked" if error.locked else "held", t if math.isnan(error.time) else error.time, error.at
                 break
             except OverflowError:
-                ended, at = "not finite", t
+                ended, at = "not finite", t + step
                 break
-        size = len(positions)
-        q, v = np.array(positions).reshape(size, -1), np.array(rates).reshape(size, count)
-        return FreeMotion(np.arange(size).astype(np.float64) * step, q, v, self.count, ended, at, by, self._lost if ended else ())
+        q, v = np.array(positions).reshape(len(positions), -1), np.array(rates).reshape(len(rates), count)
+        times = np.arange(len(q)).astype(np.float64) * step
+        return FreeMotion(times, q, v, self.count, ended, at, by, self._lost if ended else ())
 
 
 def _stepper(scheme: Scheme) -> Callable[..., list[float]]:

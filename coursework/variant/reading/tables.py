@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from coursework.system.arrays import Array
+from coursework.system.files.links import led_to
 from coursework.variant.formula.motion_units import UNITS, advised_unit
 from coursework.variant.formula.units import plain_unit
 from coursework.variant.record.entries import last_place
@@ -74,7 +75,7 @@ def _text(name: str, source: Source) -> str:
 def _is_inside(name: str, folder: Path | Mapping[str, bytes]) -> bool:
     """Return whether a table lies in the folder of its variant, or would if the variant were a file."""
     if isinstance(folder, Path):
-        return (folder / name).resolve().is_relative_to(folder.resolve())
+        return led_to(folder / name).is_relative_to(led_to(folder))
     return not posixpath.normpath(name).startswith(("../", "/"))
 
 
@@ -87,7 +88,7 @@ def _in_memory(name: str, tables: Mapping[str, bytes]) -> bytes:
 
 
 def _on_disk(name: str, folder: Path) -> bytes:
-    file = (folder / name).resolve()
+    file = led_to(folder / name)
     if not file.is_file():
         raise TableFault(say("fault.V139" if file.exists() else "fault.V092", name=name))
     _require_size(name, file.stat().st_size)

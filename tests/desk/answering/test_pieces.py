@@ -68,6 +68,15 @@ def test_a_piece_on_a_mechanism_of_the_catalogue(client):
     assert client.post("/api/check", json={"text": found["text"]}).json()["faults"] == []
 
 
+def test_a_mechanism_that_cannot_begin_to_move_is_told_as_such_and_not_as_a_text_without_the_point(client):
+    """Links on one line at the start; a crank beside them can be added."""
+    text = (VARIANTS / "example-1.toml").read_text(encoding="utf-8")
+    text = text.replace('r2 = "1.0 m"', 'r2 = "0.5 m"').replace('r3 = "0.7 m"', 'r3 = "0.3 m"')
+    found = put(client, text, "RRP", "C")
+    assert found["text"] == text and "sin(theta2 - theta3) = 0" in found["sentence"]
+    assert len(parse_variant(put(client, text, "crank")["text"]).groups) == 3
+
+
 def test_a_text_with_faults_is_told_them(client):
     assert put(client, "[given", "RRR", "B")["faults"]
 

@@ -79,9 +79,17 @@ def test_links_are_not_followed_out(client, tmp_path):
     (tmp_path / "t.csv").symlink_to(outside)
     assert client.get("/api/file/link").status_code == 404
     assert client.get("/api/files").json() == []
-    text = TEXT + '[functions]\nf = { table = "t.csv", of = "t", method = "linear" }\n'
+    text = TEXT + '[functions]\nf = { table = "t.csv", of = "t", method = "spline" }\n'
     told = client.post("/api/check", json={"text": text}).text
     assert "outside" not in told
+    assert "There is" not in told, "what leads out is not offered"
+    (tmp_path / "t.csv").unlink()
+    (tmp_path / "t.csv").symlink_to("t.csv")
+    (tmp_path / "own.csv").write_text("0,1", encoding="utf-8")
+    told = client.post("/api/check", json={"text": text}).json()["faults"]
+    assert "cannot be read: Too many levels of symbolic links" in told[0]["sentence"]
+    told = client.post("/api/check", json={"text": text.replace("t.csv", "u.csv")}).json()["faults"]
+    assert "There is: own.csv." in told[0]["sentence"]
 
 
 def test_a_pipe_is_not_waited_for(client, tmp_path):

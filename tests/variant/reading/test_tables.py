@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
+from tests.commands.test_cli import call
 
 TEXT = """[given]
 l = "0.4 m"
@@ -145,6 +146,19 @@ def test_names_that_are_no_file(tmp_path, name):
     (tmp_path / "v.toml").write_text(TEXT.replace("TABLE", name), encoding="utf-8")
     with pytest.raises(coursework.InputError, match=r"functions\.r\.table: "):
         coursework.load(tmp_path / "v.toml")
+
+
+def test_a_link_that_leads_to_itself_is_no_file_and_no_fault_of_the_tool(tmp_path):
+    (tmp_path / "loop.csv").symlink_to("loop.csv")
+    (tmp_path / "v.toml").write_text(TEXT.replace("TABLE", "loop.csv"), encoding="utf-8")
+    with pytest.raises(coursework.InputError, match=r'functions\.r\.table: there is no file "loop\.csv"'):
+        coursework.load(tmp_path / "v.toml")
+    (tmp_path / "w.toml").symlink_to("w.toml")
+    told = call("run", str(tmp_path / "w.toml"), str(tmp_path / "v.toml"), "--out", str(tmp_path / "out"))
+    assert told.exit_code == 2 and "the file cannot be read: Too many levels of symbolic links" in told.stdout + told.stderr
+    (tmp_path / "work").mkdir()
+    told = call("grade", str(tmp_path / "work"), "--variant", "31", "--out", str(tmp_path / "loop.csv" / "out"))
+    assert told.stderr.startswith("W012")
 
 
 def test_a_table_needs_a_file_beside_it():

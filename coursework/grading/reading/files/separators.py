@@ -11,6 +11,7 @@ import itertools
 import re
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from io import StringIO
 from itertools import pairwise
 
@@ -90,10 +91,12 @@ def _cells(lines: list[str], sign: str, most: int) -> tuple[tuple[str, ...], ...
         lines = [line.strip().strip("|").replace(" || ", " | ") for line in lines]
     # Quoted cells may contain separators and line ends; `csv` gets lines of limited length only.
     reader = csv.reader((line + "\n" for line in lines), delimiter=sign, quotechar='"', skipinitialspace=True)
-    try:
-        return tuple(tuple(cell.strip()[:CELL_CHARACTERS] for cell in row[:most]) for row in reader)
-    except csv.Error:  # an unclosed quotation mark makes one cell of all that follows
-        return tuple(tuple(cell.strip()[:CELL_CHARACTERS] for cell in line.split(sign)[:most]) for line in lines)
+    with suppress(csv.Error):  # a cell is too long
+        rows = list(reader)
+        if not (rows and "\n" in "".join(rows[-1][-1:])[:-1] and sum(line.count('"') for line in lines) % 2):
+            return tuple(tuple(cell.strip()[:CELL_CHARACTERS] for cell in row[:most]) for row in rows)
+    # An unclosed quotation mark makes one cell of all that follows: it is left out.
+    return tuple(tuple(cell.strip(' \t"')[:CELL_CHARACTERS] for cell in line.split(sign)[:most]) for line in lines)
 
 
 def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:

@@ -144,6 +144,25 @@ def test_numbers_each_in_a_line_of_its_own_are_read_to_the_last_row():
     assert found is not None and len(found.rows) == 62
 
 
+@pytest.mark.parametrize("place", [(0, 1), (4, 1), (9, 2)])
+@pytest.mark.parametrize(
+    "behind", ["", "x" * 90 + "\n", "behind the table\n" * 9000], ids=["", "a line", "more than a cell of csv"]
+)
+def test_a_quotation_mark_that_nothing_closes_costs_no_rows(place, behind):
+    """All that followed it was one cell: 21 of 25 rows were missing from a table with such a mark in row 4."""
+    rows = [["t", "phi1", "w1"], *([f"0.{k}", f"1.{k}", f"2.{k}"] for k in range(9))]
+    marked = [
+        [f'"{cell}' if (row, column) == place else cell for column, cell in enumerate(line)] for row, line in enumerate(rows)
+    ]
+    found = split("".join(",".join(line) + "\n" for line in marked) + behind, 600, 40)
+    assert found is not None and [list(row) for row in found.rows[: len(rows)]] == rows
+
+
+def test_lines_within_closed_quotation_marks_are_one_cell():
+    found = split('t,phi1,"w1\nrad/s"\n0,1.5,2.5\n1,1.6,2.6\n2,1.7,"2.7\n(the end)"\n', 600, 40)
+    assert found is not None and len(found.rows) == 4 and found.rows[3][2] == "2.7\n(the end)"
+
+
 def test_a_head_with_the_very_name_counts_before_a_word_that_may_mean_it():
     """A column x beside the length s of the task is a place, and seconds may be printed as 60."""
     texts = (["t", "x", "s, m"], ["0", "5", "1"], ["1", "6", "2"], ["2", "7", "4"])
