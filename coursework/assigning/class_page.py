@@ -65,7 +65,7 @@ def _datum(one: Range, accepted: Sequence[Accepted], assignment: Assignment, wor
     every = sorted((read(text).value, text) for text in one.ends)
     (low, first), (high, last) = every[0], every[-1]
     ends, middle = (_dressed(first, words), _dressed(last, words)), (low + high) / 2
-    told = strip(values, low, high, middle, ends, words.numbers.scalar(middle))
+    told = strip(values, low, high, middle, ends, words.numbers.limit(middle))
     return {"symbol": _head(one, assignment, words), "strip": told}
 
 

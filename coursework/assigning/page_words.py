@@ -11,7 +11,7 @@ from typing import Any
 from coursework.report.formulas.display import display, marked, marked_text
 from coursework.report.formulas.typst_math import Setter
 from coursework.report.text.symbols import Rates, symbol
-from coursework.report.text.text_runs import ITALIC, printed, runs
+from coursework.report.text.text_runs import ITALIC, printed, runs, with_letters
 from coursework.report.text.words import Words
 from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.variant import Law, Variant
@@ -43,7 +43,7 @@ def time_text(variant: Variant, key: str, words: Words) -> str:
 
 def lettered(variant: Variant, text: str) -> list[dict[str, str]]:
     """Return a sentence of our own as runs, with the variant's names as symbols; values in it must be clean already."""
-    return runs(printed(text), (*variant.columns, *variant.values, *(law.name for law in variant.laws)))
+    return runs(with_letters(printed(text), "th"), (*variant.columns, *variant.values, *(law.name for law in variant.laws)))
 
 
 def rates_of(variant: Variant) -> Rates:

@@ -61,7 +61,7 @@ def test_a_datum_is_shown_between_the_ends_of_its_range(choice, monkeypatch):
     one = Range(("given", "r1"), count=3, **drawn)
     accepted = [SimpleNamespace(values={("given", "r1"): text}) for text in ("0.4 m", "0.6 m")]
     shown = class_page._datum(one, accepted, SimpleNamespace(), WORDS)["strip"]
-    assert (shown.first, shown.last, shown.middle) == ("30\xa0cm" if choice else "0.3\xa0m", "0.7\xa0m", "0.5000")
+    assert (shown.first, shown.last, shown.middle) == ("30\xa0cm" if choice else "0.3\xa0m", "0.7\xa0m", "0.5")
     (first, _), (second, _) = shown.marks
     assert float(first) < float(second) and float(first) + float(second) == pytest.approx(2 * float(shown.centre), abs=0.11)
     assert float(shown.band[1]) == pytest.approx(2 * (float(second) - float(first)), abs=0.21)

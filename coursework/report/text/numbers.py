@@ -98,8 +98,8 @@ class Numbers:
         """Return the difference `value` of two numbers of magnitude `size`, or 0 if it is only round-off."""
         return 0.0 if abs(value) < NOISE * max(abs(size), 1.0) else value
 
-    def column(self, values: Iterable[float], size: float = 0.0) -> list[str]:
-        """Return a column of a table with the same decimals in all entries (see `TABLE_DIGITS`), also in zeros and round-off.
+    def column(self, values: Iterable[float], size: float = 0.0, digits: int = TABLE_DIGITS) -> list[str]:
+        """Return a column of a table with the same decimals in all entries, also in zeros; the largest has `digits`.
 
         If most entries would then show none of their digits, all are rounded to three significant digits.
 
@@ -109,7 +109,7 @@ class Numbers:
         entries = [float(value) for value in values]
         noise = ROUND_OFF * max([size, *(abs(value) for value in entries if math.isfinite(value))])
         entries = [0.0 if abs(value) < noise else value for value in entries]
-        decimals = deserved_decimals(entries)
+        decimals = deserved_decimals(entries, digits)
         texts = [self.fixed(value, decimals) if value else self._dress(f"{0:.{decimals}f}") for value in entries]
         if 2 * sum(TIMES in text for text in texts) > sum(map(bool, entries)):
             return [self.scalar(value, FEW_DIGITS) for value in entries]
@@ -155,13 +155,13 @@ def aligned(texts: Sequence[str], mark: str) -> list[str]:
     ]
 
 
-def deserved_decimals(values: Iterable[float]) -> int:
-    """Return the number of decimals with which the largest entry has `TABLE_DIGITS` digits."""
+def deserved_decimals(values: Iterable[float], digits: int = TABLE_DIGITS) -> int:
+    """Return the number of decimals with which the largest entry has `digits` digits."""
     largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
     if largest == 0:
         return 0
-    exponent = int(f"{largest:.{TABLE_DIGITS - 1}e}".split("e")[1])
-    return min(max(TABLE_DIGITS - 1 - exponent, 0), MOST_DECIMALS)
+    exponent = int(f"{largest:.{digits - 1}e}".split("e")[1])
+    return min(max(digits - 1 - exponent, 0), MOST_DECIMALS)
 
 
 def first_of(motion: Motion, name: str) -> float:

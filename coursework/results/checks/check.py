@@ -85,7 +85,7 @@ UNDIVIDED = Need(lambda evidence: _many_motions(evidence) is None, _not_told)
 
 
 CHECKS: tuple[Check, ...] = (
-    Check("STOP", "computation", beginning.stopped, ()),
+    Check("STOP", "computation", beginning.stopped, (), is_least=True),
     Check("START", "computation", beginning.start, (ROW,)),
     Check("INITIAL", "computation", equations.initial, (ROW, WHOLE, SOLVED)),
     Check("RESIDUAL", "computation", equations.every_row, (ROW, WHOLE, SOLVED)),

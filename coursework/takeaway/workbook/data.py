@@ -75,7 +75,7 @@ def write_data(book: Book, sheet: Any, names: Mapping[str, str], tables: Tables,
         book.file.define_name(line.name, f"={SHEET}!$C${row + 1}")
     changed = {"type": "formula", "criteria": f"=$C{HEAD + 2}<>${letters(ORIGINAL)}{HEAD + 2}", "format": book.bold}
     sheet.conditional_format(HEAD + 1, VALUE, HEAD + len(lines), VALUE, changed)
-    for column, width in enumerate((14, 46, 22, 9, 24, 18)):
+    for column, width in enumerate((14, 46, 14, 11, 24, 18)):
         sheet.set_column(column, column, width)
     sheet.set_column(ORIGINAL, ORIGINAL, None, None, {"hidden": True})
     for row, term in enumerate(work.cells if solved else []):

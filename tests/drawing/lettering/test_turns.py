@@ -103,7 +103,7 @@ def test_the_caption_tells_of_an_arc_against_the_positive_sense(degrees: str, ag
     run = solve(parse_variant(mechanism("three-arms", ('"30 deg"', f'"{degrees} deg"'))), quantities=["table"])
     caption = draw_start(run.scene.mechanism, run.scene.equations, run.motion, run.scene.start).caption  # type: ignore[union-attr]
     assert "in its positive sense" in caption
-    assert ("one marked < 0 runs against it." in caption) is against
+    assert ("one marked <\u00a00 runs against it." in caption) is against
 
 
 def test_an_arrow_ends_each_arc() -> None:

@@ -31,7 +31,7 @@ NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 BESIDE_A_LIMIT = 1e-9  # parts of its limit: a smaller value that passes is round-off of lengths that close
 NEARLY_WHOLE = 5e-5  # parts of an amount: a smaller difference from a whole number does not show in four digits
 SHARES = {OF_THE_SCALE, OF_POWER, "unit.of_the_shortest", "unit.relative"}  # units of shares, shown in per cent
-LEAST_SHARE = 5e-4  # a smaller share is shown as a power of ten
+LEAST_SHARE = 5e-4  # a smaller limit, and a smaller share beside it, are shown as powers of ten
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # characters of a unit that stands after its number; a longer one stands below
 
@@ -110,14 +110,17 @@ def _advises(sentence: object) -> bool:
 
 
 def amount(context: PageContext, value: float | None, unit: str, *, whole: bool = False, limit: float | None = None) -> str:
-    """Return a value with its unit: a share in per cent with one decimal, a tiny one as a power of ten.
+    """Return a value with its unit: a share in per cent with one decimal, a tiny one with one digit, or as a power
+    of ten where no limit in per cent stands beside it.
 
-    A share of 0 is shown in per cent if its `limit` is; `whole`: the value is a count, without trailing zeros.
+    `whole`: the value is a count, without trailing zeros.
     """
     if value is not None and isinstance(unit, Sentence) and unit.key in SHARES:
-        is_told = abs(value) >= LEAST_SHARE or (value == 0 and (limit is None or limit >= LEAST_SHARE))
+        if abs(value) < LEAST_SHARE:
+            is_power = limit < LEAST_SHARE if limit is not None else value != 0
+            return context.numbers.scalar(value) if is_power else context.with_unit(context.numbers.scalar(100 * value, 1), "%")
         decimals = digits_apart(100 * value, None if limit is None else 100 * limit, 1)
-        return context.with_unit(context.numbers.fixed(100 * value, decimals), "%") if is_told else context.numbers.scalar(value)
+        return context.with_unit(context.numbers.fixed(100 * value, decimals), "%")
     if value is None:
         return NOTHING
     shown = context.numbers.limit(value) if whole else context.numbers.scalar(value)

@@ -18,7 +18,7 @@ from coursework.results.kinematics.turning_points import TurningPoint, stroke, t
 from coursework.variant.record.variant import Coordinate
 
 DIGITS = 6  # of a stroke or an extreme: more than in the table, which has no row there
-ANGLE_DIGITS = 5
+ANGLE_DECIMALS = 2
 NOISE = 9  # decimals of an angle in degrees that mean something
 RATIO_DIGITS = 4
 EVEN = 1e-6  # a ratio that differs less from 1 means that both strokes take equally long
@@ -70,13 +70,16 @@ def _stroke(context: PageContext) -> list[str]:
             continue
         place = context.run.motion.coordinate_names.index(crank)
         values: dict[str, object] = {
-            "symbol": context.lettering(output.name), "length": _amount(context, found.length, output.unit),
+            "symbol": context.lettering(output.name),
             "slow": context.quantity(found.slow, "s"), "fast": context.quantity(found.fast, "s"),
             "slow_angle": _degrees(context, found.slow_angle), "fast_angle": _degrees(context, found.fast_angle),
             "ratio": context.numbers.scalar(found.ratio, RATIO_DIGITS),
         }  # fmt: skip
+        lengths = context.numbers.column([found.length, found.begin.value, found.end.value], digits=DIGITS)
+        values |= {
+            key: context.with_unit(length, output.unit) for key, length in zip(("length", "begin", "end"), lengths, strict=True)
+        }
         for key, point in (("begin", found.begin), ("end", found.end)):
-            values[key] = _amount(context, point.value, output.unit)
             values[f"{key}_angle"] = _degrees(context, point.row[place] % (2 * math.pi))
         key = "slider" if output.unit == "m" else "rocker"
         how = "even" if abs(found.ratio - 1) < EVEN else "ratio"
@@ -86,12 +89,8 @@ def _stroke(context: PageContext) -> list[str]:
     return []
 
 
-def _amount(context: PageContext, value: float, unit: str) -> str:
-    return context.with_unit(context.numbers.scalar(context.numbers.without_noise(value, 0.0), DIGITS), unit)
-
-
 def _degrees(context: PageContext, angle: float) -> str:
-    return context.with_unit(context.numbers.scalar(round(math.degrees(angle), NOISE) % 360.0, ANGLE_DIGITS), "°")
+    return context.with_unit(context.numbers.fixed(round(math.degrees(angle), NOISE) % 360.0, ANGLE_DECIMALS), "°")
 
 
 def _error(context: PageContext) -> list[str]:
@@ -142,7 +141,7 @@ def _extremes(context: PageContext) -> list[Part]:
     if exact is None or judged.restricted:
         return []
     crank = driven[0].name if len(driven) == 1 and driven[0].unit == "rad" else ""
-    rows: list[list[Cell]] = []
+    lines: list[tuple[Cell, list[TurningPoint]]] = []
     for coordinate in variant.coordinates:
         points = turning_points(judged, coordinate.name, coordinate.rate)
         if not points or coordinate.name == crank:
@@ -150,16 +149,20 @@ def _extremes(context: PageContext) -> list[Part]:
         place = exact.coordinate_names.index(coordinate.name)
         ends = [TurningPoint(float(exact.t[row]), float(exact.coordinates[row, place]), tuple(exact.coordinates[row].tolist()))
                 for row in (0, -1)]  # fmt: skip
-        line: list[Cell] = [context.symbol_runs([coordinate.name], context.words.behind(context.unit(coordinate.unit)))]
-        for extreme in (min, max):
-            point = extreme([*points, *ends], key=lambda one: one.value)
-            line.append(numeral(context.numbers.scalar(point.value, DIGITS)))
-            line.append(numeral(context.numbers.scalar(point.time, ANGLE_DIGITS)))
-            if crank:
-                line.append(_degrees(context, point.row[exact.coordinate_names.index(crank)] % (2 * math.pi)))
-        rows.append(line)
-    if not rows:
+        head = context.symbol_runs([coordinate.name], context.words.behind(context.unit(coordinate.unit)))
+        lines.append((head, [extreme([*points, *ends], key=lambda one: one.value) for extreme in (min, max)]))
+    if not lines:
         return []
+    times = [context.numbers.column(found[place].time for _, found in lines) for place in (0, 1)]
+    rows: list[list[Cell]] = []
+    for number, (symbol, found) in enumerate(lines):
+        row: list[Cell] = [symbol]
+        values = context.numbers.column([point.value for point in found], digits=DIGITS)
+        for place, (point, value) in enumerate(zip(found, values, strict=True)):
+            row += [numeral(value), numeral(times[place][number])]
+            if crank:
+                row.append(_degrees(context, point.row[exact.coordinate_names.index(crank)] % (2 * math.pi)))
+        rows.append(row)
     heads = [Column([], words=True)]
     for key in ("least", "greatest"):
         heads.append(Column(context.say(f"conclusion.{key}")))
