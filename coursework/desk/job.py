@@ -6,7 +6,10 @@ Enters: the request of a browser.  Leaves: records that are sent as lines.  Used
 from __future__ import annotations
 
 import json
+import sys
+import traceback
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from coursework.system.frozen import frozen
@@ -76,6 +79,12 @@ def fault_entry(code: str, sentence: str, line: int = 0, column: int = 0, mend: 
     return {
         "code": code, "line": line or None, "column": max(column, 1) if line else None, "sentence": sentence, "mend": mend,
     }  # fmt: skip
+
+
+def tell_place(error: Exception) -> None:
+    """Tell the log the kind and the place of an error, but nothing of the text, which its own message may quote."""
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    sys.stderr.write(f"{type(error).__name__} in {Path(place.filename).name}:{place.lineno}\n")
 
 
 def faulty(kind: str, faults: list[dict[str, Any]], **more: Any) -> Answer:

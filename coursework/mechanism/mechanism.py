@@ -65,7 +65,7 @@ def build(variant: Variant) -> Mechanism:
     return Mechanism(variant, points, tuple(constraints), linkage(variant, dict(points)))
 
 
-def _fault(variant: Variant, message: Sentence, line: int = 0) -> InputError:
+def _fault(variant: Variant, message: Sentence, line: int) -> InputError:
     return InputError([Fault(message, variant.file, line)])
 
 

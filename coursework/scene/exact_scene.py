@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from coursework.motion.geometry.chain import is_chain
 from coursework.motion.geometry.drives.drive import refuse_aliasing
 from coursework.motion.integration.motion import Motion
@@ -60,8 +58,7 @@ class ExactScene(Scene):
                 coordinate_names=rates.coordinates, velocity_names=rates.velocities,
             )  # fmt: skip
         if len(exact.t):
-            largest = np.array([self.flow.largest[index] for index in rates.blocks])
-            exact = replace(exact, scaled=exact.determinants / largest)
+            exact = replace(exact, scaled=self.scaled(exact))
         return replace(exact, step=variant.time.step, stop=stop)
 
     @computed("equations", "closure", "start", "rates", "reduction", "stop", "flow", "search")

@@ -33,7 +33,9 @@ from coursework.scene.motion_results import MotionResults
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array
 from coursework.system.on_demand import computed
+from coursework.variant.formula.tree import Formula
 from coursework.variant.judging.bounds import refuse_unbounded
+from coursework.variant.record.forces import Motor
 from coursework.variant.record.no_value import without_value
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
@@ -77,6 +79,12 @@ class MotorScene(Scene):
     kind_of_results: ClassVar[type[MotionResults]] = MotorResults
 
     @property
+    def _motor(self) -> Motor:
+        motor = self.variant.motor
+        assert motor is not None
+        return motor
+
+    @property
     def scheme(self) -> Scheme | None:
         """Return the scheme of the rows, None for exact rows."""
         return scheme_named(self.settings.scheme)
@@ -91,13 +99,11 @@ class MotorScene(Scene):
             found = rubbed_motion(writer)
         else:
             found = writer.made()
-        motor, variant = self.variant.motor, self.variant
-        assert motor is not None
         try:
             found.slope(0.0, *self.closed_start, *self._start_rates)
         except (ZeroDivisionError, ValueError, OverflowError):
-            told = say("fault.V749") if is_heavy(found, self.closed_start) else say("fault.V744", names=motor.rates)
-            raise InputError([Fault(told, variant.file, variant.nearest_line("motor", "rates"))]) from None
+            told = say("fault.V749") if is_heavy(found, self.closed_start) else say("fault.V744", names=self._motor.rates)
+            raise InputError([Fault(told, self.variant.file, self.variant.nearest_line("motor", "rates"))]) from None
         except Held:  # it locks where it begins: the rows end there
             pass
         return found
@@ -105,18 +111,15 @@ class MotorScene(Scene):
     @property
     def unit_of_rates(self) -> str:
         """Return the unit of the free rates; "rad/s or m/s" if they differ."""
-        assert self.variant.motor is not None
-        return either(list(dict.fromkeys(map(self.variant.unit_of, self.variant.motor.rates))))
+        return either(list(dict.fromkeys(map(self.variant.unit_of, self._motor.rates))))
 
     @cached_property
     def regime(self) -> Regime | None:
         """Return the steady motion of a crank turned by forces, None if the exact rows tend to none."""
-        motion, forces = self.exact, self.variant.forces
-        assert forces is not None and forces.motor is not None
-        torques = [one.torque or one.force for one in (*forces.loads, *forces.motor.torques)]
-        timed = any(formula is not None and "t" in formula.names() for formula in torques)
-        speed = float(motion.column(forces.motor.rates[0])[-1]) if len(motion.t) else 0.0
-        is_crank = [self.variant.unit_of(rate) for rate in forces.motor.rates] == ["rad/s"]
+        motion, rates = self.exact, self._motor.rates
+        timed = any("t" in law.names() for law in self._laws)
+        speed = float(motion.column(rates[0])[-1]) if len(motion.t) else 0.0
+        is_crank = [self.variant.unit_of(rate) for rate in rates] == ["rad/s"]
         if not is_crank or timed or not speed or motion.stop is not None:
             return None
         return find_regime(self.free_equations, list(self.closed_start), speed)
@@ -132,10 +135,8 @@ class MotorScene(Scene):
 
     @property
     def _start_rates(self) -> list[float]:
-        motor = self.variant.motor
-        assert motor is not None
-        start = dict(motor.start)
-        return [start.get(rate, 0.0) for rate in motor.rates]
+        start = dict(self._motor.start)
+        return [start.get(rate, 0.0) for rate in self._motor.rates]
 
     def energy_study(self, progress: Callable[[str], None] | None = None) -> AccuracyStudy:
         """Return the study of accuracy: the error of the energy against slopes."""
@@ -187,15 +188,19 @@ class MotorScene(Scene):
         )  # fmt: skip
 
     @property
+    def _laws(self) -> list[Formula]:
+        """Return the formulas of loads and torques."""
+        loads = self.variant.forces.loads if self.variant.forces is not None else ()
+        return [law for one in (*loads, *self._motor.torques) if (law := one.torque or one.force) is not None]
+
+    @property
     def _steep(self) -> Iterator[Sentence]:
         """Yield what can make the forces of this file too steep."""
         forces, constants = self.variant.forces, {*self.variant.values, "pi"}
-        assert forces is not None and forces.motor is not None
-        laws = [one.torque or one.force for one in (*forces.loads, *forces.motor.torques)]
         yield say("dynamics.steep_masses")
-        if any(law is not None and not constants.issuperset(law.names()) for law in laws):
+        if any(not constants.issuperset(law.names()) for law in self._laws):
             yield say("dynamics.steep_laws")
-        if forces.springs:
+        if forces is not None and forces.springs:
             yield say("dynamics.steep_springs")
 
     def _with_values(self, found: FreeMotion) -> FreeMotion:

@@ -7,8 +7,6 @@ from __future__ import annotations
 
 import gzip
 import os
-import sys
-import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import replace
@@ -18,7 +16,7 @@ from typing import Any
 from coursework.desk.answering import completion, derived, drag, pieces, takeaway, variant_page
 from coursework.desk.answering.contradicted import naming_terms
 from coursework.desk.answering.typed import Desk, faults_of
-from coursework.desk.job import FAULT, OK, Answer, Job, Setup, fault_entry, faulty, plain, told
+from coursework.desk.job import FAULT, OK, Answer, Job, Setup, fault_entry, faulty, plain, tell_place, told
 from coursework.system.processes.budget import limit_memory, watched
 from coursework.system.processes.plain_lines import record_of
 from coursework.words.errors import CourseworkError
@@ -61,8 +59,7 @@ def answer(job: Job, setup: Setup) -> Answer:
     except MemoryError:
         return faulty(job.kind, [fault_entry("E002", desk.words.written(say("screen.memory")))])
     except Exception as error:
-        place = traceback.extract_tb(error.__traceback__)[-1]
-        sys.stderr.write(f"{type(error).__name__} in {Path(place.filename).name}:{place.lineno}\n")  # nothing of the text
+        tell_place(error)
         return told(FAULT, job.language, "desk.our_fault")
     found = made if isinstance(made, Answer) else plain(OK, made)
     if not job.packed or found.name or len(found.body) < PACKED_FROM:

@@ -196,4 +196,4 @@ def _written(variant: Variant, after: Variant, moving: Sequence[Written], values
 
 
 def _unmoved(desk: Desk, why: Sentence) -> dict[str, Any]:
-    return {"text": desk.text, "ranges": [], "reached": None, "near": False, "sentence": desk.words.written(why)}
+    return desk.unchanged(why) | {"reached": None, "near": False}

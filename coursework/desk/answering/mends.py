@@ -49,7 +49,7 @@ def _mend(fault: Fault, name: str | None, lines: Sequence[str], meant: Sequence[
     if fault.code in (_MISSING, _NOTHING_WRITTEN, _TOO_FEW):
         return _beginning(fault, lines, meant)
     if fault.code == _POINT:
-        return _into("[points]", str(fault.message.values["line"]), lines)
+        return _among_points(str(fault.message.values["line"]), lines)
     if not 1 <= fault.line <= len(lines):
         return None
     line = lines[fault.line - 1]
@@ -74,12 +74,12 @@ def appended(text: str, lines: Sequence[str]) -> Mend:
     return _put(len(lines), len(lines[-1]), len(lines[-1]), f"{gap}{text}\n")
 
 
-def _into(head: str, text: str, lines: Sequence[str]) -> Mend:
-    """Return the mend that adds a line to a section, below its head, or the section at the end."""
+def _among_points(text: str, lines: Sequence[str]) -> Mend:
+    """Return the mend that adds a line to [points], below its head, or this section at the end."""
     for number, line in enumerate(lines, start=1):
-        if line.startswith(head):
+        if line.startswith("[points]"):
             return _put(number, len(line), len(line), f"\n{text}")
-    return appended(f"{head}\n{text}", lines)
+    return appended(f"[points]\n{text}", lines)
 
 
 def _put(line: int, begin: int, end: int, text: str) -> Mend:

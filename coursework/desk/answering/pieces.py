@@ -82,23 +82,23 @@ def piece(desk: Desk) -> dict[str, Any]:
     """Return `text` and `ranges` with one more piece, or a `sentence` if it cannot be attached there."""
     kind, hung = str(desk.body["kind"]), [str(name) for name in desk.body["on"]]
     if kind not in GROUP_KINDS and kind not in ASKS:
-        return _without(desk, say("desk.no_file", name=kind[:40]))
+        return desk.unchanged(say("desk.no_file", name=kind[:40]))
     if not desk.text.strip() and kind not in (GUIDE, WHEEL):
         return changed("", [(0, 0, _alone(kind, desk))])
     if kind == POINT or not desk.text.strip():
-        return _without(desk, say("desk.piece.first" if kind == POINT else "desk.piece.later"))
+        return desk.unchanged(say("desk.piece.first" if kind == POINT else "desk.piece.later"))
     if kind in GROUP_KINDS and not desk.variant.groups:
-        return _without(desk, say("desk.piece.no_chain", kind=kind))
+        return desk.unchanged(say("desk.piece.no_chain", kind=kind))
     scene = make_run(desk.variant).scene
     known, taken = _ends(scene), {*desk.variant.names, *(name for name, _ in scene.mechanism.points)}
     if not hung and kind != DRIVEN:
-        return _without(desk, say("desk.piece_does_not_close", kind=kind))
+        return desk.unchanged(say("desk.piece_does_not_close", kind=kind))
     if scene.stop is not None and not known and kind != DRIVEN:
-        return _without(desk, scene.stop.sentence)
+        return desk.unchanged(scene.stop.sentence)
     if missing := [name for name in hung if name not in known]:
-        return _without(desk, say("desk.no_joint", joint=missing[0][:40]))
+        return desk.unchanged(say("desk.no_joint", joint=missing[0][:40]))
     if kind != DRIVEN and all(known[name].amplitude < STILL for name in hung):
-        return _without(desk, say("desk.piece_on_still", point=hung[0]))
+        return desk.unchanged(say("desk.piece_on_still", point=hung[0]))
     digits = [int(found) for name in desk.variant.names for found in re.findall(r"\d{1,3}", name)]
     number = max((*digits, *(int(link.name) for link in desk.variant.links if link.name.isdecimal())), default=0) + 1
     if kind in ASKS and not (kind == GUIDE and desk.variant.groups):
@@ -114,9 +114,9 @@ def _put_to(kind: str, on: str, known: dict[str, End], number: int, taken: set[s
     if kind == GUIDE:
         more = with_guide(known[on], known.values(), number, letter)
     elif slider is None:
-        return _without(desk, say("desk.piece.not_straight", point=on))
+        return desk.unchanged(say("desk.piece.not_straight", point=on))
     elif not desk.variant.links:
-        return _without(desk, say("desk.piece.no_links"))
+        return desk.unchanged(say("desk.piece.no_links"))
     else:
         more = with_wheel(known[on], slider, size_about(known[on], known.values()), number, letter, desk.words.written)
     if desk.variant.constraints and not desk.variant.groups and desk.setup.policy.equations:
@@ -130,15 +130,11 @@ def _hang(kind: str, ends: list[End], number: int, taken: set[str], desk: Desk) 
     try:
         draft = draft_on(kind, ends, taken, number)
     except (DoesNotClose, CourseworkError, ArithmeticError):
-        return _without(desk, say("desk.piece_does_not_close", kind=kind))
+        return desk.unchanged(say("desk.piece_does_not_close", kind=kind))
     lines = additions(draft, len(desk.variant.groups) + 1, desk.words.written)
     rails = [f'{{ through = "{guide.through}", angle = "{guide.angle}" }}' for guide in draft.rails]
     entries: dict[KeyPath, list[str]] = {("frame", "hinges"): [f'"{name}"' for name in draft.hinges], ("frame", "rails"): rails}
     return with_additions(desk.text, Additions(lines, entries))
-
-
-def _without(desk: Desk, why: Sentence | str) -> dict[str, Any]:
-    return {"text": desk.text, "ranges": [], "sentence": desk.words.written(why)}
 
 
 def _ends(scene: Scene) -> dict[str, End]:

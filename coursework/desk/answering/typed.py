@@ -22,6 +22,7 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.data_folders import folder
 from coursework.words.errors import MOST_SHOWN, CourseworkError, Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, load_phrases, say
 
 UNNAMED = "variant"
@@ -62,6 +63,10 @@ class Desk:
                 raise InputError(say("fault.C087", what=EXACT))
             scheme = DEFAULT_SCHEME.name
         return make_run(self.variant, scheme, self.step)
+
+    def unchanged(self, why: Sentence) -> dict[str, Any]:
+        """Return the answer that leaves the text as it is, and says why."""
+        return {"text": self.text, "ranges": [], "sentence": self.words.written(why)}
 
     @property
     def step(self) -> float | None:

@@ -9,20 +9,17 @@ the headers Host (other names may be made to point here) and Origin, and by the 
 from __future__ import annotations
 
 import secrets
-import sys
 import time
-import traceback
 from collections.abc import Sequence
 from dataclasses import field
 from hmac import compare_digest
-from pathlib import Path
 
 from starlette.datastructures import MutableHeaders
 from starlette.requests import Request
 from starlette.responses import RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from coursework.desk.job import FORBIDDEN, told
+from coursework.desk.job import FORBIDDEN, tell_place, told
 from coursework.desk.serving.limits import Limits
 from coursework.desk.serving.replies import language_of, reply
 from coursework.system.frozen import frozen
@@ -90,8 +87,7 @@ class Guard:
         try:
             await (refusal or self.app)(scope, receive, sent)
         except Exception as error:  # which the application has answered
-            place = traceback.extract_tb(error.__traceback__)[-1]
-            sys.stderr.write(f"{type(error).__name__} in {Path(place.filename).name}:{place.lineno}\n")
+            tell_place(error)
         finally:
             if scope["state"]["limited"] and self.gate.limits:
                 self.gate.limits.end(scope["state"]["limited"])

@@ -107,6 +107,11 @@ class Reduction:
     unused: tuple[str, ...]
     notes: tuple[str, ...]
 
+    @property
+    def names(self) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
+        """Return the names of the equations and of the unknowns of each block, which tell two reductions apart."""
+        return tuple((block.equations, block.unknowns) for block in self.blocks)
+
     def needed(self, wanted: Sequence[str]) -> tuple[int, ...]:
         """Return the indices of the blocks that the velocities `wanted` need, in order."""
         sought = set(map(symbol, wanted))

@@ -14,6 +14,7 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen, single
 from coursework.variant.formula.made import summed
 from coursework.variant.formula.tree import Formula, named, number
+from coursework.variant.record.entries import Guide as GuideInFile
 from coursework.variant.record.variant import Group
 from coursework.variant.record.vocabulary import Shape
 
@@ -101,3 +102,8 @@ def across(offset: Formula, angle: Formula) -> tuple[Formula, ...]:
     """
     zero = offset.op == "number" and offset.value == 0
     return () if zero else (along(offset, plus(angle, QUARTER)),)
+
+
+def slid(guide: GuideInFile, slide: Formula) -> Formula:
+    """Return the place of the pin of a block that has moved by a slide along its guide."""
+    return plus(guide.through, along(slide, guide.angle), *across(guide.offset, guide.angle))

@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.mechanism.groups.assembly import require_crossing
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.mechanism.groups.kind import Closed, GroupKind, Known, across, along, plus, unknowns
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, slid, unknowns
 from coursework.mechanism.groups.line import Line
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, count_rows, group_motion
 from coursework.mechanism.groups.plane import cross
@@ -64,10 +64,7 @@ def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> Grou
 
 
 def _closure(group: Group) -> Closed:
-    sides = tuple(
-        plus(guide.through, along(slide, guide.angle), *across(guide.offset, guide.angle))
-        for guide, slide in zip(group.guides, unknowns(group), strict=True)
-    )
+    sides = tuple(map(slid, group.guides, unknowns(group)))
     return sides, sides[0]
 
 

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from coursework.mechanism.groups.assembly import numbers, require_crossing
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.mechanism.groups.kind import QUARTER, Closed, GroupKind, Known, across, along, plus, unknowns
+from coursework.mechanism.groups.kind import QUARTER, Closed, GroupKind, Known, along, plus, slid, unknowns
 from coursework.mechanism.groups.line import Line
 from coursework.mechanism.groups.pairs import At, GroupMotion, Guide, count_rows, group_motion, pair_of
 from coursework.mechanism.groups.plane import cross, direction, vectors
@@ -76,7 +76,7 @@ def _slide(group: Group) -> Formula:
 
 def _closure(group: Group) -> Closed:
     (on_block, on_guide), guide = unknowns(group), group.guides[0]
-    met = plus(guide.through, along(on_guide, guide.angle), *across(guide.offset, guide.angle))
+    met = slid(guide, on_guide)
     return (group.start_points[0], plus(met, along(on_block, _slide(group)))), met
 
 

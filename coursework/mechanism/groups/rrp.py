@@ -15,7 +15,7 @@ import numpy as np
 from coursework.mechanism.groups import assembly
 from coursework.mechanism.groups.assembly import TEXTBOOK, Length, at, dead, metres, refuse, rows_where
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.mechanism.groups.kind import Closed, GroupKind, Known, across, along, plus, unknowns
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, along, plus, slid, unknowns
 from coursework.mechanism.groups.line import Line
 from coursework.mechanism.groups.pairs import At, GroupMotion, Guide, count_rows, group_motion, pair_of
 from coursework.mechanism.groups.plane import angle_of, cross, dot, vectors
@@ -88,7 +88,7 @@ def rrp(b: At, guide: Guide, *, length: Length, mode: int, positions_only: bool 
 def _closure(group: Group) -> Closed:
     (angle, slide), guide = unknowns(group), group.guides[0]
     pin = plus(group.start_points[0], along(group.lengths[0], angle))
-    return (pin, plus(guide.through, along(slide, guide.angle), *across(guide.offset, guide.angle))), pin
+    return (pin, slid(guide, slide)), pin
 
 
 def _solve(known: Known, mode: int) -> GroupMotion:

@@ -99,8 +99,7 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
 
     The coordinates integrated are those wanted and those their velocities depend on.
     """
-    blocks = tuple((block.equations, block.unknowns) for block in reduction.blocks)
-    key = ("rates", tuple(wanted or ()), blocks)
+    key = ("rates", tuple(wanted or ()), reduction.names)
     coordinates, velocities, needed, results, written = equations.once(key, lambda: _parts(equations, reduction, wanted))
     body = written.bind(constants(equations.variant))
     arguments = [private(name) for name in ("t", *coordinates)]

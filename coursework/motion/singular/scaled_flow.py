@@ -186,8 +186,7 @@ def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: in
     def written() -> Program:
         return scene_program(equations, clock_statements(reduction.blocks, clock, variant.rates, results))
 
-    names = tuple((block.equations, block.unknowns) for block in reduction.blocks)
-    body = equations.once(("clock", clock, names), written).bind(constants(variant))
+    body = equations.once(("clock", clock, reduction.names), written).bind(constants(variant))
     arguments = ["_pace", *(private(name) for name in (*(c.name for c in variant.coordinates), "t"))]
     return compile_function("clock", arguments, body, [f"_pace * {result}" for result in results])
 

@@ -219,7 +219,7 @@ def math(tree: Formula, rates: Rates = NO_RATES) -> str:
     return Setter(typst=True, rates=rates).set(tree).source
 
 
-def text_equation(left: Formula, right: Formula, rates: Rates = NO_RATES, *, in_sentence: bool = False) -> str:
+def text_equation(left: Formula, right: Formula, rates: Rates, *, in_sentence: bool = False) -> str:
     """Return "left = right" as plain text; `in_sentence`: mark single letters, so that none is taken for a word."""
     setter = Setter(typst=False, rates=rates, in_sentence=in_sentence)
     return f"{setter.set(left).source} = {setter.set(right).source}"

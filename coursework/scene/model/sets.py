@@ -9,12 +9,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.geometry.drives.drive import argument_slopes, resolved
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
-from coursework.scene.model.start import close, start_of
+from coursework.scene.model.start import close, of_rows, start_of
 from coursework.scene.model.watch import fewest_steps, frequencies, stacked, sure_to_move
 from coursework.system.arrays import Array, Flags
 
@@ -47,7 +46,7 @@ def prepare(model: Model, data: Data, end: float) -> Sets:
         steps = 0
         for _ in range(2):
             if len(places):
-                some = _some(numbers, places)
+                some = of_rows(numbers, places)
                 at = start.closed[:, places]
                 steps = max(_CLOSER * steps, fewest_steps(model, some, frequency[places], at, end))
                 sure[places] = sure_to_move(model, some, at, end, steps)
@@ -88,8 +87,3 @@ def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
         sound &= (gap <= _FITS * size).all(axis=0)
         told |= size > 0
     return sound & told.all(axis=0)
-
-
-def _some(numbers: Columns, rows: NDArray[np.intp]) -> Columns:
-    """Return the numbers of some sets."""
-    return [number if np.ndim(number) == 0 else number[rows] for number in numbers]

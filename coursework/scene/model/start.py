@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.symbolic import symbol
@@ -108,6 +109,11 @@ def _least(matrix: Array, right: Array) -> Array:
     return np.asarray(np.where(regular[:, None], found[..., 0], np.nan))
 
 
+def of_rows(numbers: Columns, rows: NDArray[np.intp]) -> Columns:
+    """Return the numbers of some of the sets."""
+    return [number if np.ndim(number) == 0 else number[rows] for number in numbers]
+
+
 def _by_groups(model: Model, begin: Array, numbers: Columns, follow: frozenset[str]) -> tuple[Array, Flags]:
     """Return the starts with the groups assembled; start values in the file must agree with them, or the set is doubtful."""
     variant = model.variant
@@ -151,9 +157,8 @@ def _in_mode(model: Model, group: Group, mode: int, q: Array, numbers: Columns, 
     kept = np.flatnonzero(~doubtful)
 
     def values(wanted: list[Expression]) -> Array:
-        one_each = [number if np.ndim(number) == 0 else number[kept] for number in numbers]
-        function = model.compiled(tuple(wanted))
-        return np.array([np.broadcast_to(v, len(kept)) for v in function(0.0, *q[:, kept], *one_each)], dtype=float).T
+        found = model.compiled(tuple(wanted))(0.0, *q[:, kept], *of_rows(numbers, kept))
+        return np.array([np.broadcast_to(v, len(kept)) for v in found], dtype=float).T
 
     result = np.full((len(group.coordinates), count), np.nan)
     while len(kept):

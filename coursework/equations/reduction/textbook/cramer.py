@@ -50,7 +50,7 @@ def cramer(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[
     >>> (one, two), spelled(both.determinant), [spelled(side) for side in both.right_sides]
     ((None, None), 'r2*r1*sin(phi1 - phi2)', ['-2*r3*w3*sin(phi3)', 'r3*w3*sin(phi3)'])
     """
-    key = ("cramer", *wanted, *((block.equations, block.unknowns) for block in reduction.blocks))
+    key = ("cramer", *wanted, *reduction.names)
     return equations.once(key, lambda: tuple(_worked(equations, reduction, wanted)))
 
 

@@ -48,7 +48,7 @@ def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solut
     Earlier velocities stay names, or are replaced by their formulas if that is shorter.  The result does not depend on the
     data: it is computed once for all variants of a template.
     """
-    key = ("solutions", MOST_LETTERS, tuple((block.equations, block.unknowns) for block in reduction.blocks))
+    key = ("solutions", MOST_LETTERS, reduction.names)
     return equations.once(key, lambda: _solutions(equations, reduction))
 
 

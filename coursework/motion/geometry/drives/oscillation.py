@@ -16,6 +16,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, local, symbol
 from coursework.motion.geometry.drives.drive import values_of_time
 from coursework.system.arrays import Array
+from coursework.variant.record.entries import Law
 
 # A harmonic counts if it has at least this share of the strongest one's power: the first of abs(sin), the third of sin cubed.
 _POWER = 0.05
@@ -36,7 +37,7 @@ def fastest(equations: VelocityEquations) -> float:
     """
     found = [0.0]
     for law in equations.variant.drive:
-        whole = written_out(equations.symbols.definitions[symbol(law.name)], equations)
+        whole = written_out(law, equations)
         pieces = whole.args[1::2] if whole.op == "piecewise" else [whole]
         found += [_highest(piece, equations) for piece in pieces]
     return max(found)
@@ -48,7 +49,7 @@ def turns_repeat(equations: VelocityEquations) -> float:
     A mechanism that is then back in its start position repeats its motion, because only the drives depend on time.
     """
     variant = equations.variant
-    definitions = [written_out(equations.symbols.definitions[symbol(law.name)], equations) for law in variant.drive]
+    definitions = [written_out(law, equations) for law in variant.drive]
     angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}
     if any(definition.has(TIME) for definition in definitions) or not {law.name for law in variant.drive} <= angles:
         return math.inf
@@ -57,9 +58,10 @@ def turns_repeat(equations: VelocityEquations) -> float:
     return 2 * math.pi / base if base else math.inf
 
 
-def written_out(expr: Expression, equations: VelocityEquations) -> Expression:
+def written_out(law: Law, equations: VelocityEquations) -> Expression:
     """Return the formula of a drive with the other drives in it replaced by their formulas."""
     definitions = equations.symbols.definitions
+    expr = definitions[symbol(law.name)]
     while names := expr.free_symbols & definitions.keys():
         expr = replaced(expr, {name: definitions[name] for name in names})
     return expr

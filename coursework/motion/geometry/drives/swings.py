@@ -12,7 +12,6 @@ import itertools
 import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.equations.reduction.symbolic import symbol
 from coursework.motion.geometry.drives.drive import breaks, drive_values
 from coursework.motion.geometry.drives.oscillation import fastest, written_out
 from coursework.system.arrays import Array, distinct
@@ -39,7 +38,7 @@ def drive_frequency(equations: VelocityEquations, of_formulas: float | None = No
     """
     found = [fastest(equations) if of_formulas is None else of_formulas]
     for law in equations.variant.drive:
-        whole = written_out(equations.symbols.definitions[symbol(law.name)], equations)
+        whole = written_out(law, equations)
         if any(part.op.startswith("_table_") for part in whole.walk()):
             times = np.concatenate([*_looks(equations), *(table.nodes for table in equations.tables.values())])
             times = distinct(times[(times >= 0) & (times <= equations.variant.time.end)])
