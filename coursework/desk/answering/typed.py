@@ -64,7 +64,7 @@ class Desk:
             scheme = DEFAULT_SCHEME.name
         return make_run(self.variant, scheme, self.step)
 
-    def unchanged(self, why: Sentence) -> dict[str, Any]:
+    def unchanged(self, why: Sentence | str) -> dict[str, Any]:
         """Return the answer that leaves the text as it is, and says why."""
         return {"text": self.text, "ranges": [], "sentence": self.words.written(why)}
 
