@@ -11,6 +11,7 @@ its key in [fault] of `reports/words.<language>.toml`.  A value that can be used
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -74,7 +75,9 @@ class CourseworkError(Exception):
 
     def __init__(self, faults: Iterable[Fault] | Sentence) -> None:
         listed = (Fault(faults),) if isinstance(faults, str) else tuple(dict.fromkeys(faults))  # each is told once
-        self.faults: tuple[Fault, ...] = tuple(sorted(listed, key=lambda fault: (fault.file, fault.line or 10**6, fault.column)))
+        self.faults: tuple[Fault, ...] = tuple(
+            sorted(listed, key=lambda fault: (fault.file, fault.line or math.inf, fault.column))
+        )
         super().__init__(self.faults)
 
     def __str__(self) -> str:

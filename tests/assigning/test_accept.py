@@ -80,6 +80,21 @@ def verdict_of(limits, **columns):
     return judge(model(), model().data(columns or {"p": [13.0]}), Limits(**limits))[0]
 
 
+def test_the_first_row_and_the_last_are_measured():
+    """Within four steps variant 31 only slows down, and Euler's error only grows."""
+    short, data = coursework.compile_model(coursework.load("31").with_data(end="0.08 s")), {"p": 13.0}
+    rows, times = [np.array([one.start for one in short.variant.coordinates])], 0.02 * np.arange(5)
+    for t in times[:-1]:
+        rows.append(rows[-1] + 0.02 * np.array(by_hand.velocities(t, rows[-1], **data)[:3]))
+    speeds = [np.max(np.abs(by_hand.velocities(t, row, **data))) for t, row in zip(times, rows, strict=True)]
+    exact = solve_ivp(lambda t, q: by_hand.velocities(t, q, **data)[:3], (0, 0.08), rows[0], t_eval=times, rtol=1e-11, atol=1e-12)
+    errors = np.max(np.abs(np.array(rows) - exact.y.T), axis=1)
+    assert speeds == sorted(speeds, reverse=True) and errors.tolist() == sorted(errors)
+    (verdict,) = judge(short, short.data({"p": [13.0]}), Limits())
+    assert verdict.numbers["largest_velocity"] == pytest.approx(speeds[0], rel=1e-9)
+    assert verdict.numbers["euler_error"] == pytest.approx(errors[-1], rel=1e-6)
+
+
 @pytest.mark.parametrize("side", [1, -1])
 @pytest.mark.parametrize("key", ["least_determinant", "least_transmission", "largest_velocity", "least_rows_a_turn"])
 def test_a_limit_holds_just_inside_and_refuses_just_outside(key, side):

@@ -22,9 +22,10 @@ def test_an_angle_of_the_file_in_degrees_is_read_in_degrees():
     assert "become singular: sin(89.25° + psi) = 0, with psi = 1.58389 rad = 90.75°" in told
 
 
-@pytest.mark.parametrize(("name", "determinant"), [("31", "r2*r1*sin(phi1 - phi2)"), ("example-4", "s2")])
-def test_the_determinant_of_two_velocities_has_the_sign_of_the_page(name, determinant):
+@pytest.mark.parametrize(("name", "determinant", "closing"), [("31", "r2*r1*sin(phi1 - phi2)", 3), ("example-4", "s2", 2)])
+def test_the_determinant_of_two_velocities_has_the_sign_of_the_page(name, determinant, closing):
     told = call("check", name).stdout
+    assert f"\n{closing} position equations determine every coordinate.\n" in told
     assert f"determinant {determinant}: zero" in told and f"determinant -{determinant}:" not in told
 
 
@@ -135,3 +136,9 @@ def test_a_wheel_that_touches_nothing_of_the_file_is_no_special_dimension():
     check, _ = told_of("press-with-two-gears", bar)
     assert "the file does not list what wheel 1 touches at P" in check and "special dimensions" not in check
     assert "but 1 freedom is driven: a wheel is counted as rolling on the frame where the file does not list what" in check
+
+
+def test_whether_the_positions_follow_from_their_equations_is_told():
+    """The height of the slider tells its rod's angle, and not that of the last wheel."""
+    Path("own.toml").write_text(mechanism("gears-and-crank"), encoding="utf-8")
+    assert "1 position equation does not determine every coordinate." in call("check", "own.toml").stdout

@@ -72,6 +72,7 @@ def test_the_hodograph_of_a_crank_pin_is_a_circle_and_its_rows_lie_on_it() -> No
     (first,) = measured.lines(drawing.svg, "data-velocity")
     assert first.a == pytest.approx(middle, abs=0.05)
     assert (first.b - first.a).real == pytest.approx(0, abs=0.05)
+    assert (curve[0] - middle) / (first.b - first.a) == pytest.approx(1 + 2.6 / abs(first.b - first.a), abs=0.01)  # with its head
     tips = [complex(*map(float, place.split())) for place in measured.names(drawing.svg, "data-tip")]
     assert len(tips) in {36, 37}
     assert np.abs(np.array(tips) - middle) == pytest.approx(4 / speed, abs=0.05)

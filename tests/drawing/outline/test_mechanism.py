@@ -85,21 +85,6 @@ def test_the_measure_sees_words_that_meet() -> None:
     assert measured.beyond(sheet(35.01 - wide)) == ["phi"]
 
 
-@pytest.mark.parametrize("name", sampled(names()))
-def test_links_are_as_long_as_the_scale_says(name: str) -> None:
-    """Distances come from the coordinates of the table, not from the drawing's own positions."""
-    run, drawing = run_of(name), drawing_of(name)
-    scale = re.search(r"scale (\d[\d.]*):(\d+(?:\.\d+)?)", drawing.caption)
-    assert scale is not None
-    points = solved(name, quantities=["table", "points"], scheme="euler").table.iloc[0]
-    sides = [line for line in measured.lines(drawing.svg, "data-link") if "data-from" in line.says]
-    assert sides
-    for line in sides:
-        a, b = (complex(points[f"{p}.x"], points[f"{p}.y"]) for p in (line.says["data-from"], line.says["data-to"]))
-        assert abs(line.b - line.a) == pytest.approx(abs(b - a) * 1000 * float(scale[1]) / float(scale[2]), abs=0.05)
-    assert run.motion.t[0] == 0
-
-
 def test_links_follow_from_the_groups_where_none_are_listed() -> None:
     four_bar = outline_of("example-1", links=())
     assert [(bar.link, bar.corners) for bar in four_bar.bars] == [("1", ("A", "B")), ("2", ("B", "C")), ("3", ("D", "C"))]

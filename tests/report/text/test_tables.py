@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import product, zip_longest
 from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
 
 import coursework
-from coursework.report.text.tables import largest_of
+from coursework.report.text.tables import largest_of, pieces
 from tests.report.made import solved
 
 GRID = SimpleNamespace(
@@ -36,3 +37,18 @@ def test_a_run_that_stops_says_how_many_rows_of_how_many_it_has(real: ModuleType
     """25 rows were asked for, 0.48 s by 0.02 s; the last before the stop at 0.1169 s is that of 0.10 s."""
     (bar,) = (part for part in real.parts(real.stopped(), "statement") if part.get("style") == "bar")
     assert "6 rows of 25." in real.text_of(bar["text"]).replace("\u00a0", " ")
+
+
+def test_a_wide_table_is_cut_into_parts_about_equally_wide_and_never_within_a_point() -> None:
+    """As wide as when all columns stood evenly in as few tables as hold them, or as the widest point; the next would not fit."""
+    for alone, owned, most in product(range(1, 13), ("", "1", "3", "23", "3322", "1111111", "42"), (1, 3, 4, 10)):
+        points = [[f"{point}.{column}" for column in range(int(count))] for point, count in enumerate(owned)]
+        blocks = [[f"w{column}"] for column in range(alone)] + points
+        names = [name for block in blocks for name in block]
+        widest = max(-(-len(names) // -(-len(names) // most)), *map(len, blocks))
+        parts = [names[begin:end] for begin, end in pieces(names, most)]
+        assert [name for part in parts for name in part] == names
+        begins = {block[0]: len(block) for block in blocks}
+        for part, after in zip_longest(parts, parts[1:]):
+            assert part[0] in begins and len(part) <= widest  # whole points
+            assert after is None or len(part) + begins[after[0]] > widest

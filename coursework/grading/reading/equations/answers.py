@@ -65,7 +65,7 @@ def _in_si(value: float, unit: str) -> float | None:
     if not unit:
         return value
     if known := unit_of(unit):
-        return value * FACTORS.get(known, 1.0)
+        return value * FACTORS[known]
     try:
         return value * read_mass(f"1 {unit}").value
     except UnitFault:

@@ -52,7 +52,7 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
             found[column.name] = _alike(_ratios(*reversed(moved_with(column))), {"rad": 1.0}, _WIDTH) or "deg"
     for column in there:  # velocities under another unit's head: both the key and the steps made with them tell so
         if (rate := named.get(column.rate)) and heads[rate.name]:
-            told = _alike(_ratios(rate.values, values[rate.name]), PRINTED.get(rate.unit, {}), _AS_BEGUN)
+            told = _alike(_ratios(rate.values, values[rate.name]), PRINTED[rate.unit], _AS_BEGUN)
             moved = _ratios(*moved_with(column, factor_of(column, found[column.name] or "")))
             if told and _alike(moved, {told: factor_of(rate, told)}, _WIDTH):
                 found[rate.name] = told
@@ -75,7 +75,7 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
 
 
 def _first(unit: str) -> str:
-    return next(iter(PRINTED.get(unit, {unit: 1.0})))
+    return next(iter(PRINTED[unit]))
 
 
 def _together(columns: Sequence[GridColumn], values: Mapping[str, Sequence[float]]) -> str | None:
@@ -83,7 +83,7 @@ def _together(columns: Sequence[GridColumn], values: Mapping[str, Sequence[float
     pairs = [pair for column in columns for pair in zip(values[column.name], column.values, strict=True)]
     known = [pair for pair in pairs if all(map(math.isfinite, pair))]
     own, key = (sorted(abs(pair[place]) for pair in known) for place in (0, 1))
-    return _alike(_ratios(key, own), PRINTED.get(columns[0].unit, {}), _WIDTH)
+    return _alike(_ratios(key, own), PRINTED[columns[0].unit], _WIDTH)
 
 
 def _is_exact(column: GridColumn, unit: str | None, values: Sequence[float]) -> bool:
@@ -99,7 +99,7 @@ def _is_about(sizes: Sequence[float], factor: float) -> bool:
 
 def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> str | None:
     """Return the unit of a column from its head or the key, None if neither determines it."""
-    known = PRINTED.get(column.unit, {column.unit: 1.0})
+    known = PRINTED[column.unit]
     first = values[0] / column.values[0] if column.unit == "rad" and column.values[0] else math.nan
     begins = [first] if math.isfinite(first) else []
     if head in known:  # unless the start value, or most of an angle, a length or a speed, is printed in another unit
@@ -128,7 +128,7 @@ def _alike(ratios: Sequence[float], known: Mapping[str, float], width: float) ->
 
 def factor_of(column: GridColumn, unit: str) -> float:
     """Return the factor that converts a unit of this column to SI."""
-    return PRINTED.get(column.unit, {}).get(unit, 1.0)
+    return PRINTED[column.unit].get(unit, 1.0)
 
 
 def whole_turns(column: GridColumn, values: Sequence[float], moves: Sequence[float] = ()) -> tuple[int, ...]:

@@ -271,3 +271,21 @@ def test_a_pdf_is_read_while_a_debugger_or_coverage_looks_on() -> None:
 def _parts(content: bytes) -> dict[str, bytes]:
     with zipfile.ZipFile(io.BytesIO(content)) as file:
         return {name: file.read(name) for name in file.namelist()}
+
+
+@pytest.mark.parametrize(("before", "is_read"), [(299, True), (300, False)])
+def test_of_the_formulas_in_parts_of_their_own_three_hundred_are_opened(before: int, is_read: bool) -> None:
+    sheets = b'<text:p><draw:object xlink:href="./Sheet"/></text:p>' * before  # also others than formulas count
+    formula = b"<math><msub><mi>w</mi><mn>4</mn></msub><mo>=</mo><mn>2</mn><msub><mi>w</mi><mn>3</mn></msub></math>"
+    work = read(writer(sheets + b'<text:p><draw:object xlink:href="./A"/></text:p>', A=formula))
+    assert (work.equations is not None) is is_read
+
+
+@pytest.mark.parametrize(("room", "is_read"), [(0, True), (-1, False)])
+def test_a_pdf_is_opened_up_to_the_last_byte_that_its_streams_may_have(
+    room: int, is_read: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A page that is inflated once: as many bytes as are allowed, and one more."""
+    monkeypatch.setattr(pdf, "INFLATED_BYTES", len(TEXT) + room)
+    work = read(one_page(zlib.compress(TEXT), FLATE))
+    assert work.trouble is not None and (work.trouble.code != "too_large_open") is is_read

@@ -55,6 +55,7 @@ def test_right_work_is_worth_all_points(kind: str, written: str) -> None:
     assert grade.status in {"graded", "graded-with-notes"}, (grade.reason, grade.work.trouble)
     assert grade.total == 100.0, [(mark.verdict, mark.line.text) for mark in grade.equations.marks] if grade.equations else None
     assert grade.work.files[0].kinds == ("table", "equations")
+    assert ("from_pdf" in {note.code for note in grade.work.notes}) is kind.startswith("pdf")
     assert all(mark.line.place for mark in grade.equations.marks) if grade.equations else False
 
 

@@ -2,6 +2,7 @@
 
 import pytest
 
+from coursework.grading.reading.equations.notation.degrees import with_factors
 from coursework.grading.reading.equations.plain_text import of_units
 from coursework.grading.reading.equations.systems.parts import parts_of
 from tests.grading.reading.equations.notation.test_notations import PLAIN, marked
@@ -128,3 +129,13 @@ def test_equations_may_be_parted_by_slashes_and_a_remark_behind_them_is_none():
     assert len(marked("//".join(WRONG)).wrong) == 1
     for remark in ("w3 = 6.28", "projection on x", "VMy = V1*sin(p*t + alpha)"):
         assert len(marked("\n".join(f"{line} // {remark}" for line in LINES)).marks) == 4
+
+
+@pytest.mark.parametrize(("written", "means"), [
+    ("cosd phi3 + r2*sind 30 - w1", "cos((pi/180)*phi3) + r2*sin((pi/180)*30) - w1"),
+    ("cosd90*b", "cos((pi/180)*90)*b"), ("tand(a)*x", "tan((pi/180)*(a))*x"), ("sind (a*(b+c))*d", "sin((pi/180)*(a*(b+c)))*d"),
+    ("r3*sin_deg(phi1 + pi) - cosdeg(a) = 0", "r3*sin((pi/180)*(phi1 + pi)) - cos((pi/180)*(a)) = 0"),
+    ("sin(a deg)*b", "sin((a*pi/180))*b"), ("sin(a Degree + 30)", "sin((a*pi/180) + 30)"), ("sind(a + b", "sin((pi/180)*(a + b)"),
+])  # fmt: skip
+def test_functions_of_degrees_take_just_what_is_theirs(written, means):
+    assert with_factors(written) == means

@@ -50,3 +50,18 @@ def test_words_mean_the_one_column_of_their_kind(head, means):
     known = [("phi", "rad"), ("w1", "1/s"), ("w2", "1/s"), ("v", "m/s")]
     assert [*read_head(head, known).told] == means
     assert means != ["v"] or read_head(head, [*known, ("u", "m/s")]).told == ()
+
+
+@pytest.mark.parametrize(("unit", "turning", "moving", "both", "neither"), [
+    # an angle · a speed · the speed of an angle · no quantity, each of link 2
+    ("", "phi2", "", "w2", ""), ("rad", "phi2", "w2", "w2", ""), ("deg", "phi2", "w2", "w2", ""), ("m", "phi2", "", "w2", "s2"),
+    ("1/s", "phi2", "w2", "w2", "w2"), ("deg/s", "phi2", "w2", "w2", "w2"), ("rad/s", "phi2", "w2", "w2", "w2"),
+    ("m/s", "phi2", "u2", "w2", "u2"), ("mm/s", "phi2", "u2", "w2", "u2"),
+])  # fmt: skip
+def test_quantity_unit_and_number_together_mean_one_column_or_none(unit, turning, moving, both, neither):
+    known = [("phi1", "rad"), ("w1", "1/s"), ("phi2", "rad"), ("w2", "1/s"), ("s2", "m"), ("u2", "m/s")]
+    said = (("angle of link", turning), ("speed of link", moving), ("angular speed of link", both), ("for link", neither))
+    for words, means in said:
+        head = read_head(f"{words} 2{', ' if unit else ''}{unit}", known)
+        assert (head.candidates or head.told) == ((means,) if means else ()), words
+        assert read_head(f"{words} 2 and 1{', ' if unit else ''}{unit}", known).told == ()

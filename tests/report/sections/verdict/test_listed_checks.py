@@ -101,3 +101,11 @@ def test_the_limit_of_digits_has_its_noun(language: str, noun: str) -> None:
     run = solved("31")
     (check,) = [one for one in run.checks if one.code == "CONDITION"]
     assert bound(PageContext(run, load_words(language)), check).replace("\xa0", " ").endswith(f"6 {noun}")
+
+
+@pytest.mark.parametrize("key", ["unit.of_the_scale", "unit.of_the_shortest", "unit.relative"])
+def test_a_share_of_less_than_the_last_digits_of_a_number_is_nought_and_any_other_amount_is_told(key: str) -> None:
+    assert [counted(sign * value, say(key)) for sign in (1, -1) for value in (0.9e-12, 1.1e-12)] == [0.0, 1.1e-12, 0.0, -1.1e-12]
+    assert [counted(value, unit) for value in (0.9e-12, 0.3) for unit in (say("unit.rows", number=1), "m")] == [
+        0.9e-12, 0.9e-12, 0.3, 0.3
+    ]  # fmt: skip

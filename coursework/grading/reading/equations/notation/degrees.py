@@ -20,7 +20,7 @@ _CONVERSION = re.compile(
     re.IGNORECASE,
 )
 _OF_DEGREES = re.compile(r"\b(sin|cos|tan)_?d(?:eg)?(?=\s*\(|\s+\w|\d)", re.IGNORECASE)  # cosd(phi3) in MATLAB, Julia, Fortran
-_SIGN = r"\s*(?:°|º|\^\s*\{?\s*(?:circ|∘|\*)\s*\}?|(?:Degree|deg)\b)"
+_SIGN = r"\s*(?:°|º|\^\s*\{?\s*(?:circ|∘|\*)\s*\}?|(?:Degree|deg)\b(?!\())"
 _NAME_IN_DEGREES = re.compile(rf"(?<![\w.])([^\W\d]\w{{0,20}}){_SIGN}")
 _GROUP_IN_DEGREES = re.compile(r"(?<=\))\s*°")
 _PI = re.compile(r"(?<![\w.])(?:M_PI|%pi|(?:pi|π|ПИ|ПІ)(?=\())(?:\(\s*\))?", re.IGNORECASE)  # in C, in Maxima, in spreadsheets

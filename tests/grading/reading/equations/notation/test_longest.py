@@ -6,10 +6,13 @@ from collections.abc import Callable
 
 import pytest
 
+from coursework.grading.reading.equations.meanings import put_in
 from coursework.grading.reading.equations.names_in_text import spellings_of
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.vectors import with_entries_named
+from coursework.variant.formula.reader import parse
+from coursework.variant.formula.tree import Formula
 from tests.grading.scenes import expected
 
 
@@ -42,3 +45,10 @@ def test_a_command_is_put_in_while_the_text_stays_short_enough() -> None:
     for length, is_read in ((room, True), (room + 1, False)):
         found = with_own_commands(head + r"\om" + " " * (length - len(r"\om")))
         assert (body in found.replace(head, "")) is is_read, length
+
+
+def test_a_meaning_is_put_in_while_the_formula_stays_as_small_as_a_typed_one() -> None:
+    """500 nodes: a sum of 125 parts has 249 of them, one of 126 has 251, and a sign is one more."""
+    k, j = (parse("+".join(["w1"] * count)) for count in (125, 126))
+    for meant, is_put_in in ((j, True), (Formula("neg", (j,)), False)):
+        assert (put_in(parse("2*k + j"), {"k": k, "j": meant}) is not None) is is_put_in
