@@ -91,12 +91,12 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
     explains less of it, as other data that are near the variant's do.
 
     Rounded velocities or a rounded π explain some of any steps, and another origin some of any angles; each counts only if it
-    explains nearly all and no other cause explains more.
+    explains nearly all and no other slip or rule explains more: a number read off the table may, as cells are put right.
     What explains no more than Euler's rules do counts as a wrong method, which is worth least: cells put right make these rules
     explain more, and must not take what the cause was worth where the gates let the cells earn less.
     """
     beyond = [fit for fit in found.fits if fit.beyond_euler]
-    most = max((fit.share for fit in beyond), default=0.0)
+    most = max((fit.share for fit in beyond if _is_slip(key, fit)), default=0.0)
     copied = max((fit.share for fit in beyond if fit.code.startswith("variant_")), default=0.0)
     least = max((fit.share + TIE for fit in beyond if _is_slip(key, fit)), default=0.0)
     for fit in found.fits:

@@ -4,28 +4,36 @@ Enters: a `Key`, a student's table, its ways.  Leaves: `Way`s by which no cell b
 Used by `cells.py`.
 The table is explained with the fewest slips. A cell that does not follow from what others were when it was made is a slip and
 costs one. A printed cell either is what it was; or is a misprint, which costs one; or was put right to the task's number, which
-costs nothing. What explains a table still does, at no higher cost, when a misprint is put right: so a correction never costs
-points, as far as the search finds the explanation.
+costs nothing. The cost is the least over all tables that may have been.
+
+One more right cell never raises it: each table that may have been still may, and costs no more, since a printed cell put right
+costs nothing whatever it was. Costs join each row only with the one that it is made from, so the least of all tables that take
+each row from any of a pool is found exactly, and no choice in one row decides about rows far from it. What can still be lost is
+a row that was never put into the pool.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.guesses import FEW, Counts, guesses, makers_of_several
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers
-from coursework.grading.marking.table.ways import OwnWays, StudentTable, Way, as_printed, near, own_ways
+from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, as_printed, near, own_ways
 from coursework.system.arrays import Flags
 from coursework.system.frozen import frozen
 
 # How often the values found are put in and the rows beside them searched again.
-_PASSES = 3
+_PASSES = 4
 # How often the beginning of a restored part is moved down because no cell speaks for its first rows.
 _BEGINNINGS = 4
+
+# A table that may have been, and what follows from its cells.
+Was = tuple[StudentTable, OwnWays]
 
 
 @frozen
@@ -47,31 +55,35 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
     above make of it; any other earlier value is told by the cells made from it, and costs a cell as before the correction.
     """
     m, put = len(key.coordinates), near(student.values, key.table, as_printed(key, student.units))
-    was, told = student, np.zeros_like(wrong)
     sure = ~wrong & ~put & own.holds(student.values)
-    looked = _Looked(key, student, wrong & ~put, wrong | put, sure, own, told, student)
+    search = _Search(key, student, wrong & ~put, wrong | put, sure, own)
+    was, pool = (student, own), [(student, own)]
+    (_, least), told = search.cheapest(pool), np.zeros_like(wrong)
     for _ in range(_PASSES):
-        last, own = looked.followed(was, right & ~told.any(axis=1, keepdims=True))
-        was, now = looked.guessed(last, own, told)
-        if now is told:
+        pool += search.followed(*was, right & ~told.any(axis=1, keepdims=True))
+        last, _ = search.cheapest(pool)
+        pool += search.guessed(*last, told)
+        was, cost = search.cheapest(pool)
+        if cost >= least:
             break
-        own, told = looked.made_by(was), now
-        looked = replace(looked, printed=replace(student, values=np.where(told, was.values, student.values)), told=told)
-    made: Flags = beside_makers(looked.wrong & own.holds(student.values), m)
-    fitted = made & (np.cumsum(made, axis=1) <= _slips(was, student, own)[:, None])
+        told, least = told | (_other(was[0], student) & _other(was[0], last[0])), cost
+    (table, ways), _ = search.cheapest(pool, velocities_first=True)
+    held = ways.holds(student.values)
+    made = beside_makers(search.wrong & held, m)
+    costs = (_other(table, student) & ~ways.holds(table.values)).sum(axis=1) + beside_makers(sure & ~held, m).sum(axis=1)
+    fitted = made & (np.cumsum(made, axis=1) <= costs[:, None])
+    left = np.argwhere(made & ~fitted)[: costs.sum() - fitted.sum()]  # a row may cost more than the cells that are made from it
+    fitted[tuple(left.T)] = True
     return Restored(
-        tuple(replace(way, expected=np.where(_made_into(made, m), way.expected, np.nan)) for way in own.tried),
+        tuple(replace(way, expected=np.where(_made_into(made, m), way.expected, np.nan)) for way in ways.tried),
         _made_into(fitted, m),
-        was if _other(was, student).any() else None,
+        table if _other(table, student).any() else None,
     )
 
 
 @dataclass(frozen=True)
-class _Looked:
-    """A table being searched: its `wrong` cells (n, m + r), those that may have been `other`, the `sure` ones, its `own` ways.
-
-    `told` are cells whose earlier value was found, and `printed` is the table with these values.
-    """
+class _Search:
+    """A table being searched: its `wrong` cells (n, m + r), those that may have been `other`, the `sure` ones, its `own` ways."""
 
     key: Key
     student: StudentTable
@@ -79,84 +91,96 @@ class _Looked:
     other: Flags
     sure: Flags
     own: OwnWays
-    told: Flags
-    printed: StudentTable
-
-    @property
-    def speaking(self) -> Flags:
-        """Return which cells tell something about others."""
-        return self.wrong | self.told
-
-    def worth(self, table: StudentTable, ways: OwnWays) -> Counts:
-        """Return for each row (n,) how many cells made from it `table` explains, less the slips that `table` costs.
-
-        Of equally many the velocities are worth a little more: the gates of the points look at rows with all of them right.
-        """
-        m, held = len(self.key.coordinates), ways.holds(self.printed.values)
-        found = beside_makers((self.speaking & held) * 1 - (self.sure & ~held), m)
-        cells = found.sum(axis=1) - _slips(table, self.student, ways)
-        return np.asarray(cells * (1 + found.shape[1]) + found[:, :-m].sum(axis=1))
 
     def made_by(self, table: StudentTable) -> OwnWays:
         """Return the ways from the cells of a table."""
         return self.own if table is self.student else own_ways(self.key, table, self.own.coarse)
 
-    def followed(self, table: StudentTable, free: Flags) -> tuple[StudentTable, OwnWays]:
-        """Return a table with `free` cells as its rows make them, from the first row on for which any cell speaks."""
-        found, ways = as_it_was(self.key, table, free, self.own), self.made_by(table)
-        if found is None:
-            return table, ways
-        least, ways = self.worth(table, ways), self.made_by(found)
+    def _costs(self, pool: Sequence[Was], *, velocities_first: bool = False) -> tuple[Counts, Counts]:
+        """Return what each row of each table in the `pool` costs: its velocities (k, n), and its coordinates (k, k, n).
+
+        Coordinates are made from the row above of the first table, in the row of the second one. Of equally many cells the
+        velocities may cost a little more: the gates of the points look at rows with all of them right.
+        """
+        m, width, printed = len(self.key.coordinates), self.wrong.shape[1], self.student.values
+        values = np.array([table.values for table, _ in pool])
+        other = (values != printed) & np.isfinite(values)
+        held = np.array([ways.holds(printed) for _, ways in pool])
+        broken = (1 + width) * ((self.wrong | self.sure) & ~held) + velocities_first * (self.wrong & ~held)
+        slips = other[:, :, m:] & ~np.array([ways.holds(table.values)[:, m:] for table, ways in pool])
+        here = broken[:, :, m:].sum(axis=2) + (1 + width) * slips.sum(axis=2)
+        digits = np.array([table.units[:, :m] for table, _ in pool])
+        own_digits = HALF * (digits - digits[:, None])  # of the second table's row, not of the first one's
+        follows = np.zeros(own_digits.shape, dtype=bool)
+        for place in (2, 3):
+            steps = [ways.tried[place] for _, ways in pool]
+            expected, open_by = (np.array([getattr(one, name)[:, :m] for one in steps]) for name in ("expected", "tolerance"))
+            follows |= near(values[None, :, :, :m], expected[:, None], open_by[:, None] + own_digits)
+        between = (1 + width) * (broken[:, None, :, :m] > 0).sum(axis=3) + (1 + width) * (other[:, :, :m] & ~follows).sum(axis=3)
+        return here, between
+
+    def cheapest(self, pool: Sequence[Was], *, velocities_first: bool = False) -> tuple[Was, int]:
+        """Return the table that takes each row from any in the `pool` and costs least, and its cost; the first ones if equal."""
+        rows, (here, between) = self._rows, self._costs(pool, velocities_first=velocities_first)
+        cost, taken = here[:, rows[0]] + between[0, :, rows[0]], []
+        for row in rows[1:]:
+            via = cost[:, None] + between[:, :, row]
+            taken.append(via.argmin(axis=0))
+            cost = via.min(axis=0) + here[:, row]
+        chosen = [int(cost.argmin())]
+        for came in reversed(taken):
+            chosen.append(int(came[chosen[-1]]))
+        return self._joined(pool, chosen[::-1]), int(cost.min())
+
+    @cached_property
+    def _rows(self) -> list[int]:
+        return [int(row) for row in np.flatnonzero(np.isfinite(self.student.values).any(axis=1))]
+
+    def _joined(self, pool: Sequence[Was], chosen: Sequence[int]) -> Was:
+        """Return the table that takes each row that is there from the `chosen` table of the pool."""
+        if not any(chosen):
+            return pool[0][0], self.made_by(pool[0][0])
+        values, units = self.student.values.copy(), self.student.units.copy()
+        for row, place in zip(self._rows, chosen, strict=True):
+            values[row], units[row] = pool[place][0].values[row], pool[place][0].units[row]
+        found = replace(self.student, values=values, units=units)
+        return found, self.made_by(found)
+
+    def followed(self, table: StudentTable, ways: OwnWays, free: Flags) -> Iterator[Was]:
+        """Yield a table with `free` cells as its rows make them, then only from the first row on for which any cell speaks."""
+        before = self._of_makers(table, ways)
         for _ in range(_BEGINNINGS):
-            silent = _silent(np.any(_other(found, table), axis=1), self.worth(found, ways) > least)
-            free = free & ~silent[:, None]
+            found = as_it_was(self.key, table, free, self.own)
+            if found is None:
+                return
+            made = self.made_by(found)
+            yield found, made
+            silent = _silent(np.any(_other(found, table), axis=1), self._of_makers(found, made) < before)
             if not silent.any():
-                break
-            later = as_it_was(self.key, table, free, self.own) or table
-            made = self.made_by(later)
-            if self.worth(later, made).sum() < self.worth(found, ways).sum():
-                break
-            found, ways = later, made
-        return found, ways
+                return
+            free = free & ~silent[:, None]
 
-    def bases(self, last: StudentTable, own: OwnWays, told: Flags) -> Iterator[StudentTable]:
-        """Yield the tables beside which a cell may have been different: as found, as printed, with misprints recomputed."""
-        m, speaking = len(self.key.coordinates), self.speaking
-        yield last
-        if _touched(beside_makers(speaking, m), self.printed, last):
-            yield self.printed
-        misprints = self.wrong & ~told & (np.arange(self.wrong.shape[1]) < m)
-        misprints &= makers_of_several(speaking & ~own.holds(self.printed.values), m)[:, None]
-        if 0 < misprints.any(axis=1).mean() <= FEW and (above := as_it_was(self.key, last, misprints, own)):
-            yield above
+    def _of_makers(self, table: StudentTable, ways: OwnWays) -> Counts:
+        """Return what is lost (n,) in what each row makes: its velocities and the coordinates of the next row."""
+        here, between = self._costs([(table, ways)])
+        return np.asarray(here[0] + np.append(between[0, 0, 1:], 0))
 
-    def guessed(self, last: StudentTable, own: OwnWays, told: Flags) -> tuple[StudentTable, Flags]:
-        """Return the table with all guesses that explain more cells, and the cells told now; `told` itself if no guess does."""
-        m, speaking, was, now = len(self.key.coordinates), self.speaking, last, told
-        best = np.maximum(self.worth(last, own), 0)
-        tried: list[tuple[StudentTable, StudentTable, Counts]] = []
-        for base in self.bases(last, own, told):
-            ways = own if base is last else self.made_by(base)
-            left = speaking & ~ways.holds(self.printed.values)
-            for guess in guesses(self.key, base, ways, left, self.other, self.other & ~told):
-                if _touched(beside_makers(left, m), guess, base):
-                    tried.append((base, guess, self.worth(guess, self.made_by(guess))))
-        # A slip that explains one velocity gains nothing but the gates of the points: it is taken if nothing gains more, as it
-        # may stand in the way. Two rows are taken together if they gain only so.
-        for least in (len(self.key.velocities), 0):
-            for base, guess, found in tried if now is told else ():
-                changed = np.asarray(_other(guess, was).any(axis=1))
-                gain = np.where(changed, found - best, 0)
-                both = changed[:-1] & changed[1:] & (gain[:-1] + gain[1:] > least)
-                for rows in (gain > least, np.append(both, False) | np.append(False, both)):
-                    # A gain beside rows as the guess has them may vanish beside the rows that stay.
-                    joined = _joined(rows, guess, was)
-                    if rows.any() and (gains := rows & (self.worth(joined, self.made_by(joined)) >= found)).any():
-                        best = np.where(gains, np.maximum(found, best), best)
-                        now = now | (gains[:, None] & _other(guess, base))
-                        was = _joined(gains, guess, was)
-                        break
-        return was, now
+    def guessed(self, last: StudentTable, ways: OwnWays, told: Flags) -> Iterator[Was]:
+        """Yield guesses of what cells were, beside the table as found, as printed, and with misprints recomputed.
+
+        `told` cells speak with what they were, as the printed ones do.
+        """
+        m, speaking = len(self.key.coordinates), self.wrong | told
+        printed = np.where(told, last.values, self.student.values)
+        bases = [last, replace(self.student, values=printed)]
+        misprints = self.wrong & (np.arange(self.wrong.shape[1]) < m) & makers_of_several(self.wrong, m)[:, None]
+        if 0 < misprints.any(axis=1).mean() <= FEW and (above := as_it_was(self.key, last, misprints, ways)):
+            bases.append(above)
+        for base in bases:
+            ways = self.made_by(base)
+            yield base, ways
+            for guess in guesses(self.key, base, ways, speaking & ~ways.holds(printed), self.other, self.other & ~told):
+                yield guess, self.made_by(guess)
 
 
 def _silent(moved: Flags, gains: Flags) -> Flags:
@@ -168,24 +192,8 @@ def _silent(moved: Flags, gains: Flags) -> Flags:
     return found
 
 
-def _slips(table: StudentTable, printed: StudentTable, ways: OwnWays) -> Counts:
-    """Return how many cells of each row (n,) differ from the print and do not follow from earlier cells either."""
-    return np.asarray((_other(table, printed) & ~ways.holds(table.values)).sum(axis=1))
-
-
-def _joined(rows: Flags, guess: StudentTable, was: StudentTable) -> StudentTable:
-    """Return the table `was` with some rows (n,) from a guess."""
-    values, units = (np.where(rows[:, None], *both) for both in ((guess.values, was.values), (guess.units, was.units)))
-    return replace(was, values=values, units=units)
-
-
 def _other(table: StudentTable, than: StudentTable) -> Flags:
     return np.asarray((table.values != than.values) & np.isfinite(table.values))
-
-
-def _touched(made: Flags, table: StudentTable, than: StudentTable) -> bool:
-    """Return whether any cell `made` from a row (n, r + m) comes from a row in which the two tables differ."""
-    return bool((made.any(axis=1) & _other(table, than).any(axis=1)).any())
 
 
 def _made_into(cells: Flags, m: int) -> Flags:

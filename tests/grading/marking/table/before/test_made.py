@@ -9,7 +9,7 @@ import pytest
 
 from coursework.grading.marking.table.before.guesses import _is_open, _parts, _ranked
 from coursework.grading.marking.table.before.made import _marched, as_it_was, beside_makers, made_from_rows
-from coursework.grading.marking.table.before.restored import _joined, _made_into, _other, _silent, _slips, _touched
+from coursework.grading.marking.table.before.restored import _made_into, _other, _silent
 from coursework.grading.marking.table.ways import StudentTable
 
 NAN = math.nan
@@ -151,11 +151,3 @@ def test_tables_beside_each_other():
     one, two = table([1, 2, 3], [4, 5, NAN]), table([1, 9, 3], [7, 5, 6], unit=1e-2)
     assert _other(two, one).tolist() == [[False, True, False], [True, False, True]]
     assert _other(one, two).tolist() == [[False, True, False], [True, False, False]]
-    joined = _joined(np.array([False, True]), two, one)
-    assert joined.values.tolist() == [[1, 2, 3], [7, 5, 6]] and joined.units[:, 0].tolist() == [1e-3, 1e-2]
-    held = SimpleNamespace(holds=lambda values: np.array([[False, True, False], [False, False, False]]))
-    assert _slips(two, one, held).tolist() == [0, 2]
-    for row, is_touched in ((0, True), (1, False)):
-        made = np.zeros((2, 3), dtype=bool)
-        made[row, 2] = True
-        assert _touched(made, table([1, 9, 3], [4, 5, 6]), table([1, 2, 3], [4, 5, 6])) is is_touched
