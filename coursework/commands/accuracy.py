@@ -65,7 +65,7 @@ def timed_study(run: Run) -> AccuracyStudy:
             return scene.energy_study(lambda _label: bar.update(1))
     if not len(run.exact.t):
         raise InputError(say("fault.C022"))
-    problem = problem_of(scene)
+    problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
     command = [sys.executable, "-c", "import numpy"]
     imports = timed_once(lambda: subprocess.run(command, check=True))[1]
     reduction = sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates"))

@@ -29,10 +29,11 @@ if TYPE_CHECKING:
     from coursework.drawing.paper.record import Drawing
     from coursework.drawing.plans.plans import Plans
     from coursework.effects.kinetostatics.analysis import ForceAnalysis
+    from coursework.motion.geometry.closure import Closure
+    from coursework.motion.integration.rates import Rates
     from coursework.results.accuracy.problem import Problem
     from coursework.results.accuracy.record import AccuracyStudy
     from coursework.results.kinematics.extra import ExtraTable
-    from coursework.scene.way_to_motion import WayToMotion
 
 T = TypeVar("T")
 
@@ -126,12 +127,12 @@ def flowchart(results: MotionResults) -> Motion:
     return results.motion
 
 
-def problem_of(scene: WayToMotion) -> Problem:
+def problem_of(variant: Variant, rates: Rates, start: list[float], exact: Motion, closure: Closure | None) -> Problem:
     """Return the problem of an accuracy study, with as many rows as the exact motion."""
     from coursework.results.accuracy.problem import Problem
 
-    units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
-    return Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
+    units = tuple(coordinate.unit for coordinate in variant.coordinates)
+    return Problem(rates, start, variant.time.step, len(exact.t) - 1, closure, units)
 
 
 @computed("stop", "rates", "start", "exact", "closure", "motion", "search")
@@ -147,8 +148,10 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
         return None if scene.stop is not None else scene.energy_study()
     if scene.stop is not None or scene.settings.columns or scene.search.passages:
         return None  # through a singular position the error of a scheme does not depend on its step alone
-    scheme, settings = results.by_scheme.motion.scheme, scene.settings
-    return make_study(problem_of(scene), scene.exact, scheme, project=settings.project, gain=settings.gain)
+    problem = problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure)
+    results = results.by_scheme
+    settings = scene.settings
+    return make_study(problem, scene.exact, results.motion.scheme, project=settings.project, gain=settings.gain)
 
 
 @computed("mechanism", "equations", "one_period")

@@ -18,7 +18,7 @@ from tests.command import call
 def problem_and_run():
     run = coursework.solve("31", quantities=("accuracy",))
     scene = run.scene
-    return problem_of(scene), run
+    return problem_of(scene.variant, scene.rates, scene.start, scene.exact, scene.closure), run
 
 
 def test_the_first_time_is_one_and_the_others_are_measured_by_it(problem_and_run, monkeypatch):

@@ -41,7 +41,7 @@ _SOLVED = re.compile(
     r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+?)(?:,\s*[\[{][\w\s,]+[\]}]|(?:,\s*[^\W\d]\w{0,9})+)\s*[)\]];?"
 )
 _ROW = re.compile(r"\|(.+)\||\"?\d{1,3}\"?\s*;(.+)")  # a row of a table
-_ALL_ZERO = re.compile(r"(?:[^\W\d]\w{0,20}\s*=\s*){2,12}0\s*[.;]?")  # V_Cy = V_Dx = 0
+_ALL_ZERO = re.compile(r"(?:[vV]_?[A-Z]\w{0,18}\s*=\s*){2,12}0\s*[.;]?")  # V_Cy = V_Dx = 0
 _LONGEST = 4000
 _MOST_ROWS, _MOST_WITHIN = 12, 3  # most rows of a matrix; most brackets around it
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
