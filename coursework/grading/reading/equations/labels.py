@@ -45,7 +45,7 @@ _COUNTED = re.compile(
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
 _SAID_IN_WORDS = re.compile(r"(?:\s(?:--?|[–—!'\"])|\s?;)\s*((?:[^\W\d_]+[\s,.]+)+[^\W\d_]+)[.;]?\s*$")
 _SAID = re.compile(
-    r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(?:for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
+    r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
 )
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
@@ -179,7 +179,7 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     if (behind := _SAID_IN_WORDS.search(text, text.rfind("=") + 1)) and _is_said_in_words(behind[1], is_name):
         return text[: behind.start()]
     for said_after in _SAID.finditer(text, text.rfind("=") + 1):
-        if not is_name(said_after[1] or ""):
+        if not is_name(said_after[1] or said_after[2]):
             return text[: said_after.start()]
     found = _UNIT_AT_END.search(text)
     if found and "=" in text[: found.start()]:

@@ -232,14 +232,7 @@ def _named_apart(text: str) -> str:
     """Return a text in which matrix and right side have names, defined at the end, where they stand in the line that solves."""
     for begun in _CALLED.finditer(text):
         end = closing(text, begun.end() - 1, _LONGEST)
-        parts = [one.strip() for one in at_commas(text[begun.end() : end])]
-        wrapped = [_WRAPPED.fullmatch(part) for part in parts]
-        if (
-            len(parts) == 2
-            and (wrapped[1] or parts[1].isidentifier())
-            and (not wrapped[0] or re.search(r"[;\[]", wrapped[0][1][1:]))
-        ):
-            parts = [found[1] if found else part for part, found in zip(parts, wrapped, strict=True)]
+        if parts := _solved_for(at_commas(text[begun.end() : end])):
             before, between, behind = text[: begun.end()], ", ", text[end:]
             lines = "\n" * text.count("\n", begun.end(), end)
             break
@@ -250,7 +243,15 @@ def _named_apart(text: str) -> str:
         before, between, behind, lines = f"{text[: divided.start()]} ", "\\", text[divided.end() :], ""
     names = [name if part.startswith("[") else part for name, part in zip(_OF_CALL, parts, strict=True)]
     defined = "".join(f"\n{name} = {part}" for name, part in zip(names, parts, strict=True) if part.startswith("["))
-    return f"{before}{between.join(names)}{behind.replace(chr(10), lines + chr(10), 1)}{defined}" if defined else text
+    return before + between.join(names) + behind.replace("\n", f"{lines}\n", 1) + defined if defined else text
+
+
+def _solved_for(arguments: Sequence[str]) -> list[str]:
+    """Return a matrix and a right side, each as its name or its cells in brackets; [] if these are other arguments."""
+    found = [_WRAPPED.fullmatch(argument) for argument in arguments]
+    parts = [one[1] if one else argument.strip() for one, argument in zip(found, arguments, strict=True)]
+    is_matrix = len(parts) == 2 and (not found[0] or re.search(r"[;\[]", parts[0][1:]) is not None)
+    return parts if is_matrix and (found[1] or parts[1].isidentifier()) else []
 
 
 def _as_cells(row: re.Match[str]) -> str:
