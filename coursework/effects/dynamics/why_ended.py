@@ -36,7 +36,8 @@ def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[fl
 
     `passed` holds time, all coordinates and free rates of the first row and of each state since the last row.  Near a vanishing
     determinant the other velocities are those of the free coordinates divided by it.  A link with mass cannot become that fast;
-    then the free coordinates come to rest there and turn back.  Where they do not slow down either, it is a change point.
+    then the free coordinates, or one motion that they make together, come to rest there and turn back.  Where other velocities
+    stay finite whatever the free ones are, it is a change point.
     """
     rows = np.array(passed)
     if motion.others and len(rows) > 2:
@@ -44,12 +45,21 @@ def why_ended(motion: EquationsOfMotion, at: float, passed: Sequence[Sequence[fl
         least = min(found[-motion.determinants :], key=lambda one: float(one[-1] / one.max()))
         if least[-1] < _SMALL * least.max():
             fastest = np.max([found[place] for place in motion.others], axis=0)
-            free = np.max(np.abs(rows[:, -len(motion.free) :]), axis=1)
+            reach = _reach(motion, rows)
             # The limit lies halfway: rates of massless links grow as 1/determinant, other rates do not grow at all.
             as_fast = fastest[-1] ** 2 * least[-1] < fastest[1] ** 2 * least[1]
-            as_free = fastest[-1] ** 2 * least[-1] * free[1] ** 2 < fastest[1] ** 2 * least[1] * free[-1] ** 2
-            return Open(_vanishes(rows[:, 0], least), CHANGE if as_free else LIMIT if as_fast else "dead point")
+            meet = reach[-1] ** 2 * least[-1] < reach[1] ** 2 * least[1]
+            return Open(_vanishes(rows[:, 0], least), CHANGE if meet else LIMIT if as_fast else "dead point")
     return Open(at, "too steep")
+
+
+def _reach(motion: EquationsOfMotion, rows: Array) -> Array:
+    """Return the largest other velocity that a free rate of 1 gives in each row, with all other free rates at rest."""
+    found, count = [], len(motion.free)
+    for rates in (np.zeros(count), *np.eye(count)):
+        table = motion.table(*np.column_stack([rows[:, :-count], np.tile(rates, (len(rows), 1))]).T)
+        found.append([np.broadcast_to(table[place], len(rows)) for place in motion.others])
+    return np.asarray(np.max(np.abs(np.array(found[1:]) - found[0]), axis=(0, 1)))
 
 
 def _vanishes(t: Array, sizes: Array) -> float:
