@@ -131,7 +131,10 @@ class Walk:
         variant, time, bound = self.flow.equations.variant, float(state[-1]), say("event.no_bound")
         name = variant.rates[int(np.argmax(np.abs(self.slope[:-1])))]
         if (far := np.abs(state[:-1])).max() > BOUNDLESS:
-            coordinate = variant.coordinates[int(np.argmax(far))]
+            place = int(np.argmax(far))
+            coordinate, begun = variant.coordinates[place], abs(float(self.state[place]))
+            if far[place] > begun:  # a fast one passes the bound early in the step
+                time -= (time - float(self.state[-1])) * (float(far[place]) - BOUNDLESS) / (float(far[place]) - begun)
             name, bound = coordinate.name, say("amount.three", value=BOUNDLESS, unit=coordinate.unit)
         return NotFollowed(say("fault.V526", name=name, bound=bound, time=time), time)
 
