@@ -5,8 +5,6 @@ Enters: a `Run`.  Leaves: sentences.  Used by `check.py`, and by `run_on_screen.
 
 from __future__ import annotations
 
-from itertools import combinations
-
 from coursework.mechanism.left_out import left_out
 from coursework.mechanism.structure import driven_freedoms
 from coursework.motion.geometry.judging.rigid import hinges_with_two_names
@@ -22,7 +20,7 @@ def of_pairs_left_out(run: Run) -> list[Sentence]:
     mobility, drives = run.scene.mechanism.mobility, driven_freedoms(run.variant)
     if mobility is None or run.variant.motor is not None or not 0 < drives < mobility.degrees:
         return []
-    return [] if _as_one(run.variant, mobility.degrees - drives) else of_mobility(run)
+    return of_mobility(run)
 
 
 def of_mobility(run: Run) -> list[Sentence]:
@@ -38,7 +36,7 @@ def of_mobility(run: Run) -> list[Sentence]:
         joints = _joints_of_two_names(run)
         if mobility.degrees > drives:
             joints += left_out(run.scene.mechanism)
-            verdict = _as_one(run.variant, mobility.degrees - drives) or say("screen.driven_missing", drives=drives)
+            verdict = say("screen.driven_missing", drives=drives)
         else:
             way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
             is_bare = any(remark.code == "CONTACT" for remark in run.variant.plausibility)
@@ -46,17 +44,6 @@ def of_mobility(run: Run) -> list[Sentence]:
     if not drives or run.variant.motor is not None:
         verdict = say("screen.as_listed")
     return [say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict), *joints]
-
-
-def _as_one(variant: Variant, freedoms: int) -> Sentence | None:
-    """Return which links turn as one, such as two wheels of one shaft, if that takes all `freedoms` not driven, else None."""
-    held = [(link.name, link.rate, {*link.held}) for link in variant.links]
-    pairs = [
-        (one[0], other[0]) for one, other in combinations(held, 2) if one[1] and one[1] == other[1] and one[2] & other[2]
-    ]  # fmt: skip
-    if len(pairs) != freedoms:
-        return None
-    return say("screen.driven_as_one", drives=driven_freedoms(variant), links=tuple(dict.fromkeys(sum(pairs, ()))))
 
 
 def _joints_of_two_names(run: Run) -> list[Sentence]:

@@ -11,6 +11,7 @@ guide, T acts along a rolling contact.  Of a second slide or contact of the same
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 from coursework.mechanism.joints import FRAME
@@ -132,6 +133,13 @@ def torques_beside_drives(scheme: ForceScheme) -> Iterator[tuple[str, str, Load]
         below = FRAME if load.source == FRAME else scheme.body_named(load.source)
         if (body := scheme.body_named(load.on), below) not in couples:
             yield body, below, load
+
+
+def numbered(own: list[Unknown], found: list[Unknown]) -> list[Unknown]:
+    """Return the unknowns of a joint; of the second slide or contact of two links they end in _2."""
+    taken, endings = {one.name for one in found}, ("", *(f"_{number}" for number in range(2, len(found) + 2)))
+    ending = next(each for each in endings if taken.isdisjoint(one.name + each for one in own))
+    return [replace(one, name=one.name + ending) for one in own]
 
 
 def drives_of(scheme: ForceScheme) -> tuple[Unknown, ...]:

@@ -11,6 +11,7 @@ from coursework.mechanism.left_out import left_out
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import driven_freedoms, in_order
 from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.record.held import rates_without_angle
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
@@ -23,6 +24,9 @@ _PROPORTIONAL = {"name", "number", "+", "-", "*", "/", "neg"}
 def loose(mechanism: Mechanism, near: Callable[[], Pairs] | None) -> Fault:
     """Return the fault of a file whose links and joints cannot carry forces; `near` gives the points that may be hinges."""
     variant, mobility, drives = mechanism.variant, mechanism.mobility, driven_freedoms(mechanism.variant)
+    if bare := rates_without_angle(variant):
+        lines = "; ".join(f'angle_{link} = {{ start = "0 deg", rate = "{rate}" }}' for rate, link in bare.items())
+        return Fault(say("fault.V722.angle", lines=lines), variant.file, variant.nearest_line("drive", next(iter(bare))))
     if mobility is None or not 0 < drives < mobility.degrees:
         return Fault(say("fault.V722.none"), variant.file, 1)
     found = near() if near is not None else ()

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
-from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown
+from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown, numbered
 from coursework.effects.loose import Pairs, loose
 from coursework.effects.slid_length import slid_length
 from coursework.mechanism.groups.joint import Joint
@@ -19,7 +19,7 @@ from coursework.mechanism.structure import Bodies, driven_freedoms, fitting_link
 from coursework.variant.formula.tree import Formula, named, number, signed, spelled
 from coursework.variant.record.entries import reached
 from coursework.variant.record.forces import DISC, POINT, ROD, Forces, Mass
-from coursework.variant.record.held import followed, velocities_of_points
+from coursework.variant.record.held import followed, rates_without_angle, velocities_of_points
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -35,7 +35,7 @@ def read_scheme(mechanism: Mechanism, instead: Forces | None = None, near: Calla
     if forces is None:
         raise InputError([Fault(say("fault.V721"), variant.file, 1)])
     found = fitting_linkage(mechanism)
-    if found is None:
+    if found is None or rates_without_angle(variant):
         raise InputError([loose(mechanism, near)])
     weighed = {one.body for one in forces.masses} | {load.on for load in forces.loads}
     blocks = with_sliders(found, lambda joint: bool(variant.groups) or (joint.where is not None and joint.where.name in weighed))
@@ -157,7 +157,8 @@ class _Reader:
             if (point := self.bodies.point(joint)) != "":
                 joint = replace(joint, where=named(point))  # friction is given by the name of the point
             if not joint.pins:
-                found += _numbered([*(self.sliding(joint) if joint.kind.slides else self.rolling(joint))], found)
+                way = self.fixed if joint.kind.is_rigid else self.sliding if joint.kind.slides else self.rolling
+                found += numbered([*way(joint)], found)
                 continue
             held = self.bodies.hinges()[point] if point else set(joint.bodies)
             names = in_order(self.bodies.called[body] for body in held)
@@ -172,6 +173,11 @@ class _Reader:
                 pairs = [(f"R{_pair(point, name)}", name, point) for name in names]
             found += [Unknown(f"{name}{axis}", on, off, joint.where, Direction(axis)) for name, on, off in pairs for axis in "xy"]
         return tuple(pins), found
+
+    def fixed(self, joint: Joint) -> Iterator[Unknown]:
+        off, on = in_order(self.bodies.called[body] for body in joint.bodies)
+        yield from (Unknown(f"R{_pair(off, on)}{axis}", on, off, joint.where, Direction(axis)) for axis in "xy")
+        yield Unknown(f"K{_pair(off, on)}", on, off, None, Direction("couple"))
 
     def sliding(self, joint: Joint) -> Iterator[Unknown]:
         block, guide = (self.bodies.called[body] for body in joint.bodies)
@@ -277,19 +283,13 @@ class _Reader:
         return FRAME
 
     def stands_on(self, body: str) -> str:
-        """Return the body from which a turning body is driven: the frame if it is hinged there, else its neighbour."""
-        others = [
-            other for joint in self.bodies.linkage.joints if joint.pins and body in joint.bodies
-            for other in joint.bodies if other != body
-        ]  # fmt: skip
-        return FRAME if FRAME in others or not others else others[0]
-
-
-def _numbered(own: list[Unknown], found: list[Unknown]) -> list[Unknown]:
-    """Return the unknowns of a joint; of the second slide or contact of two links they end in _2."""
-    taken, endings = {one.name for one in found}, ("", *(f"_{number}" for number in range(2, len(found) + 2)))
-    ending = next(each for each in endings if taken.isdisjoint(one.name + each for one in own))
-    return [replace(one, name=one.name + ending) for one in own]
+        """Return the body from which a turning body is driven: the frame if its shaft is hinged there, else its neighbour."""
+        linkage = self.bodies.linkage
+        shaft = {part for part, first in linkage.shafts.items() if first == linkage.shafts[body]}
+        if any(FRAME in held and shaft & held for held in self.bodies.hinges().values()):
+            return FRAME
+        pins = (joint.bodies for joint in linkage.joints if joint.pins and shaft & {*joint.bodies})
+        return next((other for pair in pins for other in pair if other not in shaft), FRAME)
 
 
 def _pair(first: str, second: str) -> str:

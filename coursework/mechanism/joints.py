@@ -15,7 +15,8 @@ from contextlib import suppress
 from dataclasses import field, replace
 
 from coursework.mechanism.groups import group_kind
-from coursework.mechanism.groups.joint import MESHING, PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
+from coursework.mechanism.groups.joint import MESHING, ONE_SHAFT, PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
+from coursework.mechanism.one_shaft import first_parts, fixed_links
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, with_points
 from coursework.variant.record.entries import reached
@@ -27,7 +28,7 @@ _BESIDE = 0.01  # share of the radius of a wheel: a start of few digits is not f
 
 @frozen
 class Mobility:
-    """W = 3 n - 2 p5 - p4 of the links as listed (n moving links)."""
+    """W = 3 n - 2 p5 - p4 of the links as listed (n moving links; those of one shaft are one)."""
 
     links: int
     lower_pairs: int
@@ -44,19 +45,25 @@ class Linkage:
     """The moving `bodies` by name, and the `joints` between them and with the frame "0".
 
     In a chain of groups, `coordinates` gives the coordinate of each body and `holds` its named points; both are empty for links,
-    which list these themselves.
+    which list these themselves.  `parts` gives the body of each link that is no body, as it turns as one with an earlier link.
     """
 
     bodies: tuple[str, ...]
     joints: tuple[Joint, ...]
     coordinates: Mapping[str, str] = field(default_factory=dict)
     holds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    parts: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def shafts(self) -> dict[str, str]:
+        """Return for each body the first of those that turn as one with it, itself if there are no others."""
+        return first_parts(self.bodies, [joint.bodies for joint in self.joints if joint.kind.is_rigid])
 
     @property
     def mobility(self) -> Mobility:
         """Return the number of links, and of lower and higher pairs."""
         takes = [joint.kind.takes for joint in self.joints]
-        return Mobility(len(self.bodies), takes.count(2), takes.count(1))
+        return Mobility(len(self.bodies) - takes.count(3), takes.count(2), takes.count(1))
 
 
 def with_sliders(found: Linkage, wanted: Callable[[Joint], bool] = lambda joint: True) -> Linkage:
@@ -120,7 +127,10 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
     for link in variant.links:
         for name in dict.fromkeys((*link.points, *((link.wheel,) if link.wheel else ()))):
             holds.setdefault(name, []).append(link.name)
-    for name, bodies in holds.items():
+    fixed = [*fixed_links(variant.links)]
+    first = first_parts((link.name for link in variant.links), ((one, other) for one, other, _ in fixed))
+    for name, holders in holds.items():
+        bodies = [body for place, body in enumerate(holders) if first[body] not in {first[one] for one in holders[:place]}]
         if name in variant.frame.hinges:
             yield Joint(REVOLUTE, (bodies[0], FRAME), named(name))
         for pair in itertools.pairwise(bodies):
@@ -138,6 +148,7 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
     for sleeve, bar in sleeves.values():
         own = next((name for name, bodies in holds.items() if sleeve in bodies), "")
         yield Joint(PRISMATIC, (sleeve, bar), named(own) if own else None)
+    yield from (Joint(ONE_SHAFT, (one, other), named(point)) for one, other, point in fixed)
 
 
 def riders(variant: Variant) -> tuple[str, ...]:

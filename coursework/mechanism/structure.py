@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names, with_sliders
@@ -20,9 +20,10 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure_record import AssurGroup, KinematicPair, Member, Structure
 from coursework.system.frozen import changing
 from coursework.variant.formula.tree import Formula
-from coursework.variant.record.held import driving_laws, velocities_of_points
+from coursework.variant.record.held import driving_laws, rates_without_angle, velocities_of_points
 from coursework.variant.record.variant import Variant
 
+PLUS = "+"  # joins the names of links that turn as one: 2+3
 DRIVE = "~"  # stands for the drive of a driven point
 MOST_LINKS = 12  # the groups of larger mechanisms are not searched, because the search tries all sets of links
 FIRST, SECOND = "I", "II"
@@ -41,11 +42,23 @@ def read_structure(mechanism: Mechanism) -> Structure | None:
     found = fitting_linkage(mechanism)
     if found is None:
         return None
-    bodies, drives = Bodies(mechanism, with_sliders(found)), driven_freedoms(mechanism.variant)
+    bodies, drives = Bodies(mechanism, as_one(with_sliders(found))), driven_freedoms(mechanism.variant)
     return Structure(
         tuple(bodies.members()), tuple(bodies.pairs()), bodies.linkage.mobility, found.mobility, drives, bodies.driven,
         tuple(bodies.groups()) if found.mobility.degrees == drives else (),
     )  # fmt: skip
+
+
+def as_one(found: Linkage) -> Linkage:
+    """Return a linkage in which links that turn as one are one body, called after the first of them."""
+    first = {FRAME: FRAME, **found.shafts}
+    joints = (
+        replace(joint, bodies=(first[joint.bodies[0]], first[joint.bodies[1]]))
+        for joint in found.joints
+        if not joint.kind.is_rigid
+    )
+    parts = {body: own for body, own in first.items() if body != own}
+    return replace(found, bodies=tuple(body for body in found.bodies if body not in parts), joints=tuple(joints), parts=parts)
 
 
 def fitting_linkage(mechanism: Mechanism) -> Linkage | None:
@@ -67,10 +80,15 @@ def driven_freedoms(variant: Variant) -> int:
 def in_order(names: Iterable[str]) -> list[str]:
     """Return names of links sorted by number; names that are not numbers come last.
 
-    >>> in_order(["10", "2", "rod"])
-    ['2', '10', 'rod']
+    >>> in_order(["10", "2+3", "rod"])
+    ['2+3', '10', 'rod']
     """
-    return sorted(names, key=lambda name: (not name.isdigit(), int(name) if name.isdigit() else 0, name))
+
+    def place(name: str) -> tuple[bool, int, str]:
+        first = name.partition(PLUS)[0]
+        return (not first.isdigit(), int(first) if first.isdigit() else 0, name)
+
+    return sorted(names, key=place)
 
 
 @changing
@@ -88,6 +106,8 @@ class Bodies:
         self.named = {formula: name for name, formula in reversed(self.mechanism.points)}
         is_chain = bool(self.linkage.coordinates)
         self.called = link_names(self.linkage, variant) if is_chain else {body: body for body in self.linkage.bodies}
+        for part, body in self.linkage.parts.items():
+            self.called[body] += PLUS + part
         self.called[FRAME] = FRAME
         self.driven = next((point for point, _ in velocities_of_points(variant).values()), "")
 
@@ -101,8 +121,9 @@ class Bodies:
         """Return the named points that each body holds."""
         held: dict[str, list[str]] = {body: [] for body in self.called}
         for link in () if self.linkage.coordinates else self.mechanism.variant.links:
-            held[link.name] += [name for name in (link.wheel, link.contact) if name]
-            held[link.name] += link.points
+            body = self.linkage.parts.get(link.name, link.name)
+            held[body] += [name for name in (link.wheel, link.contact) if name]
+            held[body] += link.points
         for joint in self.linkage.joints:
             for body in joint.holders:
                 held[body].append(self.point(joint))
@@ -129,7 +150,8 @@ class Bodies:
         """Return the kind of link of a body: "wheel", "sleeve", "slider", "lever", "pivoted", "coupler" or "link"."""
         own = [joint for joint in self.linkage.joints if body in joint.bodies]
         pivoted = any(FRAME in hinge and body in hinge for hinge in self.hinges().values())
-        if any(link.name == body and link.wheel for link in self.mechanism.variant.links):
+        wheels = (link.name for link in self.mechanism.variant.links if link.wheel)
+        if any(self.linkage.parts.get(wheel, wheel) == body for wheel in wheels):
             return "wheel"
         if any(joint.kind.slides and joint.bodies[0] == body for joint in own):
             return "sleeve" if pivoted else "slider"
@@ -163,10 +185,10 @@ class Bodies:
 
     def _contacts(self) -> list[tuple[set[str], int]]:
         """Return for each joint the bodies that it joins, and the number of freedoms that each body beyond the first loses."""
-        hinges = self.hinges()
+        hinges, first = self.hinges(), self.linkage.shafts
         if self.driven:
             hinges.setdefault(self.driven, set()).update(
-                {DRIVE, *(b for b, names in self.points().items() if self.driven in names)}
+                {DRIVE, *(first.get(b, b) for b, names in self.points().items() if self.driven in names)}
             )
         others = [(set(joint.bodies), joint.kind.takes) for joint in self.linkage.joints if not joint.pins]
         return [*((bodies, 2) for bodies in hinges.values()), *others]
@@ -176,7 +198,7 @@ class Bodies:
         variant, rates = self.mechanism.variant, self.rates()
         sliding = {link.name for link in variant.links if link.slides}
         found = []
-        for rate in variant.known_rates:
+        for rate in (*variant.known_rates, *rates_without_angle(variant)):
             bodies = [body for body, own in rates.items() if own == rate and body not in sliding]
             if not bodies:
                 return None

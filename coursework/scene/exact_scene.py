@@ -41,7 +41,10 @@ class ExactScene(Scene):
         variant, stop, rates = self.variant, self.stop, self.passing(self.rates)
         if not is_chain(variant) and (self.closure is None or not self.closure.complete):
             line = variant.line_of("time", "scheme") if variant.time.scheme else 1  # a missing entry has no line of its own
-            raise InputError([Fault(say("fault.V502", scheme=PRECISE.name), variant.file, line)])
+            loose = self.closure.loose if self.closure is not None else frozenset[str]()
+            names = tuple(one.name for one in variant.coordinates if one.name in loose)
+            told = say(f"fault.V502.{'some' if names else 'none'}", scheme=PRECISE.name, names=names)
+            raise InputError([Fault(told, variant.file, line)])
         refuse_aliasing(self.equations, variant.time.step, self.fastest_wave)
         refuse_unbounded(variant)
         exact = self.exact

@@ -151,6 +151,7 @@ class MotionResults(Travelling):
     def evidence(self) -> Evidence:
         """Return the evidence for the checks: the rows beside the exact ones, and ways to make them again."""
         from coursework.motion.geometry.drives.swings import drive_frequency
+        from coursework.motion.geometry.judging.agreement import confirmed
         from coursework.motion.integration.replay import Replay
         from coursework.results.checks.evidence import Evidence
 
@@ -163,6 +164,7 @@ class MotionResults(Travelling):
             replay = Replay(rates, SCHEMES[motion.scheme], scene.begin, scene.correction)
         return Evidence(
             scene.variant, scene.equations, rates, motion, scene.exact, self.extended_precision, scene.closure,
+            confirmed(scene.equations, scene.closure, scene.start),
             scene.stop, scene.reduction.used, drive_frequency(scene.equations, scene.fastest_wave),
             scene.search, replay, rerun, passages, scene.settings.order,
         )  # fmt: skip

@@ -19,6 +19,7 @@ from coursework.equations.reduction.equations import VelocityEquation, VelocityE
 from coursework.equations.reduction.independent import DEPENDENT
 from coursework.equations.reduction.system import compile_system
 from coursework.mechanism.mechanism import build
+from coursework.motion.geometry.judging.agreement import confirmed
 from coursework.motion.geometry.start import start_values
 from coursework.run import Run
 from coursework.variant.formula.reader import MAX_NODES as MOST_PARTS
@@ -96,8 +97,7 @@ def _line(desk: Desk) -> int:
 
 def agreed_of(run: Run) -> tuple[str, ...]:
     """Return the names of the equations that the geometry confirms."""
-    closure = run.scene.closure
-    return closure.agreed if closure is not None else ()
+    return confirmed(run.scene.equations, run.scene.closure, run.scene.start)
 
 
 def judged(desk: Desk, agreed: Collection[str], wrong: Mapping[str, Sentence | str]) -> list[dict[str, Any]]:

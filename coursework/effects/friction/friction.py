@@ -34,11 +34,11 @@ def friction_of(rows: Rows, values: Array) -> tuple[Action, ...]:
 
 def rubbing(unknowns: Sequence[Unknown], rubs: Friction) -> Iterator[tuple[int, str]]:
     """Yield, for an entry of [friction], the index of each unknown force that causes friction, and "pin", "wheel" or "guide"."""
-    rolls = {one.name[1:] for one in unknowns if one.name[0] == "T"}
+    rolls, fixed = ({one.name[1:] for one in unknowns if one.name[0] == letter} for letter in "TK")
     for place, one in enumerate(unknowns):
         if one.is_drive or one.at is None or one.at.name != rubs.at:
             continue
-        if one.direction.kind == "x" and rubs.radius is not None and rubs.coefficient is not None:
+        if one.direction.kind == "x" and one.name[1:-1] not in fixed and rubs.radius is not None and rubs.coefficient is not None:
             yield place, "pin"
         elif one.name[0] == "N" and one.name[1:] in rolls and rubs.arm is not None:
             yield place, "wheel"

@@ -198,6 +198,10 @@ def _derived(position: Position, because: str, variant: Variant, symbols: Symbol
 
 def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> VelocityEquation:
     unknown = set(variant.sought)
+    for side, other in (constraint.sides, constraint.sides[::-1]):
+        if side.op == "/" and unknown & {*side.args[1].names()} and unknown.isdisjoint(other.names()):
+            multiplied = f"{spelled(side.args[0])} = {spelled(Formula('*', (other, side.args[1])))}"
+            raise _non_linear(side, unknown & {*side.names()}, say("equation.linear.quotient", equation=multiplied))
     gap = _linear(constraint.left, unknown, symbols).plus(_linear(constraint.right, unknown, symbols), MINUS)
     names = [name for name in variant.sought if name in gap.coefficients]
     # Where a denominator is zero the equation says nothing, and the motion that it describes may well go on.
@@ -210,11 +214,13 @@ def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> Velo
 _WHERE = {"*": "product", "/": "denominator", "^": "power", "call": "function"}
 
 
-def _non_linear(tree: Formula, names: set[str]) -> FormulaFault:
-    """Return the fault of a velocity equation that is not linear in the unknown velocities."""
+def _non_linear(tree: Formula, names: set[str], advice: str = "") -> FormulaFault:
+    """Return the fault of a velocity equation that is not linear in the unknown velocities, with special advice if given."""
     where = say(f"equation.within.{_WHERE[tree.op]}")
     of_size = tree.op == "^" or tree.name in {"sqrt", "abs"}
-    advice = say(f"equation.linear.{'size' if of_size else 'angle' if tree.op == 'call' else 'factor'}", function=tree.name)
+    advice = advice or say(
+        f"equation.linear.{'size' if of_size else 'angle' if tree.op == 'call' else 'factor'}", function=tree.name
+    )
     told = say("fault.V402", names=tuple(sorted(names)), where=where, text=spelled(tree)[:60], advice=advice)
     return FormulaFault(tree.column, told)
 

@@ -16,7 +16,8 @@ from coursework.variant.formula.tree import Formula
 class JointKind:
     """A kind of joint.
 
-    `takes`: how many of the three relative freedoms of two bodies it removes: 2 for a lower pair, 1 for a higher one.
+    `takes`: how many of the three relative freedoms of two bodies it removes: 2 for a lower pair, 1 for a higher one, 3 if both
+    turn as one.
     `holders`: how many of the two bodies, counted from the first, always hold its point: 2 for a pin, drawn as a hinge on the
     frame; 1 for a pin or block in a guide; 0 for a contact that moves along both.  `slides`: whether the first body moves along a
     straight guide of the second, drawn as a block.  `key` is its word in the words files; `letter` stands for it in the name of a
@@ -35,8 +36,13 @@ class JointKind:
 
     @property
     def pins(self) -> bool:
-        """Return whether both bodies hold its point, so that one only turns about it relative to the other."""
-        return self.holders == 2
+        """Return whether both bodies hold its point, and one only turns about it relative to the other."""
+        return self.holders == 2 and not self.is_rigid
+
+    @property
+    def is_rigid(self) -> bool:
+        """Return whether the two bodies are parts of one, such as two gears on one shaft."""
+        return self.takes == 3
 
 
 REVOLUTE = JointKind("revolute", takes=2, holders=2, key="turning", letter="R")
@@ -45,6 +51,7 @@ PIN_IN_GUIDE = JointKind("pin in guide", takes=1, holders=1, slides=True)
 ROLLING = JointKind("rolling without slip", takes=2, holders=0, key="rolling")
 # For a wheel whose centre other joints hold: gear and rack, two gears.
 MESHING = JointKind("wheels without slip", takes=1, holders=0, key="meshing")
+ONE_SHAFT = JointKind("one shaft", takes=3, holders=2)
 
 
 @frozen

@@ -64,6 +64,7 @@ class Evidence:
     exact: Motion | None
     extended_precision: Array | None
     closure: Closure | None
+    agreed: tuple[str, ...]
     stop: Stop | None
     used: tuple[str, ...]
     drive_frequency: float

@@ -50,7 +50,14 @@ def driving_laws(variant: Variant) -> tuple[str, ...]:
     zero = {law.name for law in variant.drive if law.formula is not None and constant(law.formula) == 0}
     said = {law for law, (point, axis) in parts.items() if law in zero and _is_across_its_guide(variant, point, axis)}
     moving = (law for law in parts if law in {*used, *followed_by} - said)
-    return tuple(dict.fromkeys((*variant.known_rates, *moving)))
+    return tuple(dict.fromkeys((*variant.known_rates, *rates_without_angle(variant), *moving)))
+
+
+def rates_without_angle(variant: Variant) -> dict[str, str]:
+    """Return the laws of [drive] that are the rate of a link but of no coordinate, each with its link."""
+    laws = {law.name for law in variant.drive} - {*variant.rates}
+    found = {link.rate: link.name for link in reversed(variant.links) if link.rate in laws}
+    return dict(sorted(found.items()))
 
 
 def _is_across_its_guide(variant: Variant, point: str, axis: str) -> bool:

@@ -2,7 +2,7 @@
 
 Enters: the written equations, the equations derived from the geometry, closed positions.  Leaves: `Agreement`: which equations
 agree and which cannot be judged.  Raises `InputError` naming each equation that contradicts.  Used by `unseen_signs.py`,
-`turning.py` and `virtual_power.py`.
+`turning.py`, `virtual_power.py`, `motion_results.py`, `motion_equations.py` and `derived.py`.
 """
 
 from __future__ import annotations
@@ -64,6 +64,21 @@ def require_agreement(equations: VelocityEquations, closure: Closure) -> Agreeme
 def agrees(equations: VelocityEquations, closure: Closure) -> bool:
     """Return whether the geometry confirms every written equation for the given data.  Raises `InputError` as above."""
     return not _judged(equations, *looked_at(equations, closure)).unjudged
+
+
+def confirmed(equations: VelocityEquations, closure: Closure | None, start: Sequence[float]) -> tuple[str, ...]:
+    """Return the written equations that the geometry confirms.
+
+    Without position equations contacts alone may give all of them in every position, as in a train of gears; else none is.
+    """
+    if closure is not None or not given_by_geometry(equations):
+        return closure.agreed if closure is not None else ()
+    shares = np.array([[_GOLDEN * row * place % 1 for place in range(len(start) + 1)] for row in range(1, CONFIGURATIONS + 1)])
+    turns = [1.0 if one.unit == "rad" else abs(at) for one, at in zip(equations.variant.coordinates, start, strict=True)]
+    with suppress(InputError):  # what does not fit is told where rows are compared with the links
+        found = _judged(equations, equations.variant.time.end * shares[:, 1], np.array(start) + shares[:, 1:] * turns)
+        return () if found.unjudged else found.agreed
+    return ()
 
 
 def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreement | None:

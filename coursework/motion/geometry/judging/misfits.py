@@ -49,10 +49,11 @@ def misfits(equations: VelocityEquations, times: Array, positions: Array) -> tup
     known, asked, wanted = matrix[0, :first], matrix[0, first:], right[0, first:]
     open_rows = [place for place in range(len(written)) if not gives(matrix[:, : len(derived)], asked[place])]
     unjudged = tuple(written[place].name for place in open_rows)
+    tried = open_rows if equations.positions else [*range(len(written))]  # what contacts give is judged with a closure only
     if np.linalg.matrix_rank(known, _RANK) < known.shape[1]:
         return unjudged, ()
     velocities = np.linalg.lstsq(known, right[0, :first], rcond=None)[0]
     largest = np.abs(np.column_stack([asked * velocities, wanted])).max(axis=1)
-    least = np.maximum(_LARGE * largest, _OF_ALL * np.max(largest[open_rows], initial=0.0))
+    least = np.maximum(_LARGE * largest, _OF_ALL * np.max(largest[tried], initial=0.0))
     off = np.abs(asked @ velocities - wanted) > least
-    return unjudged, tuple(written[place].name for place in open_rows if off[place])
+    return unjudged, tuple(written[place].name for place in tried if off[place])

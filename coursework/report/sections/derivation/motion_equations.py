@@ -16,6 +16,7 @@ from coursework.mechanism.derivation.derive import Combination, Derivation, Numb
 from coursework.mechanism.derivation.paths import Path, Term
 from coursework.mechanism.derivation.segments import ZERO, Angle
 from coursework.mechanism.proposal import proposals
+from coursework.motion.geometry.judging.agreement import confirmed
 from coursework.report.formulas import typst_math as setting
 from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
@@ -175,8 +176,8 @@ def _rank(context: PageContext, found: Derivation) -> list[Part]:
     mixed = [f"({clean(name, 40)})" for name in found.followed if name not in names]
     if mixed:
         told.append(words("constraints.mixed", names=words.listing(mixed)))
-    confirmed, open_to_doubt = _confirmed(context, found.beyond)
-    told += [words("constraints.beyond_compared", names=words.listing(confirmed))] if confirmed else []
+    right, open_to_doubt = _confirmed(context, found.beyond)
+    told += [words("constraints.beyond_compared", names=words.listing(right))] if right else []
     told += [words("constraints.beyond", names=words.listing(open_to_doubt))] if open_to_doubt else []
     told += [context.told(sentence) for sentence in _proposed(context, found.beyond)]
     return [Paragraph(runs(words.sentences(told)))] if told else []
@@ -193,20 +194,20 @@ def _proposed(context: PageContext, names: Sequence[str]) -> list[Sentence]:
 def _unchecked(context: PageContext, written: Sequence[str]) -> str:
     """Return the sentences on which signs are confirmed, of equations that follow from no path between points."""
     words = context.words
-    confirmed, open_to_doubt = _confirmed(context, written)
+    right, open_to_doubt = _confirmed(context, written)
     advice = [context.told(sentence) for sentence in _proposed(context, written)]
-    if not confirmed:
+    if not right:
         return words.sentences([words("constraints.unchecked"), *advice])
     rest = [words("constraints.open", names=words.listing(open_to_doubt))] if open_to_doubt else []
-    return words.sentences([words("constraints.compared", names=words.listing(confirmed)), *rest, *advice])
+    return words.sentences([words("constraints.compared", names=words.listing(right)), *rest, *advice])
 
 
 def _confirmed(context: PageContext, names: Sequence[str]) -> tuple[list[str], list[str]]:
     """Return the equations that the positions confirm, and those that they do not, as "(12)"."""
-    closure = context.run.scene.closure
-    agreed = closure.agreed if closure is not None else ()
-    confirmed, rest = [name for name in names if name in agreed], [name for name in names if name not in agreed]
-    return [f"({clean(name, 40)})" for name in confirmed], [f"({clean(name, 40)})" for name in rest]
+    scene = context.run.scene
+    agreed = confirmed(scene.equations, scene.closure, scene.start)
+    right, rest = [name for name in names if name in agreed], [name for name in names if name not in agreed]
+    return [f"({clean(name, 40)})" for name in right], [f"({clean(name, 40)})" for name in rest]
 
 
 def _sum(one: Combination) -> str:

@@ -94,6 +94,9 @@ def _convention(context: PageContext, found: ForceAnalysis) -> Iterator[str]:
     yield context.words("forces.convention")
     if any(name[0] in "NKT" for name in found.reactions.names):
         yield context.words("forces.guides")
+    for one in found.rows.scheme.unknowns:
+        if one.name[0] == "K" and f"R{one.name[1:]}x" in found.reactions.names:
+            yield context.words("forces.shaft", links=context.words.listing([one.off, one.on]))
     if pins := found.rows.scheme.pins:
         yield context.words("forces.pins", points=context.words.listing(list(pins)))
     empty = np.isnan(found.reactions.rows)

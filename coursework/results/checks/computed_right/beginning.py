@@ -17,6 +17,7 @@ from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.results.checks.evidence import NO_ERROR, Evidence
 from coursework.results.checks.result import Finding, skipped
 from coursework.system.arrays import Array
+from coursework.variant.formula.tree import on_axes, signed, spelled
 from coursework.variant.formula.units import size_of
 from coursework.variant.record.entries import last_place
 from coursework.variant.record.variant import Coordinate
@@ -64,7 +65,8 @@ def start_of(given: Closure | None) -> Finding:
     """Return the finding of START for a closure, before any row of a table."""
     closure = _with_loops(given) if given is not None else None
     if given is None or closure is None:
-        return Finding("SKIP", _kept(given) or say("check.START.skip"), unjudged=say("summary.start"))
+        told = _kept(given) or say("check.START.skip")
+        return Finding("SKIP", told, unjudged=say("summary.start"), headline=_beside_datum(given))
     _, closed = closed_start(closure)
     residual = _gaps(closure)
     worst = int(np.argmax(np.abs(residual)))
@@ -73,7 +75,7 @@ def start_of(given: Closure | None) -> Finding:
     if value <= limit:
         kept = _kept(given)
         told = say("check.START.pass_kept", kept=kept) if kept is not None else say("check.START.pass")
-        return Finding("PASS", told, value, limit, "m", name, 1)
+        return Finding("PASS", told, value, limit, "m", name, 1, headline=_beside_datum(given))
     # A length that should be zero, but is kept as the start has it, may be what no position fits.
     sentence = joined([say("check.START.none", value=value), *([kept] if (kept := _kept(closure)) else [])])
     if closed is not None:
@@ -108,12 +110,36 @@ def _kept(closure: Closure | None) -> Sentence | None:
 
     A sum of angles, such as that of two gears, keeps any value.
     """
-    rows = [] if closure is None else zip(closure.equations.positions, closure.origin.tolist(), strict=True)
-    limit = START_LIMIT * closure.scale if closure is not None else 0.0
-    kept = [(one.told, value) for one, value in rows if one.written and one.unit != "rad" and abs(value) > limit]
+    kept = _lengths(closure)
+    return say("check.START.kept", values=_listed(kept)) if kept else None
+
+
+def _lengths(closure: Closure | None) -> list[tuple[str, float]]:
+    """Return the lengths written as sums that keep a value which only the start gives, each with this value (m)."""
+    if closure is None:
+        return []
+    rows, limit = zip(closure.equations.positions, closure.origin.tolist(), strict=True), START_LIMIT * closure.scale
+    return [(one.told, value) for one, value in rows if one.written and one.unit != "rad" and abs(value) > limit]
+
+
+def _listed(kept: list[tuple[str, float]]) -> Sentence:
     listed = [say("check.START.value", name=name, value=value) for name, value in kept[:_MOST_KEPT]]
-    more = ["…"] if len(kept) > _MOST_KEPT else []
-    return say("check.START.kept", values=joined([*listed, *more], "join.numbers")) if kept else None
+    return joined([*listed, *(["…"] if len(kept) > _MOST_KEPT else [])], "join.numbers")
+
+
+def _beside_datum(closure: Closure | None) -> Sentence | str:
+    """Return what to say first if a datum is a term of such a sum, as in "B.y - e": the datum most likely gives its value."""
+    if closure is None:
+        return ""
+    variant = closure.equations.variant
+    data = {*variant.values}
+    beside = {
+        spelled(plain)
+        for plain in map(on_axes, variant.holds)
+        if any(term.names() and data.issuperset(term.names()) for term, _ in signed(plain))
+    }
+    kept = [one for one in _lengths(closure) if one[0] in beside]
+    return say("summary.start_offset", values=_listed(kept)) if kept else ""
 
 
 def _with_loops(closure: Closure) -> Closure | None:

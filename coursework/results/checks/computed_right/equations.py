@@ -80,11 +80,7 @@ def _written(evidence: Evidence) -> list[str]:
 
 def _arithmetic(evidence: Evidence) -> str:
     """Return the sentence that a residual tests only the arithmetic, if the geometry confirms no written equation; else ""."""
-    return "" if _confirmed(evidence) or not _written(evidence) else say("check.AGREEMENT.arithmetic")
-
-
-def _confirmed(evidence: Evidence) -> tuple[str, ...]:
-    return evidence.closure.agreed if evidence.closure is not None else ()
+    return "" if evidence.agreed or not _written(evidence) else say("check.AGREEMENT.arithmetic")
 
 
 def agreement(evidence: Evidence) -> Finding:
@@ -92,11 +88,11 @@ def agreement(evidence: Evidence) -> Finding:
     written = _written(evidence)
     if not written:
         return skipped(say("check.AGREEMENT.derived"))
-    if not len(evidence.motion.t) and not _confirmed(evidence):  # a dead point at the start hides what the geometry gives
+    if not len(evidence.motion.t) and not evidence.agreed:  # a dead point at the start hides what the geometry gives
         return skipped(say("check.no_row"))
     if evidence.closure is not None and (doubt := open_to_doubt(evidence.closure)):
         return _doubted(evidence, Finding("SKIP", doubt[0], unjudged=doubt[1]))
-    if not _confirmed(evidence):
+    if not evidence.agreed:
         start = evidence.motion.coordinates[0].tolist()
         lacks = "no_closure" if evidence.variant.points else "no_geometry"
         ties = proposed_ties(evidence.equations, start)

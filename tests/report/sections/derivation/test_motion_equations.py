@@ -66,7 +66,9 @@ def test_a_sum_of_equations_is_written_with_the_sign_of_each(signs: tuple[int, .
 def told_of(agreed: Sequence[str] | None, **found: Any) -> tuple[str, str]:
     """What a page says of two equations that no path gives, beside those that it has and where it has none."""
     closure = None if agreed is None else SimpleNamespace(agreed=tuple(agreed), unjudged=(("10", ("VC",)), ("12", ("VC",))))
-    run = SimpleNamespace(scene=SimpleNamespace(closure=closure), variant=load("v102"))
+    nothing_derived = SimpleNamespace(equations=(), from_closure=(), bound=())
+    scene = SimpleNamespace(closure=closure, equations=nothing_derived, start=())
+    run = SimpleNamespace(scene=scene, variant=load("v102"))
     context: Any = SimpleNamespace(words=Words(load_phrases()), run=run, told=lambda sentence: "ADVICE.")
     given = {"projections": (), "rank": 0, "dependent": (), "followed": (), "beyond": ("10", "11"), **found}
     parts = _rank(context, SimpleNamespace(**given))  # type: ignore[arg-type]
