@@ -25,7 +25,7 @@ from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned
 from coursework.grading.marking.table.causes.hypotheses import claims
 from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
-from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, EACH_SLIPPED, SLIPPED
+from coursework.grading.marking.table.causes.printed_otherwise import COLUMN_SLIPPED, EACH_SLIPPED, SLIPPED
 from coursework.grading.marking.table.causes.whole import as_made, fewer_decimals, untold_points
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.cut_off import with_the_rest
@@ -230,7 +230,7 @@ class Marker:
         found, hidden = Found(), None
         if not self.by_forces and looked_for(self.key, judged, points.cells):
             hidden = self._hidden(judged.student)
-            again = made.claims(self.key) if made and made.named else told(judged.student)
+            again = made.claims(self.key, cells.missing) if made and made.named else told(judged.student)
             found = explanations(self.key, judged, again, hidden, equations)
             points = points_of(self.key, judged, self.rubric.carried, found.untold)
         points = untold_points(cells, points, judged, self.rubric.carried) if made else points

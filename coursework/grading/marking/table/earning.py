@@ -24,8 +24,9 @@ from coursework.grading.marking.table.causes.hypotheses import (
     STEPS_IN_DEGREES,
 )
 from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
-from coursework.grading.marking.table.causes.other_data import COLUMN_SLIPPED, DATA_ROUNDED, DATUM
+from coursework.grading.marking.table.causes.other_data import DATA_ROUNDED, DATUM
 from coursework.grading.marking.table.causes.own_equations import OWN
+from coursework.grading.marking.table.causes.printed_otherwise import COLUMN_SLIPPED, ROW_BELOW, SIGN, SWAPPED_COLUMNS
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import Fit
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
@@ -51,7 +52,8 @@ _PARTLY = 0.8
 # Several that were rounded count as one.
 _DATA, _SWAPPED = (DATUM, "confusion_"), "swap_"
 _DIGITS_OFF = 0.05  # a datum that is off by less has digits wrong: no slip in an equation does the same
-_SIGN = "sign_"  # one sign, of a velocity as of a datum or in an equation, is a single slip
+# What was printed otherwise, of a column or two, while all that was made from it is right.
+_IN_PRINT = (SIGN, SWAPPED_COLUMNS, ROW_BELOW)
 _NO_SLIPS = (_SWAPPED, DATA_ROUNDED, "variant_", OWN, "other_drive")
 
 
@@ -104,7 +106,7 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
         ratio = _ratio(key, fit)
         is_number = ratio > 0 if ratio is not None else fit.code.startswith((*_DATA, _SWAPPED, DATA_ROUNDED))
         is_near = fit.code == DATA_ROUNDED or (ratio is not None and abs(ratio - 1) < _DIGITS_OFF)
-        if fit.beyond_euler and ((ratio is not None and ratio < 0) or fit.code.startswith(_SIGN)):
+        if fit.beyond_euler and ((ratio is not None and ratio < 0) or fit.code.startswith(SIGN)):  # one sign is a single slip
             worth = max(worth, rubric.own_equations_floor)
         if fit.beyond_euler and fit.code in _OTHER_RULES:
             worth += max(rubric.steps_floor - worth, 0.0) * ramp(fit.share, _PARTLY, NAMED)
@@ -141,7 +143,11 @@ def _of_data(rubric: Rubric, fit: Fit) -> float:
 
     It must explain nearly all of the table and more than a slip does, as some value of a datum undoes many a slip.
     """
-    whole = rubric.start_floor_several if fit.code.startswith(_SWAPPED) else rubric.start_floor
+    return _nearly_all(rubric, fit, rubric.start_floor_several if fit.code.startswith(_SWAPPED) else rubric.start_floor)
+
+
+def _nearly_all(rubric: Rubric, fit: Fit, whole: float) -> float:
+    """Return the worth of a cell: `whole` if nearly all of the table is explained, that of a wrong method if only a part is."""
     return rubric.misconception_floor + (whole - rubric.misconception_floor) * ramp(fit.share, _PARTLY, NAMED)
 
 
@@ -149,7 +155,8 @@ def _worth(rubric: Rubric, fit: Fit) -> float:
     """Return the worth of a cell that a misconception explains: for a single slip it is more than for a wrong method.
 
     An angle counted from another axis is a start that is not the task's, and so are starts (`fit.names`) in degrees from which
-    all else was made in radians, whatever the unit in the head of the columns. One column ten times too large costs as much.
+    all else was made in radians, whatever the unit in the head of the columns. One column ten times too large costs as much, and
+    so do one with the other sign and two exchanged, however many there are besides, if that is so in print only.
     Work with rounded velocities or a rounded π is Euler's, worked out coarser: what a few digits less in print would hide costs
     little.
     """
@@ -163,6 +170,8 @@ def _worth(rubric: Rubric, fit: Fit) -> float:
         return rubric.start_floor_several
     if fit.code.startswith((causes.ORIGIN, COLUMN_SLIPPED)) or (fit.code == RADIAN_MODE and fit.names):
         return rubric.start_floor
+    if fit.in_print and fit.beyond_euler and fit.code.startswith(_IN_PRINT):
+        return _nearly_all(rubric, fit, rubric.start_floor)
     return rubric.own_equations_floor if fit.code.startswith(_SLIPS) else rubric.misconception_floor
 
 

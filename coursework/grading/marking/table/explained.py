@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.table.cells import Cells
+from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.points import (
     constant,
     following,
@@ -23,7 +23,7 @@ from coursework.grading.marking.table.points import (
 )
 from coursework.grading.marking.table.untold import but, ramp
 from coursework.grading.marking.table.ways import KEY, Places, put_right
-from coursework.system.arrays import Flags
+from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import caching, frozen
 
 # If an explanation holds for up to _FEW of a column's cells, it held for none of those beside a cell put right; from _MOSTLY on
@@ -35,13 +35,15 @@ _FEW, _MOSTLY = 0.25, 0.5
 class Fit:
     """A hypothesis (`code`) and the share of the cells that it or the key explains, with the gates of the points.
 
-    `beyond_euler`: it explains more than Euler's rules do.
+    `beyond_euler`: it explains more than Euler's rules do. `in_print`: by a table that differs from the one handed in only in how
+    it was printed.
     """
 
     code: str
     share: float
     names: tuple[str, ...] = ()
     beyond_euler: bool = True
+    in_print: bool = False
 
 
 @caching
@@ -51,20 +53,21 @@ class Explained:
     key: Key
     cells: Cells
 
-    def share(self, holds: Flags, *, as_it_is: bool = False) -> float:
+    def share(self, holds: Flags, *, as_it_is: bool = False, table: Array | None = None) -> float:
         """Return the share of counted cells that some explanation `holds` for (n, m + r), or that agree with the key.
 
         The gates are those of the points. A step counts if its velocity is explained too; a velocity, if its row belongs to the
         motion of the explained steps and it is explained too. A cell that agrees with the key counts whatever explains others;
         where an explanation has another value, what was made from that one is explained as it was before. A wrong start value
-        costs a cell. With `as_it_is` no cell is taken as put right, and those of the key count in runs.
+        costs a cell. With `as_it_is` no cell is taken as put right, and those of the key count in runs. `table` (n, m + r) is the
+        one that the explanation makes, None if unknown: where it has another value, a cell of the key was put right.
         """
         m, rows = len(self.key.coordinates), self._rows
         explained = (holds | self._by_key) & self._spoken
         counts = self._in_runs.copy()
         if not as_it_is:
             counts |= self._by_key & self.cells.counted & ~constant(self.key)
-            explained |= self._as_before(holds, explained)
+            explained |= self._as_before(holds if table is None else alike(self.key, self.cells.student, table), explained)
         steps = explained[rows[1:], :m] & explained[rows[:-1], m : 2 * m] & (self._moves | self._hardly)
         counts[rows[1:], :m] |= steps
         moves = np.asarray(self._moves.any(axis=1))

@@ -159,9 +159,9 @@ def left_open(key: Key, cells: Cells, rows: Places) -> Flags:
     """Return the steps (n - 1, m) between successive `rows` that no gate counts as broken: those to or from a right cell.
 
     It may have been put right, and all velocities of its row may have been made from what stood there; so no gate closes when
-    one more cell becomes right.
+    one more cell becomes right: to the task's number, or to that of the table from another start that it is marked by.
     """
-    m, right = len(key.coordinates), alike(key, cells.student, key.table)[rows]
+    m, right = len(key.coordinates), (alike(key, cells.student, key.table) | (cells.marks == KEY))[rows]
     used = right[:-1, : 2 * m] & ~constant(key)[: 2 * m]
     put = put_right(right[:, :m])[:-1].any(axis=1, keepdims=True)
     return np.asarray(right[1:, :m] | used[:, :m] | used[:, m:] | put)

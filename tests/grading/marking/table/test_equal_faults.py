@@ -163,8 +163,8 @@ def test_exchanged_columns_are_named_both(numbers):
         for first, second in [*like[:: 1 if len(numbers) == ALL else 3], (m - 1, len(names) - 1)]:
             order = list(range(len(names)))
             order[first], order[second] = second, first
-            _, table = desk.marked(desk.machine.table()[:, order])
-            assert table.misconception.code == "swapped_columns"
+            points, table = desk.marked(desk.machine.table()[:, order])
+            assert (points, table.misconception.code) == (57, "swapped_columns")
             assert table.misconception.names == (names[first], names[second])
 
 
@@ -173,8 +173,8 @@ def test_exchanged_angles_are_named_with_one_of_them_a_turn_further(place):
     desk = variants()[0]
     table = desk.machine.table()[:, [0, 2, 1, *range(3, len(desk.key.names))]]
     table[:, place] += 2 * np.pi
-    _, marked = desk.marked(table)
-    assert (marked.misconception.code, marked.misconception.names) == ("swapped_columns", ("phi2", "phi3"))
+    points, marked = desk.marked(table)
+    assert (points, marked.misconception.code, marked.misconception.names) == (57, "swapped_columns", ("phi2", "phi3"))
 
 
 @pytest.mark.long

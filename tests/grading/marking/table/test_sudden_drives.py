@@ -32,7 +32,7 @@ def test_a_right_table_is_worth_all_and_faults_are_named(kind, width):
     turned = right.copy()
     turned[:, desk.heads("w3")] *= -1
     points, table = desk.marked(turned, digits=6)
-    assert points < 51
+    assert points == 57  # as a column ten times too large
     assert "sign_w3" in codes(table)
     points, table = desk.marked(desk.key.exact, digits=6)
     assert points < 57

@@ -16,15 +16,10 @@ from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, Family, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned_back
-from coursework.grading.marking.table.causes.other_data import (
-    other_columns,
-    other_data,
-    other_tables,
-    printed_otherwise,
-    shifted_rows,
-)
+from coursework.grading.marking.table.causes.other_data import other_data, other_tables
 from coursework.grading.marking.table.causes.other_drive import other_drive
 from coursework.grading.marking.table.causes.own_equations import equation_claims
+from coursework.grading.marking.table.causes.printed_otherwise import SIGN, other_columns, printed_otherwise, shifted_rows
 from coursework.grading.marking.table.causes.step_lengths import DEGREE, WHOLE, parts_of_step, small_steps, steps_a_row, told_step
 from coursework.grading.marking.table.starts import march
 from coursework.grading.marking.table.ways import HALF
@@ -280,6 +275,6 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
                 yield replace(claim, table=printed.marched(velocities, partial(_longer, each, m)))
     for place, name in enumerate(key.velocities):
         alone = np.where(np.arange(m + len(key.velocities)) == m + place, 1.0, np.nan)
-        claim = printed.claim(f"sign_{name}", None, (-found * alone[m:], tolerance))
+        claim = printed.claim(f"{SIGN}{name}", None, (-found * alone[m:], tolerance))
         yield replace(claim, table=partial(np.multiply, key.table, np.where(np.isnan(alone), 1.0, -1.0)))
         yield printed.claim(f"row_above_{name}", None, (shifted(found, 1) * alone[m:], shifted(tolerance, 1)))

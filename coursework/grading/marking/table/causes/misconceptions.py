@@ -117,7 +117,7 @@ def explanations(
     stands, as_handed_in = (share_of(one & spoken, spoken) for one in (by_key, explained | by_key))
     key_share = stands if elsewhere else euler_share
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
-    fits: dict[str, Fit] = {}
+    fits: dict[tuple[str, bool], Fit] = {}
     held: dict[str, tuple[int, Claim, Flags]] = {}
     read_off: set[str] = set()
     most_told: tuple[float, bool] = (explained | by_key).sum() + BETTER * spoken.sum(), False
@@ -136,8 +136,9 @@ def explanations(
             read_off |= {claim.code} if claim.is_read_off else set()
         own_gates = gates if put_right is cells else Explained(key, put_right)
         fit = own_gates.share(holds)
-        if claim.code not in fits or fit > fits[claim.code].share:
-            fits[claim.code] = Fit(claim.code, fit, claim.names)
+        place = claim.code, claim.student is not None
+        if place not in fits or fit > fits[place].share:
+            fits[place] = Fit(claim.code, fit, claim.names, in_print=place[1])
         count = int((holds | by_key).sum())
         if (count, not claim.is_read_off) > most_told and claim.code not in hidden:
             most_told, teller = (count, not claim.is_read_off), (claim, holds)
@@ -146,15 +147,15 @@ def explanations(
             held[claim.code] = count, claim, holds
     for code, claim, holds in _closer(held):
         holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
-        fit = gates.share(holds)
-        if fit > fits[code].share:
-            fits[code] = replace(fits[code], share=fit, names=claim.names)
+        fit = gates.share(holds, table=claim.table() if claim.table else None)
+        if fit > fits[code, False].share:
+            fits[code, False] = replace(fits[code, False], share=fit, names=claim.names)
     untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
     least = min(euler_fit, table_points(key, cells).share)
     fits = {
-        code: replace(fit, beyond_euler=fit.share > euler_fit + BETTER or code.startswith((ROWS_SHIFTED, ORIGIN)))
-        for code, fit in fits.items()
-        if fit.share > least + BETTER or code.startswith((ROWS_SHIFTED, ORIGIN))
+        place: replace(fit, beyond_euler=fit.share > euler_fit + BETTER or fit.code.startswith((ROWS_SHIFTED, ORIGIN)))
+        for place, fit in fits.items()
+        if fit.share > least + BETTER or fit.code.startswith((ROWS_SHIFTED, ORIGIN))
     }
     if (own := cells.student.own) and (fitting := _other_step(key, cells, own)):
         share, fit = fitting
@@ -164,8 +165,8 @@ def explanations(
             named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
             named[OTHER_STEP] = max(share, named.get(OTHER_STEP, (0.0,))[0]), euler_share, (told_step(own.step),)
             untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
-        if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
-            fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
+        if fit > euler_fit + BETTER:
+            fits[OTHER_STEP, True] = Fit(OTHER_STEP, fit)  # beside what the rows as handed in say of it
     if began and (share := share_of(*euler_cells(key, began.cells))) >= NAMED and share > key_share + BETTER:
         named[began.cause] = share, key_share, began.names
     found = tuple(fits.values())

@@ -17,6 +17,7 @@ from coursework.grading.marking.table.by_rows import marked
 from coursework.grading.marking.table.causes.claims import Claim, Family, TableUnderTest
 from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Misconception, is_one_thing, looked_for
 from coursework.grading.marking.table.causes.own_equations import OWN
+from coursework.grading.marking.table.causes.printed_otherwise import printed_otherwise
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import share_of
 from coursework.grading.marking.table.points import TablePoints
@@ -45,10 +46,15 @@ class AsMade:
     named: Misconception | None
     families: tuple[Family, ...]
 
-    def claims(self, key: Key) -> list[Claim]:
-        """Return what the families say about the table."""
+    def claims(self, key: Key, missing: Flags) -> list[Claim]:
+        """Return what the families say about the table, and whether one column is only printed so.
+
+        A cell that was `missing` (n, m + r) before the digits were put in would be missing in the right table too.
+        """
         printed = TableUnderTest(key, self.student)
-        return [replace(claim, family=family) for family in self.families for claim in family(printed)]
+        handed_in = TableUnderTest(key, replace(self.student, values=np.where(missing, np.nan, self.student.values)))
+        of_families = (replace(claim, family=family) for family in self.families for claim in family(printed))
+        return [*printed_otherwise(handed_in), *of_families]
 
 
 def as_made(key: Key, cells: Cells, told: Callable[[StudentTable], Iterable[Claim]]) -> AsMade | None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from coursework.grading.marking.table import points, starts
-from coursework.grading.marking.table.causes import clockwise, odd_rows, other_data, shifted
+from coursework.grading.marking.table.causes import clockwise, odd_rows, printed_otherwise, shifted
 from coursework.grading.marking.table.causes.odd_rows import Shift, displaced_rows, repeated_rows
 from coursework.grading.marking.table.cells import GIVEN, KEY, MISSING, STEP, WRONG
 from coursework.grading.marking.table.ways import StudentTable
@@ -128,14 +128,14 @@ def test_a_start_is_another_by_more_than_its_rounding(
 def test_an_angle_counted_from_another_axis_is_a_whole_number_of_quarters_off(
     sign: float, shift: float, told: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(other_data, "_exchanged", lambda _: iter(()))
-    monkeypatch.setattr(other_data, "_as_euler", lambda code, student: (code, student.values[:, 0]))
-    monkeypatch.setattr(other_data, "_kept", lambda printed, stands, undone: undone)
+    monkeypatch.setattr(printed_otherwise, "_exchanged", lambda _: iter(()))
+    monkeypatch.setattr(printed_otherwise, "_as_euler", lambda code, student: (code, student.values[:, 0]))
+    monkeypatch.setattr(printed_otherwise, "_kept", lambda printed, stands, undone: undone)
     table = np.array([[0.3, 7.0], [1.4, 8.0], [2.9, 9.0]])
     variant = SimpleNamespace(coordinates=(SimpleNamespace(unit="rad", rate="w"),))
     key = SimpleNamespace(variant=variant, names=("q", "w"), table=table)
     student = StudentTable(sign * table + [shift, 0.0], np.zeros((3, 2)))
-    found = [*other_data.other_columns(SimpleNamespace(key=key, student=student, m=1, of_task=None))]
+    found = [*printed_otherwise.other_columns(SimpleNamespace(key=key, student=student, m=1, of_task=None))]
     is_turned = sign < 0 and (told or abs(shift) < 0.003)  # the other way round: with its velocity and without
     assert [code for code, _ in found] == ["origin_q"] * (2 if is_turned else told)
     assert all(values == pytest.approx(table[:, 0], abs=0.003) for _, values in found)
