@@ -189,7 +189,7 @@ def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | 
 @click.option("--scheduler", help="Address of a Dask scheduler: the same on a cluster.")
 @click.option(
     "--limit",
-    type=click.FloatRange(0.1, 3600),
+    type=line.Limit(0.1, 3600),
     default=10.0,
     show_default=True,
     help="Seconds of the processor for a submission.",

@@ -44,10 +44,13 @@ def read_inside(folder: Path, name: str, most: int) -> bytes | None:
         return None
     try:
         handle = os.open(path, _FLAGS)
-    except (FileNotFoundError, IsADirectoryError):
+    except FileNotFoundError:
+        return None
+    if not stat.S_ISREG(os.fstat(handle).st_mode):
+        os.close(handle)
         return None
     with os.fdopen(handle, "rb") as file:
-        return file.read(most + 1) if stat.S_ISREG(os.fstat(handle).st_mode) else None
+        return file.read(most + 1)
 
 
 def _inside(folder: Path, name: str) -> Path | None:

@@ -31,12 +31,12 @@ from coursework.motion.singular.search import Search
 from coursework.results.checks.result import Finding
 from coursework.scene.motion_results import MotionResults
 from coursework.scene.scene import Scene
+from coursework.scene.up_to_values import UNDEFINED, up_to_values
 from coursework.system.arrays import Array
 from coursework.system.on_demand import computed
 from coursework.variant.formula.tree import Formula
 from coursework.variant.judging.bounds import refuse_unbounded
 from coursework.variant.record.forces import Motor
-from coursework.variant.record.no_value import without_value
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -48,6 +48,7 @@ if TYPE_CHECKING:
 
 _SAID = {
     "dead point": "dead", LIMIT: "limit", CHANGE: "crossing", "not finite": "far", "too steep": "steep", TOO_LARGE: "wide",
+    UNDEFINED: "undefined",
 }  # fmt: skip
 
 
@@ -159,7 +160,7 @@ class MotorScene(Scene):
             Dynamics(self.free_equations, list(self.closed_start)),
             Dynamics(self.free_equations, list(self.closed_start), COARSER),
         )
-        found = self._with_values(fine.exact(self._begin, time.step, time.steps))
+        found = up_to_values(self.variant, fine.exact(self._begin, time.step, time.steps), self._table)
         return known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
 
     @cached_property
@@ -181,7 +182,11 @@ class MotorScene(Scene):
         free = self.free_equations.free
         turned = tuple(coordinates[place].name for place in free)
         others = [one.rate for place, one in enumerate(coordinates) if place not in free]
-        cause = say(f"dynamics.{key}", time=found.at, at=found.by, names=turned, causes=either(list(self._steep)))
+        cause = (
+            found.by
+            if key == "undefined"
+            else say(f"dynamics.{key}", time=found.at, at=found.by, names=turned, causes=either(list(self._steep)))
+        )
         return Stop(
             "dead point" if found.ended == LIMIT else found.ended, found.at, found.at / step, (), last, cause,
             say(f"dynamics.{means}_means", row=len(found.t), names=either(others) if others else ""),
@@ -202,19 +207,6 @@ class MotorScene(Scene):
             yield say("dynamics.steep_laws")
         if forces is not None and forces.springs:
             yield say("dynamics.steep_springs")
-
-    def _with_values(self, found: FreeMotion) -> FreeMotion:
-        """Return rows up to where a force is beyond all numbers.  Raises `InputError` where they end because it has no value."""
-        motor = self.free_equations.free
-        names = (*(c.name for c in self.variant.coordinates), *(self.variant.coordinates[place].rate for place in motor))
-        place = dict(zip(names, found.lost[1:], strict=False))
-        if found.lost and (fault := without_value(self.variant, found.lost[0], place)):
-            raise InputError([fault])
-        if found.ended == "not finite" and len(found.t) > 1:
-            t, q, v = found.t[-1:], found.coordinates[-1:], found.rates[-1:]
-            if not np.isfinite(self._table(t, q, v)).all():
-                return replace(found, t=found.t[:-1], coordinates=found.coordinates[:-1], rates=found.rates[:-1], at=float(t[0]))
-        return found
 
     def _ended_as(self, found: FreeMotion) -> FreeMotion:
         """Return the rows of a scheme; if no position closes, the exact motion decides whether links or step are the cause."""
@@ -246,7 +238,7 @@ class MotorScene(Scene):
         if scheme is None:
             return self._exact_rows
         rows = Dynamics(self.free_equations, list(self.closed_start)).rows(scheme, self._begin, time.step, time.steps)
-        found = self._with_values(rows)
+        found = up_to_values(self.variant, rows, self._table)
         return self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found)))
 
     @computed("free_equations", "stop", "start")

@@ -73,6 +73,8 @@ def find(path_or_name: str | Path | int) -> Path:
     if path.name and _is_file(doubled := ended.with_name(f"{ended.name}.txt")):
         raise InputError(say("fault.C013", ended=ended, doubled=doubled, name=ended.name))
     if is_name and not path.is_dir():
+        if ended.is_symlink():  # it leads nowhere: reading tells why
+            return ended
         hint = closest(text.lower(), [*names(), *(file.stem for file in sorted(Path().glob("*.toml")))])
         raise InputError(say("fault.C014", text=text, ended=ended, hint=hint))
     return path

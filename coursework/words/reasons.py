@@ -23,7 +23,7 @@ def reason_of(error: Exception) -> Sentence | str:
     >>> str(reason_of(PermissionError(13, "Permission denied", "a.csv"))), reason_of(OSError(5, "Input/output error"))
     ('access is denied', 'Input/output error')
     """
-    if isinstance(error, socket.gaierror):
+    if isinstance(error, (socket.gaierror, UnicodeError)):
         return say("reason.address")
     if isinstance(error, OSError) and (key := _REASONS.get(error.errno or 0)):
         return say(f"reason.{key}")

@@ -120,6 +120,7 @@ WRONG = {
     "end nan": (["run", "31", "--end", "nan"], "the end must be a number of seconds, found nan."),
     "error text": (["run", "31", "--error", "abc"], "C057 --error takes a number."),
     "budget zero": (["run", "31", "--budget", "0"], "C059 --budget takes a number greater than 0."),
+    "budget nan": (["run", "31", "--budget", "nan"], "C059 --budget takes a number greater than 0."),
     "jobs zero": (["run", "31", "--jobs", "0"], "C055 --jobs takes a number of at least 1."),
     "help level": (["assign", "roster.csv", "--help-level", "5"], "C056 --help-level takes a number from 0 to 1."),
     "no value": (["run", "31", "--step"], "C098 --step needs a value behind it."),

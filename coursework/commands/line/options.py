@@ -6,6 +6,7 @@ Used by `cli.py`.
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable
 from functools import partial, wraps
@@ -18,6 +19,7 @@ import click
 from coursework.system.late import late
 
 # The keys of a rubric; listed here for the help, which imports nothing of the grading.
+MOST = 1e6  # s (eleven days), MiB (a million)
 RUBRIC_KEYS = "points, missing_part, parts, table, answers, conventions, confusion, late"
 
 
@@ -144,9 +146,18 @@ SET = click.option(
 )  # fmt: skip
 
 
+class Limit(click.FloatRange):
+    """A number above zero; of more than `MOST`, which no system can count, `MOST` is taken."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """Return the number."""
+        found = super().convert(value, param, ctx)
+        return self.fail(str(value), param, ctx) if math.isnan(found) else min(found, MOST)
+
+
 def limited(command: Callable[..., int]) -> Callable[..., int]:
     """Add the two options that limit time and memory to a command that computes."""
-    above_zero = click.FloatRange(min=0, min_open=True)
+    above_zero = Limit(min=0, min_open=True)
     seconds = click.option(
         "--budget", type=above_zero, default=60.0, show_default=True, help="Most processor time of a variant, s."
     )

@@ -11,7 +11,7 @@ import os
 import time
 import tomllib
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -136,7 +136,9 @@ class Folder:
         for path in sorted(place.glob(f"*{SUFFIX}"))[:MOST_FILES]:
             if not is_name(path.stem):
                 continue
-            content = read_inside(place, path.name, MOST_BYTES)
+            content = None
+            with suppress(OSError):  # another program may hold it, or it is a link to itself
+                content = read_inside(place, path.name, MOST_BYTES)
             if content is not None and len(content) <= MOST_BYTES:
                 yield {"name": path.stem, "etag": etag_of(content), "bytes": len(content), "deleted": bool(below)}
 

@@ -90,13 +90,14 @@ def bound(host: str, wished: int) -> tuple[list[socket.socket], int]:
 
     If the `wished` port is taken, the next free one is used; 0 means any port.  Raises `InputError` if there is none.
     """
-    for port in range(wished, wished + TRIED) if wished else [0] * TRIED:
+    last = min(wished + TRIED, 2**16) - 1
+    for port in range(wished, last + 1) if wished else [0] * TRIED:
         try:
             return _listening(host, port)
-        except OSError as error:
-            if error.errno not in {errno.EADDRINUSE, errno.EACCES}:
+        except (OSError, UnicodeError) as error:  # a name with a part that is empty or too long is no text for Python
+            if getattr(error, "errno", 0) not in {errno.EADDRINUSE, errno.EACCES}:
                 raise InputError(say("fault.C086", host=host or HERE, reason=reason_of(error))) from None
-    raise InputError(say("fault.C085", wished=wished, last=wished + TRIED - 1))
+    raise InputError(say("fault.C085", wished=wished, last=last))
 
 
 def _listening(host: str, port: int) -> tuple[list[socket.socket], int]:

@@ -8,16 +8,18 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Iterator
+from contextlib import suppress
+from operator import itemgetter
 from typing import Any
 
 from coursework.desk.inside import is_name, read_inside, refused_name
 from coursework.desk.serving.bodies import MOST_BYTES, Refused
-from coursework.desk.serving.folder import SUFFIX, Folder, Stale, tables_named
+from coursework.desk.serving.folder import MOST_FILES, SUFFIX, Folder, Stale, tables_named
 from coursework.system.files.whole_files import write_bytes
-from coursework.system.files.zipped import zipped
+from coursework.system.files.zipped import DAMAGED, zipped
 from coursework.words.sentences import Phrases, say
 
-MOST_FILES = 500
+MOST_ENTRIES = 2 * MOST_FILES  # each variant of a folder, and a table for each
 NO_ZIP = 422
 
 
@@ -33,7 +35,10 @@ def _work(folder: Folder) -> Iterator[tuple[str, bytes]]:
             tables |= {*tables_named(text)}
             yield each["name"] + SUFFIX, text
     for name in sorted(tables):
-        if (table := read_inside(folder.path, name, MOST_BYTES)) is not None:
+        table = None
+        with suppress(OSError):  # what cannot be read costs nothing else
+            table = read_inside(folder.path, name, MOST_BYTES)
+        if table is not None and len(table) <= MOST_BYTES:  # never a part of one
             yield name, table
 
 
@@ -42,15 +47,17 @@ def unpacked(folder: Folder, content: bytes, words: Phrases) -> dict[str, Any]:
     found: dict[str, Any] = {"written": [], "skipped": []}
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            inside = {entry.filename.rpartition("/")[2]: entry for entry in archive.infolist()[:MOST_FILES] if not entry.is_dir()}
-            for name, entry in sorted(inside.items()):
+            inside = [
+                (entry.filename.rpartition("/")[2], entry) for entry in archive.infolist()[:MOST_ENTRIES] if not entry.is_dir()
+            ]
+            for name, entry in sorted(inside, key=itemgetter(0)):
                 with archive.open(entry) as file:
                     why = _taken_back(folder, name, file.read(MOST_BYTES + 1))
                 if why is None:
                     found["written"].append(name)
                 else:
                     found["skipped"].append({"name": name[:100], "sentence": words.written(why)})
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, OSError, ValueError):
+    except DAMAGED:
         raise Refused(NO_ZIP, say("desk.no_zip")) from None
     return found
 

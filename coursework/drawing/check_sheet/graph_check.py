@@ -115,7 +115,7 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     Raises `InputError` if the file lacks what a drawing needs.
     """
     variant = equations.variant
-    row = _required_row(variant, motion)
+    row = _required_row(variant)
     if row > len(motion.t):
         return None
     outline = read_outline(mechanism)
@@ -160,7 +160,7 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, true, notes, readings, plan)
 
 
-def _required_row(variant: Variant, motion: Motion) -> int:
+def _required_row(variant: Variant) -> int:
     """Return the check row.  Raises `InputError` that names all that is missing."""
     wanted = (
         ("[points]", variant.points or variant.groups),
@@ -170,8 +170,6 @@ def _required_row(variant: Variant, motion: Motion) -> int:
     missing = [name for name, there in wanted if not there]
     if missing:
         raise _refused(variant, say("fault.V516", missing=tuple(missing)))
-    if len(motion.coordinate_names) < len(variant.coordinates):
-        raise _refused(variant, say("fault.V517"))
     return variant.time.row_of_check
 
 

@@ -45,7 +45,7 @@ class Turn:
 class _Arm:
     """A term "L @ angle" that begins at a place.
 
-    Its angle is `part` (1 or -1) times the coordinate, plus the `rest`.
+    Its angle is `part` (1 or -1) times the coordinate, plus the `rest`, which has the value `aside` (rad).
     `is_named`: a point of the file lies there; `line` names both ends of the arm if the file writes it so, else "".
     """
 
@@ -53,6 +53,7 @@ class _Arm:
     is_named: bool
     part: int
     rest: Signed
+    aside: float
     line: str
 
 
@@ -77,7 +78,7 @@ def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
         # A given angle added to the coordinate is a bend of the link: the coordinate itself is measured from x, to another arm.
         bent = any(variant.values.keys() & {*part.names()} for part, _ in arm.rest)
         counts = arm.part < 0 or not bent or any(moving & {*part.names()} for part, _ in arm.rest)
-        axis = cmath.exp(1j * sum(sign * evaluate_any(part, values).real for part, sign in arm.rest)) if counts else 1 + 0j
+        axis = cmath.exp(1j * arm.aside) if counts else 1 + 0j
         beside, places = arm.rest if counts else (), tuple(dict.fromkeys(one.begin for one in same))
         yield Turn(name, places, axis, value % math.tau, arm.part, beside, line if counts or not arm.rest else "")
 
@@ -85,7 +86,8 @@ def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
 def clockwise_rates(mechanism: Mechanism, places: Values) -> set[str]:
     """Return the rates of the coordinates that the file counts clockwise; `places` are its points, in any position."""
     rates = {coordinate.name: coordinate.rate for coordinate in mechanism.variant.coordinates}
-    values = {**mechanism.variant.values, "pi": math.pi, **dict.fromkeys(rates, 1.0), **places}
+    laws = [law.name for law in mechanism.variant.laws]
+    values = {**mechanism.variant.values, "pi": math.pi, **dict.fromkeys([*rates, *laws], 1.0), **places}
     return {rates[turn.coordinate] for turn in turns(mechanism, values) if turn.sense < 0}
 
 
@@ -110,10 +112,11 @@ def _arms(mechanism: Mechanism, values: Values, coordinate: str) -> Iterator[_Ar
                 continue
             try:
                 begin = _gap_begin(parts, place, values) if is_gap else _begin(parts, place, values)
-            except (KeyError, FormulaFault):  # a length given by a law of time
+                aside = sum(sign * evaluate_any(term, values).real for term, sign in rest)
+            except (KeyError, FormulaFault):  # a length or an angle given by a law
                 continue
             line = _line(mechanism, parts, end)
-            yield _Arm(begin, any(abs(begin - corner) < SAME for corner in corners), own[0], rest, line)
+            yield _Arm(begin, any(abs(begin - corner) < SAME for corner in corners), own[0], rest, aside, line)
 
 
 def _begin(parts: Sum, place: int, values: Values) -> complex:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import stat
 import zipfile
-import zlib
 from collections.abc import Callable, Iterable, Iterator
 from datetime import UTC, datetime
 from functools import partial
@@ -23,6 +22,7 @@ from coursework.grading.reading.files.archive import legible_name
 from coursework.grading.reading.files.kinds import is_ignored, is_named_as_table
 from coursework.grading.reading.limits import FILE_BYTES, FILES, INFLATED_BYTES
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
+from coursework.system.files.zipped import DAMAGED
 from coursework.words.errors import Fault, InputError
 from coursework.words.reasons import reason_of
 from coursework.words.sentence import Sentence
@@ -89,7 +89,7 @@ class Source:
         try:
             with self._zip.open(part) as file:
                 return _bounded(file, name, part.file_size, left)
-        except (zipfile.BadZipFile, RuntimeError, OSError, NotImplementedError, EOFError, ValueError, zlib.error):
+        except DAMAGED:
             return submitted_file(name, b"", say("reading.trouble.damaged"))
 
     def _names_in_zip(self) -> Names:

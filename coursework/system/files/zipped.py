@@ -1,14 +1,25 @@
 """Files -> a zip with the same bytes for the same files, whenever and wherever it is made; and back.
 
 Enters: names and contents.  Leaves: bytes.
-Used by `word.py`, `open_document.py`, `downloads.py`, `zips.py` and `desk/answering/takeaway.py`.
+Used by `word.py`, `open_document.py`, `downloads.py`, `zips.py`, `sources.py`, `archive.py` and `desk/answering/takeaway.py`.
 """
 
 from __future__ import annotations
 
 import io
 import zipfile
+import zlib
 from collections.abc import Iterable
+from contextlib import suppress
+
+# Every error of a zip that is damaged, or packed in a way that is not known here.
+DAMAGED: tuple[type[Exception], ...] = (
+    zipfile.BadZipFile, RuntimeError, OSError, NotImplementedError, EOFError, ValueError, zlib.error,
+)  # fmt: skip
+with suppress(ImportError):  # some builds of Python are without it
+    from lzma import LZMAError
+
+    DAMAGED += (LZMAError,)
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 _UNIX = 3

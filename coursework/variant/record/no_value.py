@@ -25,11 +25,13 @@ _ROUNDED, _BEFORE = 1e-15, 1e-6
 def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> Fault | None:
     """Return a fault for the first law, equation or point without a finite value at time `t` (s) and a position (rad, m).
 
-    Of a mechanism that forces move the forces too; `position` has the free rates then.
+    Of a mechanism that forces move the forces too; `position` has the velocities then.
     """
     values: dict[str, complex] = {"pi": math.pi, **variant.values, "t": t, **position}
     values |= dict.fromkeys((name for name in variant.sought if name not in values), 1.0)
     for law in in_order(variant):
+        if law.name in position:  # the free rate of a mechanism that forces move stands among the laws
+            continue
         if law.table:
             values |= {law.name: _within(law, values[law.of].real)} if law.of in values else {}
             continue

@@ -49,6 +49,8 @@ def test_each_option_takes_its_least_and_most_and_nothing_beyond() -> None:
         is_whole = isinstance(option.type, click.IntRange)
         for end, way in zip(RANGES[key], (-1, 1), strict=True):
             beyond = end + way if is_whole else math.nextafter(end, way * math.inf)
+            if not is_whole:
+                assert not is_taken(option, math.nan), key
             if math.isfinite(end):
                 assert (is_taken(option, end), is_taken(option, beyond)) == (True, False), (key, end)
 

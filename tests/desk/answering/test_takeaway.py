@@ -115,3 +115,23 @@ def test_a_hostile_zip_writes_nothing_outside(client, tmp_path):
     assert "cannot be the name of a file here" in why["CON.toml"] and "neither a variant nor a table" in why["x.exe"]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["abs.toml", "out.toml", "up.toml"]
     assert not (tmp_path.parent / "out.toml").exists()
+
+
+def test_no_file_of_a_zip_is_lost_unsaid(client, tmp_path):
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in ("a/mine.toml", "b/mine.toml"):
+            archive.writestr(name, name * 99)
+    found = client.post("/api/zip", content=content.getvalue()).json()
+    assert (found["written"], [each["name"] for each in found["skipped"]]) == (["mine.toml"], ["mine.toml"])
+    assert (tmp_path / "mine.toml").read_text(encoding="utf-8") == "a/mine.toml" * 99
+    start = 30 + len("a/mine.toml")  # of what is compressed, behind the head of its entry
+    damaged = content.getvalue()[:start] + b"\xff" * 9 + content.getvalue()[start + 9 :]
+    assert client.post("/api/zip", content=damaged).status_code == 422
+
+
+def test_a_table_too_large_for_a_zip_is_left_out_whole(client, tmp_path):
+    client.put("/api/file/mine", content='[functions]\nf = { table = "f.csv" }', headers=NEW)
+    for size, packed in ((10**6, ["mine.toml", "f.csv"]), (10**6 + 1, ["mine.toml"])):
+        (tmp_path / "f.csv").write_bytes(b"0" * size)
+        assert zipfile.ZipFile(io.BytesIO(client.get("/api/zip").content)).namelist() == packed

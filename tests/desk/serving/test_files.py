@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import os
 import time
+import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -96,6 +98,16 @@ def test_a_pipe_is_not_waited_for(client, tmp_path):
     os.mkfifo(tmp_path / "pipe.toml")
     assert client.get("/api/file/pipe").status_code == 404
     assert client.get("/api/files").json() == []
+
+
+def test_what_is_no_file_or_cannot_be_read_costs_only_itself(client, tmp_path):
+    client.put("/api/file/mine", content='[functions]\nf = { table = "f.csv" }', headers=NEW)
+    for name in ("loop.toml", "f.csv"):
+        (tmp_path / name).symlink_to(name)
+    (tmp_path / "folder.toml").mkdir()
+    assert client.get("/api/file/folder").status_code == 404
+    assert [each["name"] for each in client.get("/api/files").json()] == ["mine"]
+    assert zipfile.ZipFile(io.BytesIO(client.get("/api/zip").content)).namelist() == ["mine.toml"]
 
 
 def test_what_is_deleted_can_be_brought_back(client, tmp_path):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import errno
 import json
 import os
 import resource
@@ -19,6 +20,7 @@ import pytest
 import uvicorn
 from uvicorn.server import ServerState
 
+import coursework
 from coursework.desk.serving import server as server_module
 from coursework.desk.serving.server import Impatient
 from tests.desk.desks import TEXT, ended
@@ -216,3 +218,20 @@ def test_a_line_without_a_request_is_closed(monkeypatch):
         return found
 
     assert ended(opened()) == b""
+
+
+def test_a_port_beyond_all_is_not_tried_and_a_host_of_no_name_is_told(monkeypatch):
+    tried = []
+
+    def taken(host: str, port: int) -> tuple[list[socket.socket], int]:
+        tried.append(port)
+        raise OSError(errno.EADDRINUSE, "")
+
+    with pytest.raises(coursework.InputError, match=r"C086 the desk cannot be reached at a\.\.b: no network of this machine"):
+        server_module.bound("a..b", 0)
+    monkeypatch.setattr(server_module, "_listening", taken)
+    for wished, last in ((65486, 65535), (65485, 65534), (65535, 65535)):
+        tried.clear()
+        with pytest.raises(coursework.InputError, match=f"C085 no port from {wished} to {last} is free"):
+            server_module.bound("", wished)
+        assert tried == [*range(wished, last + 1)]

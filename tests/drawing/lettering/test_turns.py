@@ -13,7 +13,7 @@ import pytest
 
 from coursework import load, parse_variant, solve
 from coursework.drawing.figures import draw_start
-from coursework.drawing.lettering.turns import _Arm, _begin, _gap_begin, _line, _rank, turns
+from coursework.drawing.lettering.turns import _Arm, _begin, _gap_begin, _line, _rank, clockwise_rates, turns
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse
@@ -181,7 +181,7 @@ def test_a_point_and_an_arm_make_a_line(text: str, end: str, line: str) -> None:
 
 def test_an_arm_shows_a_coordinate_best_by_itself_then_beside_a_constant_then_beside_another_one() -> None:
     def arm(part: int, rest: str, is_named: bool = True) -> _Arm:
-        return _Arm(0j, is_named, part, tuple(signed(parse(rest))) if rest else (), "")
+        return _Arm(0j, is_named, part, tuple(signed(parse(rest))) if rest else (), 0.0, "")
 
     arms = [arm(1, ""), arm(1, "", is_named=False), arm(1, "gamma"), arm(-1, ""), arm(1, "gamma", is_named=False), arm(1, "phi1"),
         arm(1, "gamma - phi1", is_named=False)]  # fmt: skip
@@ -236,3 +236,33 @@ def test_the_arrow_of_a_crank_turns_as_its_angle_is_counted(file: str, arm: str,
         measured.points(node.get("d", "")) for node in ElementTree.fromstring(svg).iter() if node.get("stroke-width") == "0.3"
     ]
     assert math.copysign(1, turned(arrow)) == sense
+
+
+ARM = """format = 1
+[given]
+r1 = "0.4 m"
+v = "0.2 rad/s"
+[drive]
+w1 = "3 rad/s"
+[functions]
+g = "v*t"
+[coordinates]
+phi1 = { start = "0.4 rad", rate = "w1" }
+[time]
+step = "0.5 s"
+end = "1 s"
+[points]
+D = "(0, 0)"
+M = "D + r1 @ (ANGLE)"
+[links]
+1 = { points = ["D", "M"] }
+[frame]
+hinges = ["D"]
+"""
+
+
+@pytest.mark.parametrize(("angle", "against"), [("phi1 + g", False), ("g - phi1", True)])
+def test_an_angle_beside_a_law_of_time_has_its_sense_but_no_arc(angle: str, against: bool) -> None:
+    text = ARM.replace("ANGLE", angle)
+    assert "data-angle" not in svg_of(text)
+    assert clockwise_rates(build(parse_variant(text)), {"D": 0j, "M": 0.4 + 0j}) == ({"w1"} if against else set())

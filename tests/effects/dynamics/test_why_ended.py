@@ -57,6 +57,42 @@ def test_a_force_without_a_value_is_charged_and_not_the_links(scheme, law):
         _ = coursework.solve(coursework.parse_variant(text, "bad.toml"), scheme=scheme).motion
 
 
+DISC = """format = 1
+[given]
+wn = "5 rad/s"
+M0 = "10 N*m"
+[coordinates]
+phi1 = { start = "0 rad", rate = "w1" }
+[time]
+step = "0.3 s"
+end = "3 s"
+[points]
+D = "(0, 0)"
+A = "D + 1 @ phi1"
+[links]
+1 = { points = ["D", "A"], rate = "w1" }
+[frame]
+hinges = ["D"]
+[masses]
+1 = { mass = "3 kg", inertia = "rod" }
+[motor]
+rates = ["w1"]
+1 = { torque = "M0*sqrt(1 - w1/wn)" }
+"""
+
+
+@pytest.mark.parametrize("scheme", ["euler", "rk4"])
+def test_a_law_that_a_row_leaves_ends_the_rows_before_it(scheme):
+    """J = 1 kg*m^2 and w' = 10*sqrt(1 - w/5): w = 5 - 5*(1 - t)^2, and Euler's w is 0, 3, 4.897 and then above 5."""
+    run = coursework.solve(coursework.parse_variant(DISC, "disc.toml"), scheme=scheme)
+    stop, known = run.motion.stop, [0, 3, 3 + 3 * math.sqrt(0.4)]
+    assert (stop.kind, stop.time) == ("no value", pytest.approx(0.9, abs=0.31 if scheme == "rk4" else 1e-9))
+    assert "motor.1, column 4: there is no value at t = " in stop.cause and '"sqrt(1 - w1/wn)" is no real number' in stop.cause
+    assert "The rows up to row 3 are valid" in stop.meaning and "shorter step" in stop.meaning
+    wanted = known if scheme == "euler" else (5 - 5 * (1 - np.arange(3) * 0.3) ** 2).tolist()
+    assert run.motion.column("w1").tolist() == pytest.approx(wanted, abs=0.02 if scheme == "rk4" else 1e-9)
+
+
 def test_links_without_mass_would_have_to_stretch():
     """A heavy crank drives a rod that is too short for it, and nothing but the crank has a mass: it hits its limit."""
     text = rod_of(r=0.36, M1=1, T=0)

@@ -148,7 +148,7 @@ def test_names_that_are_no_file(tmp_path, name):
         coursework.load(tmp_path / "v.toml")
 
 
-def test_a_link_that_leads_to_itself_is_no_file_and_no_fault_of_the_tool(tmp_path):
+def test_a_link_that_leads_to_itself_is_no_file_and_no_fault_of_the_tool(tmp_path, monkeypatch):
     (tmp_path / "loop.csv").symlink_to("loop.csv")
     (tmp_path / "v.toml").write_text(TEXT.replace("TABLE", "loop.csv"), encoding="utf-8")
     with pytest.raises(coursework.InputError, match=r'functions\.r\.table: there is no file "loop\.csv"'):
@@ -156,6 +156,8 @@ def test_a_link_that_leads_to_itself_is_no_file_and_no_fault_of_the_tool(tmp_pat
     (tmp_path / "w.toml").symlink_to("w.toml")
     told = call("run", str(tmp_path / "w.toml"), str(tmp_path / "v.toml"), "--out", str(tmp_path / "out"))
     assert told.exit_code == 2 and "the file cannot be read: Too many levels of symbolic links" in told.stdout + told.stderr
+    monkeypatch.chdir(tmp_path)
+    assert "Too many levels of symbolic links" in call("check", "w").stderr  # and not: there is no variant "w", did you mean "w"?
     (tmp_path / "work").mkdir()
     told = call("grade", str(tmp_path / "work"), "--variant", "31", "--out", str(tmp_path / "loop.csv" / "out"))
     assert told.stderr.startswith("W012")

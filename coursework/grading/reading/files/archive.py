@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import io
 import zipfile
-import zlib
 from collections.abc import Iterator
 
 from coursework.grading.reading.limits import DOCUMENT_PARTS, INFLATED_BYTES, PARTS, unreadable
+from coursework.system.files.zipped import DAMAGED
 
 _CHUNK = 64 * 1024
 _END = b"PK\x05\x06"
@@ -53,7 +53,7 @@ class Archive:
                     if self.left < 0:
                         raise unreadable("too_large_open")
                     yield chunk
-        except (zipfile.BadZipFile, zlib.error, ValueError, OSError, EOFError, NotImplementedError, RuntimeError) as error:
+        except DAMAGED as error:
             raise unreadable("damaged") from error
 
     def read(self, name: str, most: int) -> bytes:

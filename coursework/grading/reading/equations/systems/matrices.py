@@ -6,6 +6,7 @@ if it has no such system.  Nothing is computed.  Used by `text_lines.py`.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from itertools import islice
@@ -173,13 +174,16 @@ def _of_smath(text: str) -> str:
 
     >>> _of_smath("mat(a;b*(c+1);2;d;2;2)*mat(x;y;2;1)")
     '[a, b*(c+1); 2, d]*[x; y]'
+    >>> _of_smath("mat(A)*mat(;)")
+    'mat(A)*mat(;)'
     """
     for found in reversed([*islice(_SMATH.finditer(text), _MOST)]):
         end = closing(text, found.end() - 1, _LONGEST)
         inner = text[found.end() : end]
-        *cells, rows, columns = at_signs(re.compile(";" if ";" in inner else ","), inner)
-        if rows.strip().isdigit() and columns.strip().isdigit() and int(rows) * int(columns) == len(cells) > 0:
-            wide = int(columns)
+        listed = at_signs(re.compile(";" if ";" in inner else ","), inner)
+        cells, size = listed[:-2], [one.strip() for one in listed[-2:]]
+        if cells and all(map(str.isdecimal, size)) and math.prod(map(int, size)) == len(cells):
+            wide = int(size[1])
             said = in_one_piece(cells[place : place + wide] for place in range(0, len(cells), wide)).strip()
             text = text[: found.start()] + said + text[end + 1 :]
     return text
