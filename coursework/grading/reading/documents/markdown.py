@@ -12,6 +12,7 @@ from collections.abc import Callable
 from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.office.builder import add_lines
 from coursework.grading.reading.equations.notation.latex import ENVIRONMENT, LINE_END, matrices_in_one_piece, with_formulas_joined
+from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
@@ -41,7 +42,7 @@ def _is_rule(line: str) -> bool:
 def document_of_markdown(text: str, kind: str) -> Document:
     """Return the tables, formulas and lines of a Markdown file; `kind` names its encoding."""
     document = Document(kind, is_whole=False)
-    add_markdown(document, text, lambda line: place_of("line", line=line))
+    add_markdown(document, with_own_commands(text), lambda line: place_of("line", line=line))
     return document
 
 

@@ -38,6 +38,7 @@ _SAYS_SO = re.compile(
     re.IGNORECASE,
 )
 _WORDS = re.compile(r"[\s:,.–-]*([^\W\d_]+(?:\.[^\W\d_]+)*)\.?(?=[\s:,.(]|-[^\W\d_]{3}|$)(?!\s*=)")
+_SENTENCE = re.compile(r"[^=]*[^\W\d_][\w)]*[.:!]\s+(?=[A-ZА-ЯІЇЄ][^\W\d_]+\s)")  # one before that with the equation
 _ASIDE = re.compile(r"[\s,.:–-]*\(([^()=]{1,40})\)[\s,.:]*(?=[^\s*/^)=])")
 _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
@@ -117,6 +118,8 @@ def _begun(text: str, is_name: Callable[[str], bool]) -> str:
 
 def without_words(text: str, is_name: Callable[[str], bool]) -> str:
     """Return a line without the words before its equation, their remarks in parentheses, and the number of a link."""
+    if sentence := _SENTENCE.match(text):
+        text = text[sentence.end() :]
     start = 0
     while (found := _WORDS.match(text, start)) and found.end() < len(text):
         if not _is_prose(found[1], is_name, start) and not _is_point(text, found, is_name, start):

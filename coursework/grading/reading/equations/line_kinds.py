@@ -43,6 +43,9 @@ _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?
 _OF_POINT = r"\s*[vV]_?\{?(?:[A-Z]\d?'?){1,2}\}?\s*"
 _OF_POINTS = re.compile(rf"{_OF_POINT}=(?:{_OF_POINT}[-+])+{_OF_POINT}[.,;]?\s*")
 _LINE_NUMBER = re.compile(r"^\s*(\d{1,5})\s+(?=[^\W\d])")
+_TIME = re.compile(r"(?<![^\W\d])d?[th](?!\w)")
+_SPEED, _NATURAL = re.compile(r"[vV]_?[A-Za-z]{1,3}\d?"), re.compile(r"[^\W\d_]{3,}|[\u4e00-\u9fff]{2,}")
+_SEVERAL_WORDS = 3  # of a sentence
 _STEPS, _SEVERAL_LINES = (5, 10, 100), 2
 _FEWEST = 4  # an expression has more words than this, so that it is not prose
 
@@ -58,8 +61,9 @@ _STATEMENT = re.compile(
     r"|(?:double|float|const|static|\s)+\w{1,20}\[\d*\]\s*="
     r"|(?:[a-z]{2,5}\s)?\w{1,20}\s*(?:<-|=)\s*(?:function\s*\(|\([\w\s,]*\)\s*=>|\[&\])|\w{1,20}\s*<-\s*c\("
     r"|\w{1,20}\s*(?:<-|=)\s*(?:\w{1,9}\.)?(?:zeros|ones|empty|linspace|arange|ode\w*|solve_ivp|lsode|ODEProblem|\w*symbols)\s*\("
-    r"|[fF]ind\s*\([\w\s,]*\)\s*(?::?=|→)?$"
-    r"|t(?:\[\w\]|\(\w\))?\s*:?=\s*\(?(?:[ikn]|row)(?:\s*-\s*1\s*\))?\s*\*\s*h;?$"
+    r"|(?:\w{1,20}(?:\([\w\s,]*\))?\s*:?=\s*)?[fF]ind\s*\([\w\s,]*\)\s*(?::?=|→)?$"
+    r"|(?:(?:const|let|var)\s+)?\{[\w\s,]*\}\s*=\s*\w{1,20};?$|\w{1,20}\s*=\s*\(.*\)\s*=>\s*\{$|\w{1,20}\s*=\s*sym\w*\(.*\);?$"
+    r"|t(?:\[\w\]|\(\w\))?\s*:?=\s*\(?(?:[ikn]|row)(?:\s*-\s*1\s*\))?\s*\*\s*(?:h|dt|\d[\d.]*);?$"
     r"|\w{1,20}\s*:?=\s*[\[({]$|(?:console|sys|plt|DefaultFormatSettings)\..*$|n\s*=\s*\d+;?$"
 )
 
@@ -97,6 +101,8 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     if meant in spellings.rates and is_own:
         named = names_in(formula, spellings)
         is_own = bool(TURNED.search(formula) or named & {*spellings.rates}) and named.isdisjoint(spellings.rates.values())
+        # f1 = -r*w1*s1 is a right side of a system: nothing in it is an angle or the time that an angle grows with.
+        is_own = is_own or (bool(named & spellings.data) and named.isdisjoint(spellings.angles) and not _TIME.search(formula))
     if meant and plain_name(name) != plain_name(meant) and not is_own and not re.search(r"\d", name):
         # A law of time alone, v = V1*sin(p*t), is that of the drive, though the task has only one speed v may be short for.
         words = {spellings.canonical(word) for word in WORD.findall(plain(formula, spellings))} - {None}
@@ -219,6 +225,25 @@ def is_vector_sum(text: str, names: Names) -> bool:
     """Return whether a line adds velocities of points as vectors, V_C = V_B + V_CB; without axes it is no equation of numbers."""
     found = _OF_POINTS.fullmatch(plain_signs(text))
     return found is not None and any(names.spellings.canonical(word) is None for word in WORD.findall(found[0]))
+
+
+def says_nothing(text: str, names: Names) -> bool:
+    """Return whether a line that cannot be read has no velocity equation in it.
+
+    Without a sine, it names the velocity of a point that the task does not ask for (v_B = v_A + v_BA, V_e = w*r: what is right in
+    that stands in the projections), or no velocity sought among words; or it says where a point is, … = x_F.
+    """
+    if len(text) > EQUATION_CHARACTERS:
+        return False
+    plainly = plain(text, names.spellings)
+    strange = [word for word in WORD.findall(plainly) if not names.is_name(word)]
+    if not TURNED.search(plainly):
+        sought = names_in(text, names.spellings) & {*names.expected.variant.sought}
+        return any(map(_SPEED.fullmatch, strange)) or (
+            not sought and len([*filter(_NATURAL.fullmatch, strange)]) >= _SEVERAL_WORDS
+        )
+    left, _, right = plainly.partition("=")
+    return no_velocity(left, names) and strange == [right.strip(" .,;")]
 
 
 def is_datum(text: str, names: Names) -> bool:

@@ -14,7 +14,16 @@ from dataclasses import dataclass, field, replace
 from itertools import islice, pairwise
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import WORD, Names, most_lines, names_for, names_in, names_of, read_line
+from coursework.grading.reading.equations.equations import (
+    TURNED,
+    WORD,
+    Names,
+    most_lines,
+    names_for,
+    names_in,
+    names_of,
+    read_line,
+)
 from coursework.grading.reading.equations.legends import with_legend
 from coursework.grading.reading.equations.line_kinds import (
     definition,
@@ -25,10 +34,12 @@ from coursework.grading.reading.equations.line_kinds import (
     is_vector_sum,
     no_velocity,
     own_name,
+    says_nothing,
     sign_of_list,
 )
 from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.equations.notation.signs import VANISHED, plain_signs, relates_two_sides
+from coursework.grading.reading.equations.plain_text import plain
 from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.systems.parts import parts_of
 from coursework.grading.reading.equations.text_lines import text_lines
@@ -124,7 +135,7 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
             or is_vector_sum(line, names)
         ):
             one = kept(read_line(line, name, number, with_own)) if _is_equation(line, names) else None
-            found.equations += [one] if one else []
+            found.equations += [one] if one and (one.tree or not says_nothing(line, with_own)) else []
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
     checks = [_is_of_one_row(line, names) for line in found.equations]
@@ -140,7 +151,23 @@ def _pieces(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Yield the equations and answers; one line may contain several."""
     for number, line in text_lines(text, names):
         for part in parts_of(line):
-            yield from ((number, one) for one in real_and_imaginary(part) or [part])
+            yield from ((number, one) for one in real_and_imaginary(part) or _sides_apart(part, names))
+
+
+def _sides_apart(line: str, names: Names) -> list[str]:
+    """Return vP = … = … as two equations, if they give one velocity by different others and so are no steps of one."""
+    sought = {*names.expected.variant.sought}
+    name, *sides = line.split("=") if 2 <= line.count("=") <= _PASSES else [line]
+    found = [names_in(side, names.spellings) & sought for side in sides]
+    if (
+        len(found) < 2
+        or not all(map(TURNED.search, map(plain_signs, sides)))
+        or any(one <= other for one in found for other in found if one is not other)
+    ):
+        return [line]
+    called = WORD.findall(plain(name, names.spellings))
+    is_sought = called and names.spellings.canonical(called[-1]) in sought
+    return [f"{name} = {side}" for side in sides] if is_sought else [line]
 
 
 def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, str]]:

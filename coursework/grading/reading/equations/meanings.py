@@ -25,7 +25,7 @@ Meanings = Mapping[str, Formula]
 _SAME = 1e-9
 _IN_A_METRE = (1000, 100)  # mm, cm
 _SHORT = {"c": "cos", "s": "sin", "C": "cos", "S": "sin", "cos": "cos", "sin": "sin"}
-_KINDS = {**dict.fromkeys(("theta", "psi", "alpha", "beta", "gamma", "q"), "rad"), **dict.fromkeys(("l", "L"), "m")}
+_KINDS = {**dict.fromkeys(("theta", "psi", "alpha", "beta", "gamma", "q", "p"), "rad"), **dict.fromkeys(("l", "L"), "m")}
 _END_POINTS = re.compile(r"[|\s]*([A-Z]\w?'?)\s*-?\s*([A-Z]\w?'?)[|\s]*")
 _LENGTH = re.compile(r"(?:[lLr]_?)?(.+)")
 
@@ -116,7 +116,15 @@ def put_in(tree: Formula, meanings: Mapping[str, Formula]) -> Formula | None:
 
 
 def in_smaller_units(tree: Formula, variant: Variant) -> Iterator[Formula]:
-    """Yield a tree of symbols and numbers as it is meant if its lengths are in mm, or in cm: each symbol has that many more."""
+    """Yield a tree of symbols and numbers as it is meant if its lengths are in mm, or in cm: each symbol has that many more.
+
+    So is pi*n/30: beside pi the data that are speeds of rotation are in turns a minute.
+    """
+    speeds = {one.name for one in variant.given if one.si in {"1/s", "rad/s"}} & {*tree.names()}
+    if speeds and "pi" in tree.names():
+        turns = Formula("/", (number(30), named("pi")))
+        tree = with_names(tree, lambda name: Formula("*", (name, turns)) if name.name in speeds else name)
+        yield tree
     lengths = _with_lengths(variant)
     if lengths.keys().isdisjoint(tree.names()) or not any(node.op == "number" and node.value for node in tree.walk()):
         return

@@ -125,6 +125,10 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     for one in variant.bindings:
         if one.point and one.along and (axis := _AXES.get(spelled(one.along))):
             rates.setdefault(_key(f"{axis}{one.point}"), one.name)  # dx_C/dt
+            if [other.point for other in variant.bindings if other.along and spelled(other.along) == spelled(one.along)] == [
+                one.point
+            ]:
+                others.setdefault(f"v{axis}", one.name)  # of the only point that is asked for along this axis
     if point := variant.driven:
         others |= {_key(f"v{axis}{point}"): name for axis in "xy" if (name := f"V{point}{axis}") in names}
         rates |= {_key(f"{axis}{point}"): name for axis in "xy" if (name := f"V{point}{axis}") in names}  # ẋ_M, dx_M/dt

@@ -245,6 +245,9 @@ def _rate(found: re.Match[str], spellings: Spellings) -> str:
     name = spellings.angle(re.sub("[{}\u0307]|_?dot", "", "".join(found.groups())))
     if name in spellings.rates:
         return f" {spellings.rates[name]} "
+    own = spellings.own.get(plain_name(re.sub("[\u0307']", "", found[1])))
+    if own is not None and own.op == "name" and own.name in spellings.rates:  # of the θ1 that the text says is φ1
+        return f" {spellings.rates[own.name]} "
     if "/" in found[0] and spellings.is_own(found[1]):
         return derived(spellings.own[plain_name(found[1])], spellings)
     if "/" in found[0] and name and name not in spellings.data:

@@ -102,7 +102,8 @@ def _spelled(kind: str, text: str, spellings: Spellings) -> tuple[_Token, ...]:
         return (_Token("function", function),)
     if known := spellings.canonical(plain) or spellings.canonical(text):
         return (_Token("name", known),)
-    parts = _split(plain, spellings) if len(plain) <= 60 else None
+    is_one = len(plain) > 60 or spellings.is_own(plain)  # dd and ve, which the text defines, are not d*d and v*e
+    parts = None if is_one else _split(plain, spellings)
     return parts or (_Token("name", plain),)
 
 

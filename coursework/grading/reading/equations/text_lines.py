@@ -19,6 +19,7 @@ from coursework.grading.reading.equations.line_kinds import (
 from coursework.grading.reading.equations.notation.escapes import unquoted, with_line_ends
 from coursework.grading.reading.equations.notation.latex import logical_lines
 from coursework.grading.reading.equations.notation.signs import VANISHED, depths, relates_two_sides, relations
+from coursework.grading.reading.equations.systems.components import by_components, in_one_vector
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.own_functions import as_names
@@ -43,7 +44,7 @@ _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # the num
 _TYPED = re.compile(
     r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
 )  # a declaration in Pascal, Rust, Python
-_DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|var|double|float|int)\s+(?=\w{1,40}\s*=)")
+_DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|LET|var|double|float|int)\s+(?=\w{1,40}\s*=)")
 # An equation that is assigned to a name: eq[1] := …, eq||1 := … in Maple, F(1) = … == … in MATLAB.
 _KEPT = re.compile(
     r">?\s*([^\W\d]\w{0,20})(?:[\[({]\s*|\|\|)(\d{1,3})\s*[\])}]?\s*(?::=\s*(?=[^=]+=)|(=)(?!=)\s*(?=[^=]+==[^=]+$))"
@@ -67,6 +68,7 @@ _REMARK = re.compile(
 )
 
 _BLOCK, _STARRED = re.compile(r"/\*+((?:[^*]|\*(?!/))*)\*/"), re.compile(r"^[ \t]*\*(?=\s)", re.MULTILINE)
+_NUMBER = re.compile(r"\s*-?\d+\.?\d*\s*")
 _UNPACKED = re.compile(r"\(?[^\W\d]\w{0,20}(?:\s*,\s*[^\W\d]\w{0,20})+\)?\s*:?=")  # a11, a12 = …, …
 # Slashes and dots between the equations of one line, a = b / c = d.
 _TWO = re.compile(r"(?<=[^\s:;/{}])\s*//\s*(?=[^\s/])")
@@ -99,6 +101,7 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
         if (under := _KEPT.match(bare)) and (under[3] or names.spellings.angle(under[1] + under[2]) is None):
             bare = bare[under.end() :]
         bare = _one_by_one(bare) if _UNPACKED.match(bare) else bare
+        bare = by_components(in_one_vector(bare), names.spellings.canonical) if "[" in bare else bare
         if is_statement(bare, names.expected.variant.sought):
             continue
         bare = of_row(bare.strip("'") if bare.startswith("'") else bare)
@@ -121,12 +124,13 @@ def _uncommented(block: re.Match[str]) -> str:
 def _one_by_one(line: str) -> str:
     """Return a line that sets several names at once with a formula for each of them.
 
-    >>> _one_by_one("a, b = 2*c, d*max(e, f)"), _one_by_one("phi1, phi2 = y")
-    ('a = 2*c; b = d*max(e, f)', 'phi1, phi2 = y')
+    >>> _one_by_one("a, b = 2*c, d*max(e, f)"), _one_by_one("r, l = 0.5, 2"), _one_by_one("phi1, phi2 = y")
+    ('a = 2*c; b = d*max(e, f)', 'r = 0.5; l = 2', 'phi1, phi2 = y')
     """
     left, _, right = line.strip(" ;").partition("=")
     named, values = left.strip("() ").split(","), at_commas(right)
-    if len(named) != len(values) or "*" not in right or "=" in right:
+    is_data = all(map(_NUMBER.fullmatch, values))
+    if len(named) != len(values) or not ("*" in right or is_data) or "=" in right:
         return line
     return "; ".join(f"{name.strip()} = {value.strip()}" for name, value in zip(named, values, strict=True))
 
@@ -180,6 +184,8 @@ def _goes_on(kept: str, line: str, names: Names) -> bool:
     if "=" in kept and not both and kept.count("(") > kept.count(")"):
         return True
     rest = _ALIGNED.sub("", line)
+    if both and rest.startswith("=") and rest != line and not kept.startswith("=") and not VANISHED.search(kept):
+        return True  # another side of the same equation
     if both or not _BEGINS.match(rest):
         return False
     if "=" in line:

@@ -31,7 +31,7 @@ def last_places(cells: Sequence[PrintedNumber]) -> tuple[int, list[float]]:
     digits = _significant_digits(numbers)
     if digits and (_is_significant(numbers, most, digits) or decimals[most] < _FIXED * len(numbers)):
         usual = max(decimals, key=lambda count: (decimals[count], count))
-        full = 0 if _keeps_zeros(numbers) else digits
+        full = 0 if digits < _DOUBLE and _keeps_zeros(numbers) else digits  # 4.0 beside 4.014999999999999 is a whole number
         # A cell with fewer significant digits than `full` has lost zeros at its end.
         decimals_of = [max(full - cell.digits, 0) - cell.place if cell.value and cell.is_number else usual for cell in cells]
         return max(usual, 0), list(map(_unit, decimals_of))

@@ -50,6 +50,8 @@ def _text(node: FormulaNode) -> str:
         return ""
     if name == "mspace":
         return "\n" if node.values.get("linebreak") == "newline" else " "
+    if name == "mfrac" and len(parts) >= 2 and node.values.get("linethickness", "")[:1] == "0":  # a vector of two rows
+        return matrix_of([[_text(part)] for part in parts])
     if name in _PAIRS and len(parts) >= 2:
         return _PAIRS[name](_text(parts[0]), _text(parts[1]))
     if name == "msubsup" and len(parts) >= 3:

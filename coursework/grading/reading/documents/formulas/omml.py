@@ -24,9 +24,9 @@ from coursework.grading.reading.documents.formulas.formula_tree import FormulaNo
 
 # The elements that have a meaning; of all others only the contents are read.
 ELEMENTS = frozenset({
-    "oMath", "r", "t", "e", "f", "num", "den", "sSub", "sSup", "sSubSup", "sPre", "sub", "sup", "rad", "deg", "d", "dPr",
-    "begChr", "endChr", "func", "fName", "acc", "accPr", "chr", "nary", "eqArr", "m", "mr", "bar", "limLow", "limUpp", "lim",
-    "br",
+    "oMath", "r", "t", "e", "f", "fPr", "type", "num", "den", "sSub", "sSup", "sSubSup", "sPre", "sub", "sup", "rad", "deg", "d",
+    "dPr", "begChr", "endChr", "func", "fName", "acc", "accPr", "chr", "nary", "eqArr", "m", "mr", "bar", "limLow", "limUpp",
+    "lim", "br",
 })  # fmt: skip
 
 
@@ -50,7 +50,7 @@ def _property(node: FormulaNode, group: str, name: str, otherwise: str) -> str:
     """Return the sign `name` from the properties `group` of an element, `otherwise` if they do not give it."""
     properties = node.child(group)
     found = properties.child(name) if properties else None
-    return otherwise if found is None else found.values.get("val", "")[:4]
+    return otherwise if found is None else found.values.get("val", "")[:5]
 
 
 def _delimited(node: FormulaNode) -> str:
@@ -64,8 +64,14 @@ def _run(node: FormulaNode) -> str:
     return f" {text.strip()} " if text.strip() in FUNCTIONS else text
 
 
+def _fraction(node: FormulaNode) -> str:
+    """Return a fraction; one without a bar is a vector of two rows."""
+    parts = _part(node, "num"), _part(node, "den")
+    return matrix_of([[part] for part in parts]) if _property(node, "fPr", "type", "") == "noBar" else fraction(*parts)
+
+
 _WAYS: dict[str, Callable[[FormulaNode], str]] = {
-    "f": lambda node: fraction(_part(node, "num"), _part(node, "den")),
+    "f": _fraction,
     "sSub": lambda node: index(_part(node, "e"), _part(node, "sub")),
     "sSup": lambda node: power(_part(node, "e"), _part(node, "sup")),
     "sSubSup": lambda node: power(index(_part(node, "e"), _part(node, "sub")), _part(node, "sup")),
@@ -80,5 +86,6 @@ _WAYS: dict[str, Callable[[FormulaNode], str]] = {
     "r": _run,
     "br": lambda node: "\n",
     "dPr": lambda node: "",
+    "fPr": lambda node: "",
     "accPr": lambda node: "",
 }

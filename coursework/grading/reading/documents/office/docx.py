@@ -19,7 +19,7 @@ from coursework.grading.reading.files.xml_events import stream, whole
 
 _MAIN = re.compile(r"word/document\d*\.xml")
 _SKIPPED = {"Fallback", "del", "moveFrom"}  # copies of other content, and deleted or moved text
-_WITH_ATTRIBUTES = {"tab", "br", "cr", "gridSpan", "vMerge", "gridBefore", "vertAlign", "sym", "begChr", "endChr", "chr"}
+_WITH_ATTRIBUTES = {"tab", "br", "cr", "gridSpan", "vMerge", "gridBefore", "vertAlign", "sym", "begChr", "endChr", "chr", "type"}
 _WANTED = dict.fromkeys(omml.ELEMENTS | _SKIPPED | {"p", "tbl", "tr", "tc", "noBreakHyphen"}, False)
 _WANTED |= dict.fromkeys(_WITH_ATTRIBUTES, True)
 _ONE = (1, False)  # a cell that spans one column and does not continue the one above

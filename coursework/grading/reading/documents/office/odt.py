@@ -23,7 +23,7 @@ _PARAGRAPHS = {"p", "h"}
 _CELLS = {"table-cell", "covered-table-cell"}
 _WITH_ATTRIBUTES = {
     "table-cell", "covered-table-cell", "table-row", "span", "object", "style", "text-properties", "annotation", "mfenced",
-    "mspace",
+    "mspace", "mfrac",
 }  # fmt: skip
 _PLAIN = {*_SKIPPED, *_PARAGRAPHS, "s", "tab", "line-break", "table"}
 _WANTED = dict.fromkeys(mathml.ELEMENTS | _PLAIN, False) | dict.fromkeys(_WITH_ATTRIBUTES, True)

@@ -1,7 +1,7 @@
 r"""Commands that a text defines itself, \newcommand{\om}[1]{\omega_{#1}} -> the text with their meanings in place.
 
 Enters: LaTeX, or Mathematica's names of Greek letters.  Leaves: the text without such commands, of limited size.
-Used by `latex.py`.
+Used by `latex.py` and `markdown.py`.
 """
 
 from __future__ import annotations
@@ -13,6 +13,23 @@ _BODY = r"\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\}){0,20}\}){0,200})\}"
 _COMMAND = re.compile(
     rf"\\(?:(?:re)?newcommand|providecommand|DeclareMathOperator)\*?\s*+\{{?\s*+\\([A-Za-z]{{1,20}})\s*+\}}?\s*+(?:\[([1-3])\])?\s*+{_BODY}"
     rf"|\\def\s*+\\([A-Za-z]{{1,20}})\s*+((?:#[1-3]){{0,3}})\s*+{_BODY}"
+)
+# Of the packages physics, mathtools and empheq: a matrix, brackets, a vector, words between the rows, a system after a brace.
+_OF_PACKAGES = (
+    (
+        re.compile(
+            r"\\[pbvs]?(?:mqty|matrixquantity)\*?\s*([(\[{])((?:[^()\[\]{}]|[({\[][^()\[\]{}]{0,200}[)}\]]){0,2000})[)\]}]"
+        ),
+        r"\\begin{pmatrix}\2\\end{pmatrix}",
+    ),
+    (re.compile(r"\\qty\s*(?=[(\[{])|\\(?:begin|end)\{(?:subequations|empheq)\}(?:\[[^\[\]]{0,60}\])?(?!\{)"), ""),
+    (re.compile(r"\\begin\{empheq\}(?:\[[^\[\]]{0,60}\])?\{(\w{1,12}\*?)\}"), r"\\begin{\1}"),
+    (re.compile(r"\\v[bau]\*?\s*(?=\{)"), r"\\vec"),
+    (re.compile(r"\\(?:short)?intertext\s*\{[^{}]{0,200}\}"), r"\\\\ "),
+    (
+        re.compile(r"\\binom\s*\{((?:[^{}]|\{[^{}]{0,60}\}){0,200})\}\s*\{((?:[^{}]|\{[^{}]{0,60}\}){0,200})\}"),
+        r"\\begin{pmatrix}\1\\\\ \2\\end{pmatrix}",
+    ),
 )
 _ARGUMENT, _LONGEST = r"\s*(?:\{([^{}]{0,80})\}|([^\s\\{}]))", 80
 _LETTER = re.compile(r"\\\[(?:Curly|Capital|Script)?([A-Z][a-z]{1,10})\]")  # a Greek letter in Mathematica: \[CurlyPhi]
@@ -26,6 +43,8 @@ def with_own_commands(text: str) -> str:
     ' \\omega_{3} \\sin\\varphi _3, \\omega_{2} Omega4'
     """
     text = _LETTER.sub(lambda found: found[1], text)
+    for pattern, meant in _OF_PACKAGES:
+        text = pattern.sub(meant, text)
     names = {found[1] or found[4]: found for found in _COMMAND.finditer(text)}
     if not names or len(names) > _MOST_NAMES:
         return text

@@ -13,6 +13,7 @@ from itertools import islice
 
 from coursework.grading.reading.equations.notation.latex import determinant, in_one_piece, matrices_in_one_piece
 from coursework.grading.reading.equations.notation.signs import closing
+from coursework.grading.reading.equations.systems.components import in_one_vector
 from coursework.grading.reading.equations.systems.of_r import in_brackets
 from coursework.grading.reading.equations.systems.parts import at_commas, at_signs, product, rows_of, vector
 
@@ -36,7 +37,7 @@ _PRODUCTS = (
         rf"(?m)(?:^|[$,;])[ \t]*{_NAME}[ \t]*(?:[*@·⋅×]|\\cdot|\.dot\(|[ \t])[ \t]*{_NAME}\)?"
         rf"[ \t]*={{1,2}}[ \t]*{_NAME}[ \t]*(?=[,;.$]|$)"
     ),
-    re.compile(rf"(?m)^[ \t]*{_TYPE}(?:{_NAME}|{_NAMES})[ \t]*:?=[ \t]*{_SOLVED}(?:[%#/].*)?$"),
+    re.compile(rf"(?m)^[ \t]*{_TYPE}(?:{_NAME}|{_NAMES})[ \t]*:?=[ \t]*{_SOLVED}(?:(?:[%#/].*)?$|(?<=;)|(?<=;[ \t]))"),
     re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}#[ \t]*{_NAMES}[ \t]*$"),
     re.compile(rf"(?m)^[ \t]*return[ \t]+{_SOLVED}(?:[%#/].*)?$"),
     # A procedure of C, Pascal or Fortran that writes what it solves for into its last vector
@@ -77,7 +78,7 @@ _CALLED = re.compile(rf"{_SOLVER}(?=\s*(?:{_NAME[1:-1]}\s*,\s*)?[\w.]{{0,20}}\s*
 _FACTOR = rf"(\[[^=\n]{{1,2000}}\]|{_NAME[1:-1]})"
 _DIVIDED = re.compile(
     rf"(?m)(?<==)[ \t]*(?:{_FACTOR}[ \t]*\\|inv\({_FACTOR}\)[ \t]*[*@])[ \t]*{_FACTOR}(?:\.?'|\.T)?"
-    r"(?=[ \t]*;?[ \t]*(?:[%#/].*)?$)"
+    r"(?=[ \t]*(?:;|(?:[%#/].*)?$))"
 )
 _SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
 _OF_CALL = ("matrix_of_call", "sides_of_call")
@@ -93,9 +94,11 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     >>> in_rows("A = [a, b; c, d]; k = [e; f];\nw1, w2 = np.linalg.solve(A, k)")
     '(a)*(w1) + (b)*(w2) = e; (c)*(w1) + (d)*(w2) = f; ;\n'
     """
-    if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind", "{{", "mat(")):
+    if len(text) > _MOST_CHARACTERS or not any(
+        sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind", "{{", "mat(", "x:")
+    ):
         return text
-    text = _without_braces(in_brackets(_as_lists(_with_determinants(_of_smath(text)))))
+    text = in_one_vector(_without_braces(in_brackets(_as_lists(_with_determinants(_of_smath(text))))))
     text = _elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text)))
     for _ in range(_MOST_SYSTEMS):
         apart = _named_apart(text)
@@ -141,6 +144,7 @@ def _taken(whole: str, unknowns: str, place: int) -> list[re.Match[str]]:
     """Return where the entries of a vector get names, w1 = x(1), in their order; behind a place, until one comes again."""
     pattern = re.compile(_TAKEN % ((re.escape(unknowns),) * 2))
     found: dict[int, re.Match[str]] = {}
+    place = len(whole[:place].rstrip())
     for one in pattern.finditer(whole, place) if pattern.search(whole, place) else pattern.finditer(whole):
         if int(one[2]) in found:
             break

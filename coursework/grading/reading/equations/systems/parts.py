@@ -118,7 +118,11 @@ def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
     >>> product("[a, b], [c, d]", ["x", "y"], ["e", "0"]), product("a -b; c d", ["x", "y"], ["e", "0"])[0]
     (['(a)*(x) + (b)*(y) = e', '(c)*(x) + (d)*(y) = 0'], '(a)*(x) + (-b)*(y) = e')
     """
-    for rows in (rows_of(matrix), [[cell for cell in at_signs(_BLANK, row[0].strip()) if cell] for row in rows_of(matrix)]):
+    rows_ = rows_of(matrix)
+    by_blanks = (
+        [[cell for cell in at_signs(_BLANK, row[0].strip()) if cell] for row in rows_] if {*map(len, rows_)} == {1} else []
+    )
+    for rows in (rows_, by_blanks):
         if 0 < len(rows) == len(right) <= _MOST_ROWS and all(len(row) == len(unknowns) for row in rows):
             sums = (" + ".join(f"({cell})*({name})" for cell, name in zip(row, unknowns, strict=True)) for row in rows)
             return [f"{one} = {value}" for one, value in zip(sums, right, strict=True)]

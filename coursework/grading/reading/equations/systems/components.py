@@ -1,0 +1,123 @@
+r"""Sums of vectors with factors, -r*w1*[sin(a); cos(a)] or u*[c, s] + w*[-s, c] -> one vector, and its equations by components.
+
+Enters: a text or a line; what a name means.  Leaves: the text with one vector in place of each sum, a line of scalar equations.
+Nothing is computed.  Used by `matrices.py` and `text_lines.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from itertools import islice
+
+from coursework.grading.reading.equations.notation.signs import closing, depths
+from coursework.grading.reading.equations.systems.parts import vector
+
+# A vector of two to four cells, perhaps in the call that makes one; an index A[0, 1] stands at its name.
+_VECTOR = re.compile(
+    r"(?:(?:(?:np|numpy|sp|sympy)\.)?(?:array|Matrix|[vV]ector)\(\s*|(?<![\w)\]]))\[(?=[^\[\]\n]{0,2000}(?:[;\n]|,(?!\d)))"
+)
+_ENDS, _COMMAND = "=\\;,\n:{}", re.compile(r"\\[A-Za-z]{2}")  # a command of LaTeX, \omega, ends nothing
+_NO_FACTOR = re.compile(r"\\(?![A-Za-z]{2})|[%@]|\b(?:function|return|inv\w*|pinv|solve|lambda)\b", re.IGNORECASE)
+_SUM = re.compile(r"(?<=[\w)\]])\s*([-+])|^\s*([-+])")
+_PRODUCT = re.compile(r"\s*[*·⋅]\s*")
+_SIZES, _MOST, _LONGEST = range(2, 5), 20, 2000
+_BOTH = re.compile(r"\s*(?:\w{1,9}\s*:\s*)?\[([^\[\]=]+)\]\s*={1,2}\s*\[([^\[\]=]+)\]\s*[.,;]?\s*")
+_NAMED = re.compile(
+    r"\s*(?:\\(?:vec|bar|overline|mathbf|boldsymbol)\s*)?\{?\s*(?:\\(?:vec|mathbf)\s*)?([vV]_?\{?\w{1,3}\}?)\s*\}?\s*:?=\s*\[([^\[\]=]+)\]\s*[.,;]?\s*"
+)
+# An object of JavaScript, vP = {x: a, y: b}
+_FIELDS = re.compile(r"(?:(?:const|let|var)\s+)?([vV]_?\w{1,3})\s*=\s*\{\s*x\s*:\s*([^{}:]+?),\s*y\s*:\s*([^{}:]+?),?\s*\}")
+
+
+def in_one_vector(text: str) -> str:
+    r"""Return a text with each sum of vectors of one size, each with its factor, as one vector.
+
+    >>> in_one_vector("B=-r*w1*[sin(a); cos(a)];"), in_one_vector("v = u*[c, s] + p*w*[-s, c]"), in_one_vector("[a, b] = y[0]")
+    ('B=[-r*w1*(sin(a)); -r*w1*(cos(a))];', 'v = [u*(c) + p*w*(-s); u*(s) + p*w*(c)]', '[a, b] = y[0]')
+    """
+    text = _FIELDS.sub(lambda found: f"{found[1]} = [{found[2]}; {found[3]}]" + "\n" * found[0].count("\n"), text)
+    place = 0
+    for _ in range(_MOST):
+        if (found := _VECTOR.search(text, place)) is None:
+            break
+        begin, end = _around(text, found)
+        said = _as_one(text[begin:end])
+        if said:
+            if text[begin - 1 : begin] == "(" and text[end : end + 1] == ")" and not re.search(r"\w\s*\($", text[:begin]):
+                begin, end = begin - 1, end + 1
+            text = text[:begin] + said + text[end:]
+        place = max(begin + len(said), found.end())
+    return text
+
+
+def _around(text: str, vector_: re.Match[str]) -> tuple[int, int]:
+    """Return where the sum begins and ends in which a vector stands."""
+    begin = vector_.start()
+    level = 0
+    for at in range(begin - 1, max(begin - _LONGEST, -1), -1):
+        level += {")": 1, "]": 1, "(": -1, "[": -1}.get(text[at], 0)
+        if level < 0 or (level == 0 and text[at] in _ENDS and not _COMMAND.match(text, at)):
+            break
+        begin = at
+    end = begin
+    inside = depths(text[begin : begin + _LONGEST])
+    for at, depth in enumerate(inside, start=begin):
+        if depth < 0 or (depth == 0 and text[at] in _ENDS and not _COMMAND.match(text, at)):
+            break
+        end = at + 1
+    return begin + len(text[begin:end]) - len(text[begin:end].lstrip()), begin + len(text[begin:end].rstrip())
+
+
+def _as_one(sum_: str) -> str:
+    """Return the one vector that a sum is, "" if it is none or has a single vector without a factor."""
+    inside = depths(sum_)
+    cuts = [found.start(found.lastindex or 0) for found in _SUM.finditer(sum_) if inside[found.start(found.lastindex or 0)] == 0]
+    terms = [sum_[a:b] for a, b in zip([0, *cuts], [*cuts, len(sum_)], strict=True) if sum_[a:b].strip()]
+    read = [_term(term) for term in terms]
+    sizes = {len(cells) for _, cells in filter(None, read)}
+    if None in read or len(sizes) != 1 or not sizes <= {*_SIZES} or (len(read) == 1 and read[0] and not read[0][0].strip()):
+        return ""
+    rows = [" ".join(f"{factor}({cells[row]})" for factor, cells in filter(None, read)) for row in range(sizes.pop())]
+    return f"[{'; '.join(rows)}]"
+
+
+def _term(term: str) -> tuple[str, list[str]] | None:
+    """Return the factor of a vector, with its sign and the sign of the product, and the cells; None if this is no such term."""
+    found = [*islice(_VECTOR.finditer(term), 2)]
+    if len(found) != 1:
+        return None
+    opening = found[0].end() - 1
+    end = closing(term, opening)
+    cells = vector(term[opening + 1 : end])
+    behind = term[end + 1 :].strip()
+    behind = behind.removeprefix(")").strip() if "(" in found[0][0] else behind
+    behind = re.sub(r"^\.?(?:'|T\b)", "", behind)
+    before = _PRODUCT.sub("*", term[: found[0].start()]).strip()
+    sign, factor = (before[0], before[1:].strip()) if before[:1] in {"+", "-"} else ("", before)
+    if (behind and not behind.startswith(("*", "·"))) or _NO_FACTOR.search(factor + behind) or len(cells) not in _SIZES:
+        return None
+    factors = "*".join(one for one in (factor.rstrip("* "), behind.lstrip("*· ")) if one)
+    factors = f"{factors}*" if factors else ""
+    return (f"{sign} {factors}" if sign == "+" else sign + factors), cells
+
+
+def by_components(line: str, meaning: Callable[[str], str | None]) -> str:
+    """Return a line of vectors as one equation for each component; v_K = [a; b] as those of v_Kx and v_Ky.
+
+    >>> by_components("[a; b] = [c; d]", {}.get), by_components("v_K = [a, b]", {"v_Kx": "vKx", "v_Ky": "vKy"}.get)
+    ('a = c; b = d', 'vKx = a; vKy = b')
+    """
+    if "[" not in line:
+        return line
+    if both := _BOTH.fullmatch(line):
+        left, right = vector(both[1]), vector(both[2])
+        return "; ".join(map(" = ".join, zip(left, right, strict=True))) if len(left) == len(right) > 1 else line
+    named = _NAMED.fullmatch(line)
+    cells = vector(named[2]) if named else []
+    if named is None or len(cells) != _SIZES[0]:
+        return line
+    called = re.sub(r"[{}]", "", named[1])
+    components = [meaning(f"{called}{axis}") for axis in "xy"]
+    # The velocity of a point that nothing is asked about is only a step on the way.
+    return "; ".join(f"{name} = {cell}" for name, cell in zip(components, cells, strict=True) if name)
