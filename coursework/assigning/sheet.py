@@ -183,7 +183,8 @@ def _told(variant: Variant, text: str) -> Runs:
 def _digits(handout: Handout, words: Words) -> str:
     """Return how many decimals are asked for, and with how few a table is still marked."""
     asked, accepted = handout.least_decimals, handout.accepted_decimals
-    told = [words("sheet.least", decimals=asked)]
+    units = dict.fromkeys(words.unit(handout.variant.unit_of(name)) for name in handout.variant.columns)
+    told = [words("sheet.least", decimals=asked, units=words("join.comma").join(units))]
     told.append(words("sheet.accepted", decimals=accepted) if accepted < asked else words("sheet.fewer"))
     return words.sentences(told)
 

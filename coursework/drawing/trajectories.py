@@ -105,7 +105,7 @@ def _hodograph(name: str, curve: Complex, rows: Complex, t: Array) -> Drawing:
     speed = vector_scale(fastest, LONGEST)
     tips = both / speed
     reach = [(complex(tip.conjugate()), 6.0) for tip in tips[np.isfinite(tips)]]
-    board = fit(lambda mm: [(0j, 8.0), *reach], 2 * LONGEST + 20, narrowest=90.0)
+    board = fit(lambda mm: [(0j, 13.0), *reach], 2 * LONGEST + 20, narrowest=90.0)
     board = Board(1000.0 * speed, board.width, board.height, board.origin)
     sheet = board.sheet()
     pole = board.origin

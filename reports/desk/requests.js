@@ -83,13 +83,27 @@ export function faultless(answer) {
 }
 
 /**
+ * What was asked, as JSON; asked again where the server says when, because nobody else does.
+ * @param {string} method
  * @param {string} path
+ * @param {unknown} [json]
+ * @param {number} [left] How many times more.
  * @returns {Promise<any>}
  */
-export const get = async (path) => (await request("GET", path)).json();
+async function patiently(method, path, json, left = 5) {
+  try {
+    return await (await request(method, path, { json })).json();
+  } catch (error) {
+    if (!(error instanceof Refused) || error.seconds === null || !left) throw error;
+    await new Promise((done) => setTimeout(done, 1000 * Number(error.seconds)));
+    return patiently(method, path, json, left - 1);
+  }
+}
+
+/** @param {string} path */
+export const get = (path) => patiently("GET", path);
 /**
  * @param {string} path
  * @param {unknown} json
- * @returns {Promise<any>}
  */
-export const post = async (path, json) => (await request("POST", path, { json })).json();
+export const post = (path, json) => patiently("POST", path, json);

@@ -17,9 +17,10 @@ const show = (t, inWords = true) => {
   cursors.place(now, playing);
   const places_ = drawing.draw(now);
   if (!inWords) return;
+  // Between rows about a tenth of the step is told, not all digits that a row may need.
   const between = Math.abs(row - nearest + 1) > 1e-6, first = Math.floor(row) + 1;
   const told = say(between ? "clock_between" : "clock", {
-    row: between ? first : nearest, next: first + 1, t: fixed(now, decimalsOf(motion.h) + (playing || between ? 1 : 0)),
+    row: between ? first : nearest, next: first + 1, t: fixed(now, playing || between ? decimalsOf(+motion.h.toPrecision(1)) + 1 : decimalsOf(motion.h)),
   });
   scrub.setAttribute("aria-valuetext", told);
   tell("live-clock", told);

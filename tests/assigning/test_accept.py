@@ -196,7 +196,7 @@ def test_ranges_that_leave_too_few_are_refused_with_reasons():
     with pytest.raises(coursework.InputError, match=r"none of 3 draws for student ada is accepted: .*band of "):
         coursework.draw("31", strict, 1, "ada")
     same = {"given": {"p": {"choice": ["13.08 1/s"]}}, "limits": {"tries": 4}}
-    with pytest.raises(coursework.InputError, match=r"of 4 draws 4 had the template's own data, .* Take wider ranges: they"):
+    with pytest.raises(coursework.InputError, match=r"of 4 draws 4 had the template’s own data, .* Take wider ranges: they"):
         coursework.draw("31", same, 1, "ada")
 
 

@@ -109,7 +109,7 @@ WRONG = {
     "scheme": (["run", "31", "--scheme", "eulr"], 'there is no scheme "eulr". Did you mean "euler"? Schemes: euler, midpoint'),
     "step": (
         ["run", "31", "--step", "abc"],
-        'a step in seconds, such as 0.02, or a part of the file\'s step, such as h/4, was expected, found "abc".',
+        'a step in seconds, such as 0.02, or a part of the file’s step, such as h/4, was expected, found "abc".',
     ),
     "step zero": (["run", "31", "--step", "0"], "the step must be greater than 0, found 0 s."),
     "step negative": (["run", "31", "--step", "-1"], "the step must be greater than 0, found -1 s."),
@@ -144,7 +144,7 @@ WRONG = {
     "gain nan": (["run", "31", "--gain", "nan"], "Take a gain between 0 and 100 1/s"),
     "gain and projection": (
         ["run", "31", "--gain", "1", "--project"],
-        "choose either the projection or Baumgarte's gain, not both.",
+        "choose either the projection or Baumgarte’s gain, not both.",
     ),
     "auto without wish": (["run", "31", "--step", "auto"], "--step auto needs the wish: --error 0.001"),
     "wish without auto": (["run", "31", "--error", "0.1"], "--error is a wish for --step auto"),

@@ -177,3 +177,6 @@ def test_the_page_says_energies_in_words_what_the_lines_of_a_graph_are_and_has_n
     drive, *polar = (part for part in sections["forces"] if isinstance(part, Panels))
     assert len(drive.legend) == 2 and all("data-time" in panel.svg for panel in drive.items)
     assert polar and not any("data-time" in panel.svg for one in polar for panel in one.items)
+    for panel in polar[0].items:  # the motion bends between the rows, which are dots over it
+        smooth, rows, dots = re.findall(r'<path [^>]*d="([^"]*)"', panel.svg)[-3:]
+        assert "c" in smooth and "c" not in rows and dots.count("h0") == 25

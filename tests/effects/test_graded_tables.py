@@ -73,7 +73,7 @@ def test_a_slip_that_is_carried_on_costs_its_own_row():
     assert earned > 0.95
     told = first_wrong(of, cells)
     assert told.row == 22
-    assert "Euler's step from your own row 21" in str(told.sentence)
+    assert "Euler’s step from your own row 21" in str(told.sentence)
 
 
 @pytest.mark.parametrize("slip", ["weight", "copied", "noise"])

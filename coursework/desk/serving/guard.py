@@ -124,11 +124,12 @@ class Guard:
         if self.gate.proxied:  # the last entry is the proxy's own; anybody can write those before it
             address = request.headers.get("x-forwarded-for", address).rpartition(",")[2].strip()
         client = request.scope["state"]["client"] or address
-        if wait := limits.wait(client, address, time.monotonic()):
-            return self._told(request, TOO_MANY, "desk.too_many", {"Retry-After": str(wait)})
-        limits.begin(client)
-        request.scope["state"]["limited"] = client
-        return None
+        if request.method == "GET":  # made once for all: what is typed beside a catalogue under way is none too many
+            wait = limits.too_often(client, address, time.monotonic())
+        elif not (wait := limits.wait(client, address, time.monotonic())):
+            limits.begin(client)
+            request.scope["state"]["limited"] = client
+        return self._told(request, TOO_MANY, "desk.too_many", {"Retry-After": str(wait)}) if wait else None
 
     def _told(self, request: Request, status: int, key: str, headers: dict[str, str] | None = None) -> Response:
         return reply(told(status, language_of(request), key), {**(headers or {}), "Connection": "close"})

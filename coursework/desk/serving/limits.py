@@ -42,8 +42,10 @@ class Limits:
 
     def wait(self, client: str, address: str, now: float) -> int:
         """Return the seconds that a request has to wait, 0 if it may pass."""
-        if self._running.get(client, 0) >= self.at_once:
-            return 1
+        return 1 if self._running.get(client, 0) >= self.at_once else self.too_often(client, address, now)
+
+    def too_often(self, client: str, address: str, now: float) -> int:
+        """Return the seconds that a request has to wait which may run beside any others."""
         return self.address.wait(address, now) or self.client.wait(client, now)
 
     def begin(self, client: str) -> None:

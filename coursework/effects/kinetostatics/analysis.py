@@ -13,7 +13,7 @@ from functools import cache, cached_property, partial
 import numpy as np
 
 from coursework.effects.effects import Action, actions_of
-from coursework.effects.force_scheme import Body, Unknown, drives_of
+from coursework.effects.force_scheme import Body, ForceScheme, Unknown, drives_of
 from coursework.effects.kinetostatics.energy import Energy, energy_of, reduced_inertia
 from coursework.effects.kinetostatics.groups import by_groups
 from coursework.effects.kinetostatics.kinetostatics import Reactions, react
@@ -129,6 +129,11 @@ class ForceAnalysis:
         rows = np.column_stack([self.rows.motion.t, self.table])
         return ExtraTable(say("extra.forces"), ("t", *self.names), ("s", *self.units), rows, blanks=True)
 
+    def over(self, motion: Motion, second: Array) -> ForceAnalysis:
+        """Return the analysis of another motion of the same mechanism; its joints have been judged in these rows."""
+        rows = _program(self.equations, lambda: self.rows.scheme).rows(self.equations, motion, second)
+        return ForceAnalysis(rows, react(rows), self.equations)
+
 
 def _unit_beside(name: str) -> str:
     if name == "F_path" or name.endswith(".across"):
@@ -138,16 +143,18 @@ def _unit_beside(name: str) -> str:
     return "rad" if name.endswith(".angle") else "rad/s²" if name[0] == "e" else "m/s²"
 
 
+def _program(equations: VelocityEquations, scheme: Callable[[], ForceScheme]) -> Program:
+    found: Program = equations.once(("forces", equations.variant.forces), lambda: compile_program(equations, scheme()))
+    return found
+
+
 def analyse(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, second: Array) -> ForceAnalysis:
     """Return the force analysis of a motion; `second` (n, k) are its accelerations."""
 
     def near() -> tuple[tuple[str, str], ...]:
         return may_be_hinges(equations, motion.coordinates[0].tolist())
 
-    program: Program = equations.once(
-        ("forces", equations.variant.forces), lambda: compile_program(equations, read_scheme(mechanism, near=near))
-    )
-    rows = program.rows(equations, motion, second)
+    rows = _program(equations, lambda: read_scheme(mechanism, near=near)).rows(equations, motion, second)
     _require_rigid(rows, equations)
     return ForceAnalysis(rows, react(rows), equations)
 

@@ -9,7 +9,6 @@ from html import escape
 
 import numpy as np
 
-from coursework.drawing.paper.ways import way
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.report.graphs import graph_paper
 from coursework.report.graphs.graph_paper import BOTTOM, EXACT_PEN, FAINT, INK, LEFT, RIGHT, SCHEME_INK, TOP, Field
@@ -23,27 +22,34 @@ _ROUND_OFF = 1e-12  # parts of the largest force: a drive that stays below (or i
 MEAN_PEN = f'stroke="{INK}" stroke-width="0.2" stroke-dasharray="2 1"'
 
 
-def force_graphs(context: PageContext, found: ForceAnalysis, legend: list[tuple[str, Runs]]) -> list[Part]:
-    """Return the drives against time under a `legend`, then the polar curves of the reactions; empty for less than 3 rows."""
+def force_graphs(
+    context: PageContext, found: ForceAnalysis, exact: ForceAnalysis | None, legend: list[tuple[str, Runs]]
+) -> list[Part]:
+    """Return the drives against time, then the polar curves of the reactions, under a `legend`; empty for less than 3 rows.
+
+    Rows of a scheme are dots over the curve of the `exact` motion; the rows of an exact table are that curve.
+    """
     if found.rows.count < 3:
         return []
-    exact = context.run.results.exact_forces
+    dotted = context.run.results.exact_forces is not found
     parts: list[Part] = []
     least = _ROUND_OFF * found.reactions.largest
     acting = [name for name in found.drive_names if np.nanmax(np.abs(found.column(name)), initial=0.0) > least]
-    panels = [_over_time(context, found, exact, name) for name in acting]
+    panels = [_over_time(context, found, exact, name, dotted=dotted) for name in acting]
     if panels:
         caption = context.words("forces.graph", symbols=context.symbol_list(acting))
         parts.append(Panels("forces-drive", *SIZE, legend, panels, context.lettered(caption)))
     pairs = [name[:-1] for name in found.reactions.names if name[0] == "R" and name.endswith("x")]
-    curves = [curve for pair in pairs if (curve := _polar(context, found, pair)) is not None]
+    curves = [curve for pair in pairs if (curve := _polar(context, found, exact, pair, dotted=dotted)) is not None]
     for first in range(0, len(curves), MOST):
         shown = curves[first : first + MOST]
-        parts.append(Panels(f"forces-polar-{first // MOST + 1}", *SQUARE, [], shown, context.say("forces.polar")))
+        parts.append(
+            Panels(f"forces-polar-{first // MOST + 1}", *SQUARE, [] if panels else legend, shown, context.say("forces.polar"))
+        )
     return parts
 
 
-def _over_time(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis | None, name: str) -> Panel:
+def _over_time(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis | None, name: str, *, dotted: bool) -> Panel:
     t, values = found.rows.motion.t, found.column(name)
     true_t, true = (exact.rows.motion.t, exact.column(name)) if exact is not None else (np.zeros(0), np.zeros(0))
     unit = context.unit(found.units[found.names.index(name)])
@@ -51,8 +57,8 @@ def _over_time(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis 
     symbol = context.symbol(name)
     inside = graph_paper.framed(context, field, symbol, unit)
     if len(true):
-        inside += f'<path {EXACT_PEN} d="{field.path(true_t, true)}"/>'
-    if exact is not found:
+        inside += f'<path {EXACT_PEN} d="{field.curve(true_t, true)}"/>'
+    if dotted:
         inside += graph_paper.line_of_rows(field, t, values)
     mean = float(np.nanmean(true if len(true) else values))
     inside += f'<path {MEAN_PEN} d="M{field.left:g} {field.y(mean):.2f}H{field.width - RIGHT:g}"/>'
@@ -61,14 +67,13 @@ def _over_time(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis 
     return Panel(name, graph_paper.sheet(field, inside), alt)
 
 
-def _polar(context: PageContext, found: ForceAnalysis, pair: str) -> Panel | None:
+def _polar(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis | None, pair: str, *, dotted: bool) -> Panel | None:
     """Return the curve of the tip of a reaction drawn from the origin, x and y to one scale; None if it is no curve."""
-    x, y = found.column(f"{pair}x"), found.column(f"{pair}y")
-    known = np.isfinite(x) & np.isfinite(y)
-    if known.sum() < 3 or not (np.ptp(x[known]) or np.ptp(y[known])):
+    x, y = _tips(found, pair)
+    if len(x) < 3 or not (np.ptp(x) or np.ptp(y)):
         return None
-    x, y = x[known], y[known]
-    field = _square(x, y)
+    true_x, true_y = _tips(exact, pair) if exact is not None else (np.zeros(0), np.zeros(0))
+    field = _square(np.append(x, true_x), np.append(y, true_y))
     unit = context.unit("N")
     symbol = context.symbol(pair)
     at_x, at_y = field.x(x), field.y(y)
@@ -79,12 +84,22 @@ def _polar(context: PageContext, found: ForceAnalysis, pair: str) -> Panel | Non
     for value, text in graph_paper.ticks(field.low, field.high, 5, context.numbers):
         if field.y(value) < field.height - BOTTOM - 1.5:  # one in the corner would touch the first number below
             inside += graph_paper.words(field.left - 0.8, field.y(value) + 1.0, text, "end")
-    inside += f'<path {EXACT_PEN} d="{way([at_x, at_y])}"/>'
-    inside += f'<circle cx="{at_x[0]:.2f}" cy="{at_y[0]:.2f}" r="0.9" fill="{SCHEME_INK}"/>'
+    if len(true_x):
+        inside += f'<path {EXACT_PEN} d="{field.curve(true_x, true_y)}"/>'
+    if dotted:
+        inside += graph_paper.line_of_rows(field, x, y)
+    inside += f'<circle cx="{at_x[0]:.2f}" cy="{at_y[0]:.2f}" r="1.2" fill="{SCHEME_INK}"/>'
     inside += graph_paper.words(field.left + 1.2, TOP - 2.2, graph_paper.letters(symbol) + escape(context.words.behind(unit)))
     largest = context.quantity(float(np.hypot(x, y).max()), "N", 4)
     alt = context.words("forces.polar_alt", symbol=symbol.text, size=largest)
     return Panel(pair, graph_paper.picture(*SQUARE, inside), alt)
+
+
+def _tips(found: ForceAnalysis, pair: str) -> tuple[Array, Array]:
+    """Return x and y of a reaction in the rows in which it is known."""
+    x, y = found.column(f"{pair}x"), found.column(f"{pair}y")
+    known = np.isfinite(x) & np.isfinite(y)
+    return x[known], y[known]
 
 
 def _square(x: Array, y: Array) -> Field:

@@ -19,6 +19,7 @@ from coursework.report.text.parts import Panel, Panels, Part, Runs
 from coursework.scene.motion_results import given_constants
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
+from coursework.variant.record.vocabulary import EXACT
 
 SIZE = (82.0, 34.0)  # mm; two stand side by side in 170 mm
 MOST_PANELS = 8  # of one figure: as many as fit a page
@@ -56,21 +57,14 @@ def dotted(context: PageContext) -> Motion | None:
 
 
 def _curves(context: PageContext) -> Callable[[str], tuple[Array, Array]]:
-    """Return a function from a column's name to times and values of its smooth exact curve, empty if it is not known.
-
-    Between rows, coordinates are interpolated from values and rates; velocities follow from the equations at them.
-    """
+    """Return a function from a column's name to times and values of its smooth exact curve, empty if it is not known."""
     exact = context.exact
     if exact is None or not len(exact.t):
         return lambda name: (np.zeros(0), np.zeros(0))
-    scene, rate_of = context.run.scene, {one.name: one.rate for one in context.run.variant.coordinates}
-    rates = scene.passing(scene.rates)
-    between = {name: smooth(exact.t, exact.column(name), exact.column(rate_of[name])) for name in exact.coordinate_names}
-    times = [between[name][0] for name in rates.coordinates]
-    if scene.follows_laws and times and all(len(t) == len(times[0]) for t in times):
-        velocities, _ = rates.table(times[0], np.column_stack([between[name][1] for name in rates.coordinates]))
-        found = zip(rates.velocities, velocities.T, strict=True)
-        between |= {name: (times[0], column) for name, column in found if np.isfinite(column).all()}
+    between = {name: _smoothed(context, exact, name) for name in exact.coordinate_names}
+    if (motion := smooth_motion(context, exact)) is not None:
+        found = zip(motion.velocity_names, motion.velocities.T, strict=True)
+        between |= {name: (motion.t, column) for name, column in found if np.isfinite(column).all()}
 
     def curve(name: str) -> tuple[Array, Array]:
         if name not in exact.names:
@@ -78,6 +72,26 @@ def _curves(context: PageContext) -> Callable[[str], tuple[Array, Array]]:
         return between.get(name) or (sparse(exact.t), sparse(exact.column(name)))
 
     return curve
+
+
+def _smoothed(context: PageContext, exact: Motion, name: str) -> tuple[Array, Array]:
+    rate = next(one.rate for one in context.run.variant.coordinates if one.name == name)
+    return smooth(exact.t, exact.column(name), exact.column(rate))
+
+
+def smooth_motion(context: PageContext, exact: Motion) -> Motion | None:
+    """Return an exact motion with rows between its rows, None where laws alone do not give it.
+
+    Coordinates are interpolated from values and rates; velocities follow from the equations at them.
+    """
+    scene = context.run.scene
+    if not scene.follows_laws:
+        return None
+    rates = scene.passing(scene.rates)
+    curves = [_smoothed(context, exact, name) for name in rates.coordinates]
+    if not curves or len({len(t) for t, _ in curves}) > 1:
+        return None
+    return rates.motion(curves[0][0], np.column_stack([values for _, values in curves]), EXACT, exact.step)
 
 
 def _rows(context: PageContext, name: str, curve: Callable[[str], tuple[Array, Array]]) -> Rows:

@@ -87,10 +87,9 @@ export async function openNew(host, desk) {
     look();
   }
   const language = encodeURIComponent(desk.settings.language);
-  await Promise.all([
-    get(`/api/catalogue?language=${language}`).then(fill),
-    get(`/api/pieces?language=${language}`).then((/** @type {Piece[]} */ found) =>
-      pieces.replaceChildren(...found.map((piece) => pieceCard(piece, () => (dialog.close(), hangPiece(piece, desk))))),
-    ),
-  ]);
+  // One after the other: a process stays free for what is typed meanwhile.
+  fill(await get(`/api/catalogue?language=${language}`));
+  /** @type {Piece[]} */
+  const found = await get(`/api/pieces?language=${language}`);
+  pieces.replaceChildren(...found.map((piece) => pieceCard(piece, () => (dialog.close(), hangPiece(piece, desk)))));
 }

@@ -1,6 +1,6 @@
 // A joint is dragged: the server says which numbers follow, the text takes them.  One move is under way, the newest one waits.
 
-import { Refused, post } from "../requests.js";
+import { Refused, request } from "../requests.js";
 import { moving, takeHold } from "./editor.js";
 import { edited } from "./verdicts.js";
 
@@ -24,7 +24,8 @@ export function draggingIn(view, { given, refuse, began, ended }) {
     if (first) takeHold();
     const { doc } = view.state;
     try {
-      const found = await post("/api/drag", { ...given(), text: doc.toString(), joint, place, free });
+      const asked = { ...given(), text: doc.toString(), joint, place, free };
+      const found = await (await request("POST", "/api/drag", { json: asked })).json();
       refuse(found.sentence ?? "");
       // Whoever took it back meanwhile, or typed, does not want the rest of the way either.
       if (!view.state.doc.eq(doc)) next = null;

@@ -114,11 +114,11 @@ export function showFaults(view, list, answer, doc, since) {
   );
 }
 
-/** A section is begun, anything else is written otherwise.
+/** Sections are begun, anything else is written otherwise.
  * @param {string} insert */
 const mendWords = (insert) => {
-  const head = /^\s*(\[.*\])\n/.exec(insert)?.[1];
-  return head ? say("begin_with", { text: head }) : say("mend_to", { text: insert.trim() || say("nothing") });
+  const heads = /^\s*\[.*\]\n/.test(insert) && insert.match(/^\[.*\]$/gm);
+  return heads ? say("begin_with", { text: heads.join(", ") }) : say("mend_to", { text: insert.trim() || say("nothing") });
 };
 
 /**

@@ -82,7 +82,7 @@ def test_a_check_that_fails_and_a_motion_that_stops_are_told(terminal, folder):
 def test_what_was_changed_is_told(terminal):
     text = " ".join(call("run", "31", "--set", "p=12", "--gain", "1", *QUICK).stdout.split())
     assert "p = 12" in text
-    assert "Baumgarte's gain 1 1/s" in text
+    assert "Baumgarte’s gain 1 1/s" in text
 
 
 @pytest.mark.parametrize("language", ["ru", "uk", "zh"])

@@ -294,7 +294,7 @@ def test_folders_are_opened_five_deep(tmp_path: Path, deep: int, is_read: bool) 
 
 @pytest.mark.parametrize(("students", "beside", "told"), [
     ("Ada Byron_1001_assignsubmission_file", "Late Student/table.csv", "differently: Late Student. Rename"),  # sent by mail
-    ("ada", "late.csv", "no student's folder: late.csv"),
+    ("ada", "late.csv", "no student’s folder: late.csv"),
 ])  # fmt: skip
 def test_what_belongs_to_nobody_is_told(tmp_path: Path, students: str, beside: str, told: str) -> None:
     write(tmp_path, f"{students}/table.csv")

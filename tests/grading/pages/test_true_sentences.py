@@ -24,7 +24,7 @@ from tests.grading.pages.truths import RIGHT, ROWS, Case, cases, write_variants
 PARTS = {"table": 60.0, "equations": 40.0}
 COUNTS = re.compile(
     r"Of (\d+) cells that count, wrong: (\d+); missing or with too few digits: (\d+); "
-    r"not the key's, .*?: (\d+); as in the key: (\d+)\."
+    r"not the key’s, .*?: (\d+); as in the key: (\d+)\."
 )
 ALONE = re.compile(r"One by one, the cells would earn ([\d.]+) points\.")
 SUM = re.compile(r"(Table|Equations): ([\d.]+) of ([\d.]+) points")
@@ -123,7 +123,7 @@ def test_every_state_below_full_points_says_why_in_every_place(seen):
 
 
 def test_a_confusion_is_told_in_the_words_of_the_rubric(seen):
-    assert "r1 was taken with a value other than the task's: AB for DA. " in seen["confused"].row["sentence"]
+    assert "r1 was taken with a value other than the task’s: AB for DA. " in seen["confused"].row["sentence"]
 
 
 def test_counts_are_those_of_the_files(seen, handed_in):

@@ -136,7 +136,7 @@ def test_a_tabulated_drive_wants_its_twenty_rows_a_period(tmp_path, law):
         end = step * round(0.5 / step - 0.5)
         found, wanted = (found_step(coursework.solve(v, "exact", step=step, end=end)) for v in (tmp_path / "v.toml", "31"))
         assert (found.verdict, found.value) == (verdict, pytest.approx(wanted.value, rel=0.01))
-        assert "the drive's fastest oscillation" in found.sentence
+        assert "the drive’s fastest oscillation" in found.sentence
 
 
 @pytest.mark.parametrize(("rows", "verdict"), [(20, "PASS"), (19, "COARSE")])

@@ -130,7 +130,7 @@ def test_where_one_sine_carries_all_the_motion_is_as_the_drive(real: ModuleType)
     )
     assert "The velocities are sinusoidal, as the drive is" in told(real, run, "control")
     wide = solved(slider_crank(0.0, 0.0, "0.9*n*cos(n*t)"), "table", "checks")
-    assert "but not the drive's own frequency alone" in finding(wide, "SINUSOID").sentence
+    assert "but not the drive’s own frequency alone" in finding(wide, "SINUSOID").sentence
 
 
 @pytest.mark.parametrize(
@@ -234,7 +234,7 @@ def test_rows_that_a_scheme_ends_are_not_the_end_of_the_motion(real: ModuleType)
 def test_what_the_numbers_are_parts_of_is_said_where_they_first_stand(real: ModuleType, five_bar: Any) -> None:
     assert "5 of 5 checks of the computation" in five_bar.summary
     assert re.search(r"% of 0.49 rad \(phi2, row \d+\)", five_bar.summary)
-    assert "a column's scale: its range in the exact motion" in told(real, five_bar, "control")
+    assert "a column’s scale: its range in the exact motion" in told(real, five_bar, "control")
 
 
 # An arm whose second angle is counted from its first link, and one whose links have rates of their own.

@@ -61,7 +61,7 @@ def test_the_own_file_is_told_in_one_line():
     for command in (["run", "prp", "--format", "csv"], ["check", "prp"], ["run", "prp", "31", "--format", "csv", "--out", "all"]):
         told = CliRunner().invoke(main, command)
         assert told.exit_code == 0
-        assert told.stderr.splitlines()[0] == "prp.toml of this folder is taken, not the catalogue's variant prp."
+        assert told.stderr.splitlines()[0] == "prp.toml of this folder is taken, not the catalogue’s variant prp."
     assert CliRunner().invoke(main, ["check", "example-1"]).stderr == ""
 
 

@@ -111,7 +111,13 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
         else:
             used = cells.student.values[row - 1]
             speed = rate.number(float(used[m + place]))
-            values |= {"start": number(float(used[place])), "rate": float(f"{speed:.{_MOST_DIGITS}g}"), "step": key.step}
+            rate_shown = float(f"{abs(speed):.{_MOST_DIGITS}g}")
+            values |= {
+                "start": number(float(used[place])),
+                "sign": "−" if speed < 0 else "+",
+                "rate": rate_shown,
+                "step": key.step,
+            }
     sentence = say(f"marking.first.{said}", **values)
     return FirstWrong(float(key.t[row]), row + 1, name, found, expected, tolerance, _SAID[way], sentence)
 

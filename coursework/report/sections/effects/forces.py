@@ -19,7 +19,7 @@ from coursework.effects.kinetostatics.flywheel import find_flywheel
 from coursework.mechanism.joints import FRAME
 from coursework.report.graphs.figures import drawn
 from coursework.report.graphs.force_graphs import force_graphs
-from coursework.report.sections.graphs import key
+from coursework.report.sections.graphs import key, smooth_motion
 from coursework.report.text.numbers import NOTHING
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Display, Equations, Paragraph, Part, Runs, Table
@@ -49,7 +49,18 @@ def forces(context: PageContext) -> list[Part]:
         parts += _compared(context, plans)
     exact = context.run.results.exact_forces
     legend = key(context, dotted=exact is not found, exact=exact is not None)
-    return [*parts, *_rows(context, found), *force_graphs(context, found, legend), *_told(context, found)]
+    return [
+        *parts,
+        *_rows(context, found),
+        *force_graphs(context, found, _smooth(context, exact), legend),
+        *_told(context, found),
+    ]
+
+
+def _smooth(context: PageContext, exact: ForceAnalysis | None) -> ForceAnalysis | None:
+    """Return the forces of the exact motion, between its rows too where that is known."""
+    motion = smooth_motion(context, exact.rows.motion) if exact is not None and exact.rows.count > 2 else None
+    return exact if exact is None or motion is None else exact.over(motion, context.run.scene.accelerations_of(motion))
 
 
 def energy(context: PageContext) -> list[Part]:

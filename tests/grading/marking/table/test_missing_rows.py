@@ -31,7 +31,7 @@ def test_right_rows_earn_their_cells_and_a_slip_between_them_one_or_the_row_s(nu
         if 7 not in kept and wrong:
             before = int(kept[kept < 7].max())
             after = int(kept[kept > 7].min())
-            assert f"{after - before} of Euler's steps from your own row {before + 1}" in marked.first.sentence
+            assert f"{after - before} of Euler’s steps from your own row {before + 1}" in marked.first.sentence
 
 
 def test_faults_cost_the_same_part_of_the_rows_that_are_handed_in():

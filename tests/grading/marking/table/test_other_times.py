@@ -116,7 +116,7 @@ def test_rows_of_another_step_are_found_by_their_times_and_told_with_their_place
     half, few = desk.marked(fine[:rows], times=times[:rows])
     assert half == pytest.approx(whole / 2, abs=2)
     assert (sum(few.table.rows_present), few.table.rows[:3]) == ((rows + 1) // 2, (1, 3, 5))
-    told = f"Row 2 (t = {machine.h:g} s, row 3 of the file): Euler's step from your own row 1 is "
+    told = f"Row 2 (t = {machine.h:g} s, row 3 of the file): Euler’s step from your own row 1 is "
     assert all(str(one.first.sentence).startswith(told) for one in (marks, few))
 
 

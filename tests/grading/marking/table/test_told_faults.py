@@ -22,7 +22,7 @@ def test_what_explains_as_much_is_told_in_sentences_of_its_own():
     told = [reason.text for reason in table_reasons(desk.key, table, Rubric(), 30.0, 60.0) if "as well be" in reason.text]
     assert told == [
         "It could as well be: w3 has the other sign.",
-        "It could as well be: the datum V1 has a value other than the task's.",
+        "It could as well be: the datum V1 has a value other than the task’s.",
         "It could as well be: one slip in equation 11.",
     ]
 
@@ -186,7 +186,7 @@ def test_all_starts_that_are_not_the_tasks_are_told_where_they_explain_a_part():
     told = [reason.text for reason in table_reasons(desk.key, marked, Rubric(), points, 60.0) if reason.kind == "cause"]
     (part, starts) = told[0].split(": ")
     assert part == "Part of the table follows from one thing" and len(told) == 1
-    assert starts == "the table was made from start values of phi1, phi2 and phi3 other than the task's."
+    assert starts == "the table was made from start values of phi1, phi2 and phi3 other than the task’s."
 
 
 @pytest.mark.parametrize("factor", [10, 0.1])

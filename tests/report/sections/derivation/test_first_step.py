@@ -58,7 +58,7 @@ def test_where_all_coordinates_are_free_no_other_is_spoken_of(real: ModuleType) 
     assert "M is the inertia matrix" in pages[-1]
 
 
-@pytest.mark.parametrize(("way", "told"), [({"project": 1}, "one Newton correction"), ({"gain": 5.0}, "Baumgarte's term")])
+@pytest.mark.parametrize(("way", "told"), [({"project": 1}, "one Newton correction"), ({"gain": 5.0}, "Baumgarte’s term")])
 def test_what_draws_the_drift_back_stands_beside_the_step(real: ModuleType, way: dict[str, Any], told: str) -> None:
     """φ₁(k + 1) = φ₁(k) + ω₁(k) h alone does not make the rows of such a table."""
     run = solved("31", scheme="euler", quantities=["table"], **way)

@@ -75,7 +75,7 @@ def test_the_step_that_would_do_is_told_once_in_seconds() -> None:
 
 def test_the_last_row_of_31_is_off_by_scheme_and_period() -> None:
     told, _ = conclusion(coursework.solve(coursework.load("31")))
-    assert "is the scheme's error" in told[-1] and "0.48 s not being the period 0.480366 s" in told[-1]
+    assert "is the scheme’s error" in told[-1] and "0.48 s not being the period 0.480366 s" in told[-1]
 
 
 @pytest.mark.long
