@@ -61,7 +61,7 @@ class ExactScene(Scene):
                 coordinate_names=rates.coordinates, velocity_names=rates.velocities,
             )  # fmt: skip
         if len(exact.t):
-            exact = replace(exact, scaled=self.scaled(exact))
+            exact = replace(exact, scaled=self.flow.relative(exact.determinants, rates.blocks))
         return replace(exact, step=variant.time.step, stop=stop)
 
     @computed("equations", "closure", "start", "rates", "reduction", "stop", "flow", "search")

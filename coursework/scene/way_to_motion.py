@@ -166,11 +166,7 @@ class WayToMotion:
         guarded = [index for index, name in enumerate(rates.coordinates) if name in angles]
         made = March(rates, scheme_of(scheme), step, self.correction, guarded, passages, self.search.goes_on)
         rows = made.until(self.begin, self.variant.time.end, self.stop)
-        return replace(rows, scaled=self.scaled(rows), notes=self.passed)
-
-    def scaled(self, motion: Motion) -> Array:
-        """Return the determinants of a motion with the columns of the scene, relative to their largest values."""
-        return np.asarray(motion.determinants / np.array([self.flow.largest[index] for index in self.rates.blocks]))
+        return replace(rows, scaled=self.flow.relative(rows.determinants, rates.blocks), notes=self.passed)
 
     def passing(self, rates: Rates) -> Rates:
         """Return rates that know the limits at the singular positions with only one continuation."""

@@ -75,6 +75,10 @@ class Flow:
         values = self._values(t, q)
         return [_determinant(values, place) / size for place, size in zip(self.places, self.largest, strict=True)]
 
+    def relative(self, determinants: Array, blocks: Sequence[int]) -> Array:
+        """Return the determinants (n, k) of some blocks relative to their largest values."""
+        return np.asarray(determinants / np.array([self.largest[block] for block in blocks]))
+
     def slopes(self, t: float, q: Sequence[float], block: int) -> tuple[float, ...]:
         """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` if another block is singular."""
         self.evaluations += 1

@@ -164,10 +164,7 @@ class Group(Section):
 
 
 class Link(Section):
-    """A rigid body: its points and angular velocity; or a wheel with its contact; it may slide in another link.
-
-    Links of one rate that share a point are one body: two gears of a shaft, or a wheel listed once for each of its contacts.
-    """
+    """A rigid body, or a wheel with its contact; it may slide in another.  Links of one rate that share a point are one body."""
 
     points: list[Name] = []
     rate: Name | None = None

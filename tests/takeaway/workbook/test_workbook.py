@@ -17,7 +17,6 @@ from tests.equations.reduction.textbook.test_long_formulas import two_by_two
 from tests.grading.reading.documents.test_right_work import graded
 from tests.hard.scenes import scene, solve
 from tests.mechanisms.library import mechanism
-from tests.motion.singular.test_passages import BY_GROUPS, past_its_pivot
 from tests.sample import sampled
 from tests.solved import solved
 from tests.takeaway.taken import taken
@@ -211,14 +210,6 @@ def test_a_motion_that_stops_has_the_rows_before_its_dead_point():
     _, rows = table(stopped)
     assert stopped.stop is not None and 1 < len(rows) < 10
     assert off(Evaluated(content).rows("Euler", *rows.shape), rows) < 1e-9
-
-
-def test_a_position_passed_through_has_its_velocities_where_a_formula_would_divide_by_nothing():
-    run = solve(past_its_pivot(BY_GROUPS, 0.1, end=0.6), "euler", ("table",))
-    _, rows = table(run)
-    at = run.motion.names.index("w")
-    assert len(run.scene.search.passages) == 1 and rows[5, 0] == 0.5 and rows[5, 1 + at] == pytest.approx(0.5, abs=1e-6)
-    assert off(Evaluated(workbook_of(run, "en")).rows("Euler", *rows.shape), rows) < 1e-9
 
 
 def test_names_differ_by_more_than_case_and_text_is_no_formula():

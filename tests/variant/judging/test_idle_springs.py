@@ -22,3 +22,10 @@ def test_a_spring_that_never_changes_its_length_is_told(name: str, ends: str, id
     variant = coursework.parse_variant(mechanism(name, (f"spring = {own}", f"spring = {ends}")))
     told = [str(one.sentence) for one in variant.plausibility if one.code == "IDLE"]
     assert len(told) == bool(idle) and all(f"of [forces] does nothing: {idle} keep their distance." in one for one in told)
+
+
+@pytest.mark.parametrize(("times", "told"), [(29.99, []), (30.01, ["s.free = 24.008 m beside 0.8 m: is the number right?"])])
+def test_the_free_length_of_a_spring_is_held_against_the_longest_length(times, told):
+    own = ("[coordinates]", 'L = "0.8 m"\n[coordinates]'), ("0.6 @ phi", "L @ phi")
+    text = mechanism("pendulum", *own, ('free = "0.4 m"', f'free = "{0.8 * times} m"'))
+    assert [str(remark.sentence) for remark in coursework.parse_variant(text).plausibility] == told

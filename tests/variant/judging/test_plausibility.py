@@ -98,13 +98,6 @@ def test_just_outside_it_is(written, other, code):
     assert [remark[0] for remark in remarks((written, other))] == [code]
 
 
-@pytest.mark.parametrize(("times", "told"), [(29.99, []), (30.01, ["s.free = 24.008 m beside 0.8 m: is the number right?"])])
-def test_the_free_length_of_a_spring_is_held_against_the_longest_length(times, told):
-    own = ("[coordinates]", 'L = "0.8 m"\n[coordinates]'), ("0.6 @ phi", "L @ phi")
-    text = mechanism("pendulum", *own, ('free = "0.4 m"', f'free = "{0.8 * times} m"'))
-    assert [str(remark.sentence) for remark in parse_variant(text).plausibility] == told
-
-
 def test_of_two_sides_of_a_gap_the_smaller_is_named():
     both = remarks(('"0.953 m"', '"953 m"'), ('"0.847 m"', '"847 m"'))
     assert [(code, sentence) for code, _, sentence in both] == [("LENGTH", "r3 = 0.457 m beside 847 m: is the number right?")]

@@ -71,8 +71,7 @@ _ROW_OF_CELLS = re.compile(
 _IN_BRACES = re.compile(rf"(?m)(?:^|(?<=;))[ \t]*{_TYPE}([^\W\d]\w{{0,20}})((?:[ \t]*\[\w{{0,9}}\]){{1,2}})[ \t]*=[ \t]*(?=\{{)")
 _LISTS = re.compile(r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*(?::=|=|:)[ \t]*(?:(matrix)[ \t]*(?=\(\s*\[)|(?=\{))")
 _ASSIGNED = re.compile(r"(?m)^[ \t]*([^\W\d]\w{0,20})[ \t]*:[ \t]*(?=invert\b|[^\W\d]\w{0,20}\[\d)")
-_ROUND = str.maketrans("[]", "()")  # of functions in Mathematica
-_BRACES = str.maketrans("{}", "[]")
+_ROUND, _BRACES = str.maketrans("[]", "()"), str.maketrans("{}", "[]")  # of functions and of lists in Mathematica
 # A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\[e; f]
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*(?:{_NAME[1:-1]}\s*,\s*)?[\w.]{{0,20}}\s*\(?\s*\[)")
 _FACTOR = rf"(\[[^=\n]{{1,2000}}\]|{_NAME[1:-1]})"
