@@ -139,7 +139,7 @@ def test_the_key_is_the_table_that_a_run_writes(out):
 
 def test_the_page_of_the_class_shows_how_it_spreads(out):
     page = page_of(out / "class.html")
-    assert "3 students have variants of their own from template 31, seed 2026" in page
+    assert "3 students have variants of their own, from template 31, seed 2026" in page
     assert page.count('<svg class="chart strip"') == 4 + 10  # measures of difficulty, drawn data
     assert page.count("h0") == 3 * 14  # a mark each
     assert float(strip([1.0, 2.0], 1.0, 2.0, 3.0, ("1", "3"), "3").centre) == RIGHT  # beyond the class, on the axis yet

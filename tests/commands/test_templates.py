@@ -112,7 +112,9 @@ def test_own_words_need_only_be_those_that_are_changed(tmp_path: Path) -> None:
 def test_a_language_of_ones_own_may_stand_among_the_pieces(tmp_path: Path) -> None:
     looks = tmp_path / "looks"
     looks.mkdir()
-    (looks / "words.de.toml").write_text('plural = "en"\n[title]\nkind = "Kinematik eines ebenen Getriebes"\n', encoding="utf-8")
+    (looks / "words.de.toml").write_text(
+        'plural = "one-other"\n[title]\nkind = "Kinematik eines ebenen Getriebes"\n', encoding="utf-8"
+    )
     options = ("--language", "de", "--quantities", "table", "--format", "html", "--out", tmp_path / "out")
     assert run("31", "--templates", looks, *options).exit_code == 0
     assert "Kinematik eines ebenen Getriebes" in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")

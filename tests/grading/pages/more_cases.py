@@ -85,6 +85,11 @@ def new_phi() -> np.ndarray:
     return students.table(printed=printed)
 
 
+def turned(t, q) -> np.ndarray:
+    """The velocity w2 with the other sign, and all with what no equation gives."""
+    return velocities(t, q) * np.array([1, -1, 1, 1]) + 0.1 * np.sin(9 * t)
+
+
 def two_slips() -> np.ndarray:
     """A wrong sign in each of the equations of D."""
 
@@ -221,6 +226,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "document": {"work.md": markdown(), "table.csv": files()["table.csv"]},
         "two-slips": files(two_slips()),
         "start-and-slips": files(start_and_slips()),
+        "start-and-turned": files(students.table(start=(1.7, 3.2, 2.6), printed=turned)),
         "own-sum": files(*own_sum()),
         "degrees-drive": files(degrees_in(drive=True)),
         "degrees-equations": files(degrees_in(drive=False)),

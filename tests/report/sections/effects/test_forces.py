@@ -203,7 +203,7 @@ CONTEXT: Any = SimpleNamespace(
 
 
 def conventions(names: str, rows: Any, pins: str = "", friction: str = "", condition: float = 2.0) -> list[str]:
-    scheme = SimpleNamespace(pins=dict.fromkeys(pins), forces=SimpleNamespace(friction=friction))
+    scheme = SimpleNamespace(unknowns=(), pins=dict.fromkeys(pins), forces=SimpleNamespace(friction=friction))
     rows = np.array(rows, dtype=float)
     reactions = SimpleNamespace(names=names.split(), rows=rows, condition=np.full(len(rows), condition))
     return list(_convention(CONTEXT, SimpleNamespace(reactions=reactions, rows=SimpleNamespace(scheme=scheme))))  # type: ignore[arg-type]

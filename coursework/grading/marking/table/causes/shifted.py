@@ -1,7 +1,7 @@
 """A table that is right except for some rows too many or too few: rows are repeated, left out, or put before the first.
 
 Enters: a `TableUnderTest`.  Leaves: the table with its rows put back, also where they stand in any other order.
-Used by `other_data.py`.
+Used by `printed_otherwise.py`.
 From the slip on, every row stands beside another time and no longer follows; with the rows put back, the slip costs one row.
 """
 
