@@ -122,12 +122,11 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     for link in (one for one in variant.links if one.rate):  # ω_AB of the link with the points A and B
         pairs = {_key(f"{symbol}{first}{second}") for symbol in ("w", "omega") for first in link.points for second in link.points}
         others |= {key: link.rate for key in pairs if link.rate and key not in others}
-    for one in variant.bindings:
-        if one.point and one.along and (axis := _AXES.get(spelled(one.along))):
+    along = [(_AXES.get(spelled(one.along)), one) for one in variant.bindings if one.along]
+    for axis, one in along:
+        if one.point and axis:
             rates.setdefault(_key(f"{axis}{one.point}"), one.name)  # dx_C/dt
-            if [other.point for other in variant.bindings if other.along and spelled(other.along) == spelled(one.along)] == [
-                one.point
-            ]:
+            if [other for other, _ in along].count(axis) == 1:
                 others.setdefault(f"v{axis}", one.name)  # of the only point that is asked for along this axis
     if point := variant.driven:
         others |= {_key(f"v{axis}{point}"): name for axis in "xy" if (name := f"V{point}{axis}") in names}

@@ -31,7 +31,7 @@ class Archive:
             raise unreadable("damaged" if end < 0 else "too_large_open")
         try:
             self._zip = zipfile.ZipFile(io.BytesIO(content))
-        except (zipfile.BadZipFile, ValueError, OSError, NotImplementedError, EOFError) as error:
+        except DAMAGED as error:
             raise unreadable("damaged") from error
         # A damaged directory may list a part without a name, on which `is_dir` fails.
         self.parts = {part.filename: part for part in self._zip.infolist() if part.filename and not part.is_dir()}
