@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from coursework.effects.force_scheme import Body, Direction, ForceScheme, Unknown, numbered
 from coursework.effects.loose import Pairs, loose
 from coursework.effects.slid_length import slid_length
+from coursework.effects.turned_back import turned_back
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.joints import FRAME, with_sliders
 from coursework.mechanism.mechanism import Mechanism
@@ -215,7 +216,8 @@ class _Reader:
         several = len(variant.known_rates) > 1
         sliding = {link.name for link in variant.links if link.slides}
         for rate in variant.known_rates:
-            body = next((body for body, own in rates.items() if own == rate and body not in sliding), None)
+            alike = next(([rate, other] for other in rates.values() if {rate, other} in turned_back(variant)), [rate])
+            body = next((body for one in alike for body, own in rates.items() if own == one and body not in sliding), None)
             if body is None:
                 yield self.arm(rate, f"{'F' if units[rate] == 'm' else 'M'}{rate if several else ''}")
                 continue

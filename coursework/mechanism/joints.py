@@ -127,7 +127,7 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
     for link in variant.links:
         for name in dict.fromkeys((*link.points, *((link.wheel,) if link.wheel else ()))):
             holds.setdefault(name, []).append(link.name)
-    fixed = [*fixed_links(variant.links)]
+    fixed = [*fixed_links(variant.links, dict(variant.points), {c.rate: c.name for c in variant.coordinates})]
     first = first_parts((link.name for link in variant.links), ((one, other) for one, other, _ in fixed))
     for name, holders in holds.items():
         bodies = [body for place, body in enumerate(holders) if first[body] not in {first[one] for one in holders[:place]}]

@@ -1,20 +1,28 @@
 """Links that turn as one, such as two gears of one shaft: they have one rate and a common point.
 
-Enters: the links of a file.  Leaves: the pairs that are fixed to each other; the first part of each body.  Used by `joints.py`.
+Where an angle is counted clockwise, its link turns at minus the rate and is fixed to none that turns at the rate itself.
+Enters: the links of a file, its points.  Leaves: the pairs that are fixed to each other; the first part of each body.
+Used by `joints.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from coursework.variant.formula.tree import Formula, signed
 from coursework.variant.record.entries import Link
 
 
-def fixed_links(links: Sequence[Link]) -> Iterator[tuple[str, str, str]]:
+def fixed_links(
+    links: Sequence[Link], points: Mapping[str, Formula], angle_of: Mapping[str | None, str]
+) -> Iterator[tuple[str, str, str]]:
     """Yield two links and their common point for each link that turns as one with an earlier one.
 
+    `angle_of` gives the coordinate of a rate.
+
     >>> gear = Link("1", (), "w1", "O", "P", None)
-    >>> [*fixed_links([gear, Link("2", ("O", "A"), "w1", None, None, None), Link("3", ("O",), "w3", None, None, None)])]
+    >>> others = [Link("2", ("O", "A"), "w1", None, None, None), Link("3", ("O",), "w3", None, None, None)]
+    >>> [*fixed_links([gear, *others], {}, {})]
     [('1', '2', 'O')]
     """
     pairs: list[tuple[str, str]] = []
@@ -22,9 +30,24 @@ def fixed_links(links: Sequence[Link]) -> Iterator[tuple[str, str, str]]:
         for other in links[:place]:
             first = first_parts((one.name for one in links), pairs)
             shared = next((point for point in other.held if point in link.held), None)
-            if link.rate and link.rate == other.rate and shared and first[other.name] != first[link.name]:
+            alike = link.rate == other.rate and first[other.name] != first[link.name]
+            if link.rate and alike and shared and not _against(link, other, points, angle_of.get(link.rate, "")):
                 pairs.append((other.name, link.name))
                 yield other.name, link.name, shared
+
+
+def _against(link: Link, other: Link, points: Mapping[str, Formula], angle: str) -> bool:
+    """Return whether a coordinate turns one link counter-clockwise and the other clockwise, by what only one of them holds."""
+    own, its = ({name for name in one.held if name not in two.held} for one, two in ((link, other), (other, link)))
+    senses = {_sense(own, points, angle), _sense(its, points, angle)}
+    return senses == {1, -1}
+
+
+def _sense(names: Iterable[str], points: Mapping[str, Formula], angle: str) -> int:
+    """Return the sign with which an angle turns points, 0 if it has not one."""
+    nodes = [node for name in names if name in points for node in points[name].walk() if node.op == "@"]
+    signs = {sign for node in nodes for term, sign in signed(node.args[1]) if term.name == angle}
+    return signs.pop() if len(signs) == 1 else 0
 
 
 def first_parts(bodies: Iterable[str], pairs: Iterable[tuple[str, str]]) -> dict[str, str]:

@@ -52,6 +52,21 @@ def test_a_length_along_a_swinging_bar_is_driven_from_the_bar():
     assert found.by_power == pytest.approx(np.column_stack([found.column("M1"), found.column("Fus")]), rel=1e-10, abs=1e-10)
 
 
+def test_a_bar_that_turns_against_its_angle_is_turned_by_a_couple_on_it():
+    """The centre of the trammel's bar runs round a circle evenly: by the power of its weight, M = -m g l/2 cos(th)."""
+    text = mechanism(
+        "trammel", ('V*cos(k*t)"\n', '"\n'), ('u = "', 'w = "k'), ('"w" }\n[frame]', '"om" }\n[frame]'), ('B", "E"]', 'B"]'),
+        ("[time]", '[unknowns]\nom = "1/s"\n[time]'), ("[closure]", '[[constraint]]\nequation = "om = -w"\n[closure]'),
+    )  # fmt: skip
+    weight = '[masses]\n1 = { mass = "2 kg", inertia = "rod" }\n[forces]\ngravity = "9.81 m/s^2"\n'
+    found = of_text(text + weight, scheme="exact")
+    wanted = -2 * 9.81 * 0.15 * np.cos(found.rows.motion.column("th"))
+    assert found.column("M") == pytest.approx(wanted, abs=1e-12)
+    assert found.by_power[:, 0] == pytest.approx(wanted, abs=1e-12)
+    with pytest.raises(coursework.InputError, match=r"V309 .*declare a name in \[unknowns\], set it equal to -w in"):
+        of_text(text.replace('rate = "om"', 'rate = "w"') + weight)
+
+
 def test_a_bar_that_a_wheel_rolls_on_is_no_disc():
     text = mechanism("wheel-on-a-bar")
     bar, wheel = re.findall("^[12] = .*mass.*", with_forces(coursework.parse_variant(text), text, str), flags=re.M)

@@ -81,7 +81,7 @@ WEIGHED = '[masses]\n1 = { mass = "1 kg", inertia = "rod" }\n'
 
 
 @pytest.mark.parametrize(("text", "told"), [
-    (JACK.replace('"E"], rate = "w1"', '"E"]'), "V729 .* no link has the driven rate w1"),
+    (JACK.replace('"E"], rate = "w1"', '"E"]'), "V729 .* w1 is driven, and no link"),
     (LEVER.replace('["A", "D"]', '["A"]'), "V728 .*links.3: link 3 has no two points"),
     (mechanism("four-bar", (CRANK, ""), ('"(d, 0)"', '"(d, 0)"\nB = "r1 @ phi1"')), "V727 .*the joint of 0 – 1 has no point"),
 ])  # fmt: skip

@@ -115,9 +115,9 @@ def test_a_formula_with_a_unit_behind_it(written, advised):
 
 def test_a_start_is_told_in_the_unit_that_was_typed():
     free, text = "phi3 = { rate =", 'phi3 = { start = "70 deg", rate ='
-    with pytest.raises(coursework.InputError, match="phi3 starts at 70 deg, but the chain closes at 84") as caught:
+    with pytest.raises(coursework.InputError, match=r"phi3 = 70 deg does not close the chain: .* at 84") as caught:
         coursework.solve(parse_variant(SHAPER.replace(free, text), "shaper")).motion  # noqa: B018
-    closed = re.search(r"closes at (\S+) deg", str(caught.value))[1]
+    closed = re.search(r"begins at (\S+) deg", str(caught.value))[1]
     mended = parse_variant(SHAPER.replace(free, text.replace("70", closed)), "shaper")
     assert coursework.solve(mended).stop is None
 

@@ -19,6 +19,7 @@ from coursework.equations.reduction.symbolic import Symbols, placed, symbol
 from coursework.equations.reduction.tidying.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen, single
+from coursework.variant.formula.made import with_sign
 from coursework.variant.formula.tree import Formula, FormulaFault, on_axes, spelled
 from coursework.variant.record.held import closed_loops, followed, unit_of
 from coursework.variant.record.variant import Constraint, Variant
@@ -200,7 +201,7 @@ def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> Velo
     unknown = set(variant.sought)
     for side, other in (constraint.sides, constraint.sides[::-1]):
         if side.op == "/" and unknown & {*side.args[1].names()} and unknown.isdisjoint(other.names()):
-            multiplied = f"{spelled(side.args[0])} = {spelled(Formula('*', (other, side.args[1])))}"
+            multiplied = f"{spelled(side.args[0])} = {with_sign(Formula('*', (other, side.args[1])))}"
             raise _non_linear(side, unknown & {*side.names()}, say("equation.linear.quotient", equation=multiplied))
     gap = _linear(constraint.left, unknown, symbols).plus(_linear(constraint.right, unknown, symbols), MINUS)
     names = [name for name in variant.sought if name in gap.coefficients]

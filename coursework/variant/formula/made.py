@@ -88,8 +88,25 @@ def unsigned(tree: Formula) -> Formula:
     >>> spelled(unsigned(parse("-l*om*cos(q)")))
     'l*om*cos(q)'
     """
+    return _led(tree)[1]
+
+
+def with_sign(tree: Formula) -> str:
+    """Return a product as text with its sign before it, as a person writes it.
+
+    >>> from coursework.variant.formula.reader import parse
+    >>> with_sign(Formula("*", (parse("-z2/z1"), parse("a - b"))))
+    '-z2/z1*(a - b)'
+    """
+    sign, bare = _led(tree)
+    return spelled(bare) if sign > 0 else f"-{spelled(bare)}"
+
+
+def _led(tree: Formula) -> tuple[int, Formula]:
     if tree.op == "neg":
-        return unsigned(tree.args[0])
+        sign, bare = _led(tree.args[0])
+        return -sign, bare
     if tree.op in {"*", "/", "@"}:
-        return replace(tree, args=(unsigned(tree.args[0]), *tree.args[1:]))
-    return tree
+        sign, first = _led(tree.args[0])
+        return sign, replace(tree, args=(first, *tree.args[1:]))
+    return 1, tree

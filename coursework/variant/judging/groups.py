@@ -44,6 +44,7 @@ def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Brok
         faulty = any(broken.has("group", number - 1, name) for name in ((key, "guide") if key == "guides" else (key,)))
         if count not in right and not faulty:
             wanted = say_count(f"fault.shape.{_KEYS[key]}", right[-1])
+            key = "guide" if key == "guides" and variant.line_of("group", number - 1, "guide") else key  # as the file says
             roles = _roles(key, group, shape, count, variant)
             told = say("fault.V343", number=number, kind=group.kind, wanted=wanted, found=count, roles=roles)
             yield Fault(told, variant.file, variant.line_of("group", number - 1, key) or group.line)
@@ -73,9 +74,10 @@ def _shared(variant: Variant, broken: Broken) -> Iterator[Fault]:
 
 def _roles(key: str, group: Group, shape: Shape, count: int, variant: Variant) -> Sentence | str:
     """Return the roles of the missing entries of a list, or of all its entries if there are too many."""
+    written, key = key, "guides" if key == "guide" else key
     most = shape.counts[key][-1]
     if not most:
-        return say("fault.shape.take_out", key=key)
+        return say("fault.shape.take_out", key=written)
     # A length is named by letters; if a point has no name, by the letter of the kind.
     letters = letters_of(shape, replace(group, meets=group.meets or shape.letters[-1]))
     told = entries(shape, key, letters, count + 1 if count < most else 1)

@@ -12,6 +12,7 @@ from dataclasses import field
 from coursework.system.frozen import changing
 from coursework.variant.formula.alphabet import foreign_letter, spell
 from coursework.variant.formula.reader import FUNCTION_WORDS
+from coursework.variant.formula.tree import Formula
 from coursework.variant.reading.schema import VariantFile
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
@@ -88,6 +89,11 @@ class Names:
         point, axis = name[1:-1], name[-1:]
         is_velocity = name[:1] == "V" and axis in {"x", "y"} and self.kinds.get(point) == "point"
         return say("hint.of_point", point=point, axis=axis) if is_velocity else ""
+
+    def below_rate(self, part: Formula, whole: Formula) -> bool:
+        """Return whether a part is the dt below a rate such as dphi1, which is told with its own name."""
+        is_below = whole.op == "/" and part is whole.args[1] and part.name == "dt" and "dt" not in self.kinds
+        return is_below and any(self._rate_meant(name)[1] for name in whole.args[0].names())
 
     def _rate_meant(self, name: str) -> tuple[str, str]:
         """Return the coordinate and the rate that are meant by dphi1 (as in "dphi1/dt") or phi1dot; "" for both if none is."""

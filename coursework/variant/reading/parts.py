@@ -196,7 +196,7 @@ class Parts:
 
     def _resolve(self, path: KeyPath, tree: Formula, scope: str, wanted: Kind = "any") -> Formula:
         if tree.op != "name":
-            return mapped(tree, lambda arg: self._resolve(path, arg, scope))
+            return mapped(tree, lambda arg: arg if self.names.below_rate(arg, tree) else self._resolve(path, arg, scope))
         name = self.names.canonical(tree.name)
         kind = self.names.kinds.get(name)
         if name not in ({"pi"} if scope == "still" else {"t", "pi"}) and kind not in _SCOPES[scope]:

@@ -152,9 +152,7 @@ def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> L
         clockwise = minus in {"-", "−"} and parts.names.canonical(negated) in parts.names.velocities
         one_name = "hint.one_name_clockwise" if clockwise else "hint.one_name"
         hint = parts.names.meant(entry.rate.partition("/")[0]) or (
-            say(one_name, rate=negated, formula=entry.rate)
-            if is_formula or clockwise
-            else closest(entry.rate.strip(), parts.names.velocities)
+            say(one_name, formula=entry.rate) if is_formula or clockwise else closest(entry.rate.strip(), parts.names.velocities)
         )
         text = say("fault.V078", rate=entry.rate, hint=hint)
         parts.undeclared(("links", key, "rate"), {"rate", "unknown", "drive"}, text)

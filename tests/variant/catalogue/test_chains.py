@@ -98,7 +98,7 @@ def test_groups_place_their_coordinates_also_beside_written_equations(mode, star
     assert run.motion.column("phi2")[0] == pytest.approx(start, abs=1e-14)
     assert np.allclose(run.exact.column("psi"), 3.5 * (run.exact.column("phi3") - run.exact.column("phi3")[0]), atol=1e-12)
     wrong = beside(mode, ("phi2 = {", f'phi2 = {{ start = "{-start} rad",'))
-    with pytest.raises(coursework.InputError, match=r"phi2 starts at .* but the chain closes at .* in the assembly mode given"):
+    with pytest.raises(coursework.InputError, match=r"phi2 = .* does not close the chain: with the `mode` given it begins at"):
         _ = coursework.solve(parse_variant(wrong)).motion
 
 

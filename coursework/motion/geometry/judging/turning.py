@@ -134,7 +134,7 @@ def _of_link(
     known = {"link": turn.link, "rate": turn.rate, "found": shown[0], "named": shown[1], "time": float(times[row])}
     variant = closure.equations.variant
     is_wheel = any(link.name == turn.link and link.contact for link in variant.links)
-    hint = say("fault.turning.opposite") if opposite[place] else say("fault.turning.wheel") if is_wheel else ""
+    hint = say("fault.turning.opposite", rate=turn.rate) if opposite[place] else say("fault.turning.wheel") if is_wheel else ""
     own = next(meant, "")
     told = say("fault.V309.as", own=own, **known) if own else say("fault.V309.alone", hint=hint, **known)
     return Fault(told, variant.file, variant.nearest_line("links", turn.link))
