@@ -33,6 +33,7 @@ LIMIT = 0.05
 _TRIALS, _MOST_TRIED = 4, 5000  # number of steps that are tried, each half the one before, and of rows of such a run
 _TELLING = 0.5  # with a larger share the error no longer follows the order of the scheme
 _TINY = 1e-6  # relative change of a rate or coordinate for difference quotients
+_ROUNDED = 1e-9  # share of the fastest velocity of its unit: a slower one is at rest but for round-off
 _ROUND_OFF = 1e-12  # share of the energy: a smaller exchange counts as none
 _LOOKED_AT = 40  # number of rows examined
 _NEAR = 0.3  # of a determinant: nearer to a limit position of the free coordinates, inertia alone makes every slope steep
@@ -174,13 +175,17 @@ def _accuracy(e: Evidence) -> Finding:
 def _scales(true: Motion, variant: Variant, count: int) -> Array:
     """Return the scale of each column: the range of a coordinate (of an angle at most a turn), the largest size of a velocity.
 
-    A range is at least what the steps of one period may turn, because a shorter run does not show the whole range.
+    A range is at least what the steps of one period may turn, because a shorter run does not show the whole range; a velocity
+    that only rounds is measured by the fastest of its unit.
     """
     units = [variant.unit_of(name) for name in true.coordinate_names]
     sizes = np.abs(true.velocities[:count]).max(axis=0)
     ranges = np.maximum(np.ptp(true.coordinates[:count], axis=0), ROWS_A_PERIOD * true.step * sizes[: len(units)])
     spreads = np.minimum(ranges, np.where(np.array(units) == "rad", 2 * np.pi, np.inf)).tolist()
-    return np.array([*scales_of(spreads, [0.0] * len(units), units, STILL), *np.where(sizes > 0, sizes, 1.0)])
+    rated = np.array([variant.unit_of(name) for name in true.velocity_names])
+    fastest = np.array([sizes[rated == unit].max() for unit in rated])
+    rates = np.where(sizes > _ROUNDED * fastest, sizes, np.where(fastest > 0, fastest, 1.0))
+    return np.array([*scales_of(spreads, [0.0] * len(units), units, STILL), *rates])
 
 
 def stiffness(e: Evidence) -> tuple[float, float]:

@@ -7,12 +7,23 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.effects.dynamics.dynamics_checks import _accuracy, _areas
+from coursework.effects.dynamics.dynamics_checks import _accuracy, _areas, _scales
 from coursework.words.sentences import say
 from tests.effects.dynamics.test_dynamics import pushed
 from tests.effects.test_rubbing import UNRUBBED
 from tests.hard.scenes import check
 from tests.mechanisms.library import mechanism
+
+
+@pytest.mark.parametrize(("size", "scale"), [(0.9e-9, 2.0), (3e-9, 3e-9)])
+def test_a_velocity_that_only_rounds_is_measured_by_the_fastest_of_its_unit(size, scale):
+    """The rod between parallel cranks keeps its angle: 3e-15 rad/s were 166 % of its scale, and a right table was coarse."""
+    rates = np.array([[0.0, size, -3.0], [-2.0, 0.0, 0.0]])
+    motion = SimpleNamespace(
+        coordinate_names=("p", "q", "s"), velocity_names=("w1", "w2", "u"), coordinates=rates, velocities=rates, step=0.1
+    )
+    units = SimpleNamespace(unit_of={"p": "rad", "q": "rad", "s": "m", "w1": "rad/s", "w2": "rad/s", "u": "m/s"}.get)
+    assert _scales(motion, units, 2)[3:] == pytest.approx([2.0, scale, 3.0])
 
 
 @pytest.mark.parametrize(("turns", "verdict"), [(1, "PASS"), (2, "COARSE")])
