@@ -8,7 +8,7 @@ Used by `reduction/`, `way_to_motion.py`, `accuracy/`, `checks/`, `drawing/` and
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeVar, cast
 
 from coursework.equations.algebra.calculus import without_denominators
@@ -113,6 +113,7 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
     equations: list[VelocityEquation] = []
     positions: list[Position] = []
     faults: list[Fault] = []
+    taken = {constraint.name for constraint in mechanism.constraints if not constraint.is_closure}
     for constraint in mechanism.constraints:
         if not constraint.is_closure:
             try:
@@ -122,13 +123,13 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
                 faults += error.faults
             continue
         with placed(variant, say("place.constraint", name=constraint.name), constraint.line):
-            components = _components(constraint, symbols, variant)
+            components = _own_names(_components(constraint, symbols, variant), taken)
         for position in components:
             positions.append(position)
             equations.append(_derived(position, constraint.because, variant, symbols, constraint.line))
     if faults:
         raise InputError(faults)
-    kept = _closure_positions(variant, symbols)
+    kept = _own_names(_closure_positions(variant, symbols), taken)
     from_closure = tuple(_derived(position, _reason(position), variant, symbols) for position in kept)
     geometry = Geometry(mechanism, symbols)
     bound = _bound(geometry, (*equations, *from_closure))
@@ -172,7 +173,19 @@ def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> l
     return [Position(f"{name}{axis}", a - b, "zero", closes=True) for axis, a, b in zip("xy", left, right, strict=True)]
 
 
-def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ...]:
+def _own_names(positions: list[Position], taken: set[str]) -> list[Position]:
+    """Return positions whose names no other equation has: the loop 2 beside an equation that the file calls 2x is 2x', 2y."""
+    found = []
+    for one in positions:
+        name = one.name
+        while name in taken:
+            name += "'"
+        taken.add(name)
+        found.append(replace(one, name=name))
+    return found
+
+
+def _closure_positions(variant: Variant, symbols: Symbols) -> list[Position]:
     parts = followed(variant).items()
     kept = [Position(f"{point}.{axis}", symbols.vectors[point]["xy".index(axis)], law) for law, (point, axis) in parts]
     for index, (formula, closes) in enumerate(zip(variant.holds, closed_loops(variant), strict=True), start=1):
@@ -182,7 +195,7 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
             expression, unit = symbols.scalar(formula), unit_of(formula, variant)
             written = "" if plain else spelled(on_axes(formula))
             kept.append(Position(name, expression, "start", unit, written if len(written) <= _LONGEST_WRITTEN else "", closes))
-    return tuple(kept)
+    return kept
 
 
 def _reason(position: Position) -> str:

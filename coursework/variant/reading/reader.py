@@ -238,11 +238,12 @@ def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constrain
 
 
 def _named(constraints: list[Constraint]) -> tuple[Constraint, ...]:
-    """Return the constraints with unique names: a second 11 becomes 11'."""
+    """Return the constraints with unique names: a second 11 becomes 11', or 11'' where the file itself calls one 11'."""
     named: dict[str, Constraint] = {}
+    own = {constraint.name for constraint in constraints}
     for constraint in constraints:
         name = constraint.name
-        while name in named:
+        while name in named or (name in own and name != constraint.name):
             name += "'"
         named[name] = replace(constraint, name=name)
     return tuple(named.values())

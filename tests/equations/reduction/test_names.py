@@ -19,6 +19,7 @@ from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.formula.tree import Formula
 from coursework.variant.reading.reader import parse_variant
 from tests import sample
+from tests.mechanisms.library import mechanism
 
 # One name in every role; `drive` is also the rate of a coordinate, `law` has derivatives of first and second order.
 PLAIN = """
@@ -167,6 +168,16 @@ def test_derivatives_of_names_that_join_to_the_same_word():
     assert run.scene.equations.symbols.derivatives_among([*meant, "k", "k_x_y"]) == meant
     shown = {text(Formula("name", name=name)) for name in [*meant, "k_x_y", "k_x_y_"]}
     assert len(shown) == len(meant) + 2
+
+
+def test_a_component_of_a_loop_has_a_name_that_the_file_gave_to_no_equation():
+    """The loop 3 is 3x and 3y: beside an equation called 3x a motion was told as singular at its start."""
+    text = mechanism("pantograph", ('name     = "1"', 'name = "3x"'), ('name     = "2"', 'name = "3"'))
+    run, plain = coursework.solve(parse_variant(text), quantities=["table"]), coursework.solve("pantograph", quantities=["table"])
+    assert [one.name for one in run.scene.equations.equations] == ["3x", "3", "3'x", "3'y"]
+    assert run.table.equals(plain.table)
+    text = mechanism("pantograph", ('name     = "1"', 'name = "3x"'), ('name     = "2"', 'name = "11\'"'))
+    assert coursework.solve(parse_variant(text)).scene.equations.equations[2].name == "3x'"
 
 
 def test_private_names_are_one_to_one_and_read_back():
