@@ -18,6 +18,7 @@ from coursework.mechanism.joints import FRAME, with_sliders
 from coursework.mechanism.mechanism import Mechanism
 from coursework.mechanism.structure import Bodies, driven_freedoms, fitting_linkage, in_order
 from coursework.variant.formula.tree import Formula, named, number, signed, spelled
+from coursework.variant.record.blocks import blocks_of
 from coursework.variant.record.entries import reached
 from coursework.variant.record.forces import DISC, POINT, ROD, Forces, Mass
 from coursework.variant.record.held import followed, rates_without_angle, velocities_of_points
@@ -93,8 +94,7 @@ class _Reader:
 
     def body(self, name: str, body: str, mass: Mass | None) -> Body:
         link = next((link for link in self.variant.links if link.name == body and not self.bodies.linkage.coordinates), None)
-        points, rate = self.places(body), self.rate_of(body)
-        span = self.span_of(body)
+        points, rate, span = self.places(body), self.rate_of(body), self.span_of(body)
         if link is not None and link.wheel and link.contact:
             span = named(link.wheel), named(link.contact)
         centre, path = mass.centre if mass else None, ("masses", mass.body if mass else name)
@@ -106,7 +106,8 @@ class _Reader:
             elif len(points) == 2:
                 centre = Formula("/", (Formula("+", (points[0], points[1])), number(2)))
         centre = centre or (points[0] if points else Formula("pair", (number(0), number(0))))
-        turns = bool(rate) or (link is not None and link.rate is None and span is not None)
+        nameless = link is not None and link.rate is None and link.name not in blocks_of(self.variant).values()
+        turns = bool(rate) or (nameless and span is not None)
         inertia = mass.inertia if mass else None
         if mass is not None and inertia is None and turns:
             self.fault(path, say("fault.V725", name=name))

@@ -10,6 +10,7 @@ import cmath
 import itertools
 import math
 import re
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import field, replace
@@ -19,6 +20,7 @@ from coursework.mechanism.groups.joint import MESHING, ONE_SHAFT, PIN_IN_GUIDE, 
 from coursework.mechanism.one_shaft import first_parts, fixed_links
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, with_points
+from coursework.variant.record.blocks import blocks_of
 from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Coordinate, Group, Link, Variant
 
@@ -136,13 +138,14 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
         for pair in itertools.pairwise(bodies):
             yield Joint(REVOLUTE, pair, named(name))
     contacts = {link.contact for link in variant.links}
-    racks = {link.points[0]: link.name for link in variant.links if link.is_block}
+    racks = blocks_of(variant)
+    pins = Counter(racks.get(rider) for rider in riders(variant))  # a rack on two rails runs on a pin in each of them
     for rider, (_, angle) in zip(riders(variant), variant.frame.rails, strict=True):
         if rider in holds and rider not in contacts:
-            if rider in racks:
+            if rider in racks and pins[racks[rider]] == 1:
                 yield Joint(PRISMATIC, (racks[rider], FRAME), named(rider), angle)
             else:
-                yield Joint(PIN_IN_GUIDE, (holds[rider][0], FRAME), named(rider), angle)
+                yield Joint(PIN_IN_GUIDE, (racks.get(rider, holds[rider][0]), FRAME), named(rider), angle)
     yield from _contacts(variant, holds, racks)
     sleeves = {frozenset((link.name, link.slides)): (link.name, link.slides) for link in variant.links if link.slides}
     for sleeve, bar in sleeves.values():
@@ -174,7 +177,7 @@ def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: Mapping[s
         middles = {*(other.wheel for other in beside), *(c.name for c, _ in variant.frame.circles if c.op == "name")}
         carriers = [one for one in variant.links if link.wheel in one.points and not middles.isdisjoint(one.points)]
         rack = rack_of(link, variant)
-        blocks = [racks[rack]] if rack is not None else [*racks.values()]
+        blocks = [racks[rack]] if rack is not None else [*dict.fromkeys(racks.values())]
         touched = [*wheels, *(body for body in holds.get(link.contact, ()) if body != link.name), *(blocks if on_pivot else ())]
         met.update(wheels)
         kind = MESHING if (on_pivot and touched) or carriers else ROLLING
@@ -193,7 +196,7 @@ def rack_of(wheel: Link, variant: Variant) -> str | None:
     """
     if wheel.wheel not in variant.frame.hinges or wheel.contact is None:
         return None
-    blocks = {link.points[0] for link in variant.links if link.is_block}
+    blocks = blocks_of(variant)
     start = {c.name: c.start_or_guess for c in variant.coordinates}
     known = {"pi": math.pi, "t": 0.0, **variant.values, **{name: value for name, value in start.items() if value is not None}}
     found = []
@@ -203,7 +206,7 @@ def rack_of(wheel: Link, variant: Variant) -> str | None:
             if rider in blocks:
                 beside = ((at[wheel.contact] - at[rider]) * cmath.exp(-1j * evaluate_any(angle, at))).imag
                 found += [rider] if abs(beside) <= _BESIDE * abs(at[wheel.contact] - at[wheel.wheel]) else []
-    return found[0] if len(found) == 1 else None
+    return found[0] if len({blocks[rider] for rider in found}) == 1 else None
 
 
 def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:

@@ -12,6 +12,7 @@ from itertools import chain
 
 from coursework.variant.formula.tree import with_points
 from coursework.variant.judging.dimension_check import Dimensions
+from coursework.variant.record.blocks import blocks_of
 from coursework.variant.record.entries import reached
 from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
@@ -82,8 +83,7 @@ def _untouched(variant: Variant) -> Iterator[Found]:
     """Yield wheels if the file shows nothing that they roll on: a rail, a circle, a rack, or another link with the contact."""
     places = {formula: name for name, formula in variant.points}
     rails = {through.name if through.op == "name" else places.get(through) for through, _ in variant.frame.rails}
-    racks = any(link.is_block for link in variant.links)
-    for link in () if variant.frame.circles or racks else variant.links:
+    for link in () if variant.frame.circles or blocks_of(variant) else variant.links:
         others = (name for one in variant.links if one is not link for name in (*one.points, one.contact))
         if link.contact and link.contact not in {*rails, *others}:
             yield "CONTACT", ("links", link.name), say("remark.contact", link=link.name, point=link.contact)

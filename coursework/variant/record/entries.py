@@ -249,11 +249,6 @@ class Link:
         """Return the points that it holds, each once: its own, and the centre of a wheel."""
         return tuple(dict.fromkeys((*self.points, *([self.wheel] if self.wheel else ()))))
 
-    @property
-    def is_block(self) -> bool:
-        """Return whether it is a single point that does not turn: on a guide it is a block or a rack."""
-        return len(self.points) == 1 and not (self.rate or self.wheel or self.slides)
-
 
 @frozen
 class Frame:
