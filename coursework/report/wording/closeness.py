@@ -76,12 +76,10 @@ def largest_error_sentence(context: PageContext) -> str:
     found, say, numbers = evidence(context), context.words, context.numbers
     if not found.compared or found.exact is None or len(found.motion.t) > found.compared or not found.names:
         return ""
-    shares = np.abs(found.errors)
-    row, place = worst(shares)
-    share, name, unit = float(shares[row, place]), found.names[place], found.unit(found.names[place])
+    share, name, row, off = _largest(context, found)
     if share <= SEEN:
         return ""
-    off = share * found.scale[name]
+    unit = found.unit(name)
     amount = context.with_unit(numbers.scalar(off, 3), unit)
     if unit == "rad":
         degrees = context.with_unit(numbers.scalar(math.degrees(off), 2), "°")
@@ -91,6 +89,18 @@ def largest_error_sentence(context: PageContext) -> str:
     part = context.told(percent(share, LIMIT))
     where = say("result.where", amount=amount, symbol=context.lettering(name), row=row + 1, share=part)
     return say("result.error_beside" if is_beside else "result.error", scheme=title, errors=where)
+
+
+def _largest(context: PageContext, found: Evidence) -> tuple[float, str, int, float]:
+    """Return the largest error as a share of its scale, its column and row (from 0), and the error itself (SI)."""
+    judged = (one for one in context.run.results.checks if one.code == "MOTION" and one.column and one.value is not None)
+    if (own := next(judged, None)) is not None and own.row is not None:  # under forces a velocity is measured by its largest size
+        name, row = own.column or "", own.row - 1
+        return own.value or 0.0, name, row, abs(float(found.motion.column(name)[row] - found.true.column(name)[row]))
+    shares = np.abs(found.errors)
+    row, place = worst(shares)
+    share, name = float(shares[row, place]), found.names[place]
+    return share, name, row, share * found.scale[name]
 
 
 def _title(context: PageContext, own: bool) -> str:

@@ -112,6 +112,10 @@ def test_whole_turns_taken_off_are_told_beside_the_difference() -> None:
     run = coursework.solve("example-2-motor", quantities=["table", "checks"])
     box = next(part for part in model_of(run).sections[0].parts if part.kind == "result")
     assert any("θ1 0.257 rad" in plain(line) and "Whole turns are subtracted: 3 of θ1." in plain(line) for line in box.items)
+    # The largest error has one share on the page: the check under forces measures a velocity by its largest size.
+    (motion,) = (one for one in run.checks if one.code == "MOTION")
+    (largest,) = (line for line in conclusion(run)[0] if line.startswith("Largest relative error"))
+    assert f"row {motion.row}, {100 * motion.value:.1f} %" in largest
 
 
 def test_the_rows_end_at_the_last_row_and_not_at_the_stop() -> None:
