@@ -49,6 +49,7 @@ def test_a_wrong_force_is_seen_by_each_way(name):
     for code in ("VIRTUAL-POWER", "GROUPS", "REACTIONS-SUM"):
         assert (checks[code].verdict, checks[code].row) == ("FAIL", 4), code
     assert {one.verdict for one in check_forces(found, found)} <= {"PASS", "SKIP", "COARSE"}
+    assert "FRICTION" not in {one.code for one in check_forces(found, found)}  # nothing rubs
 
 
 def replace_rows(found, rows):

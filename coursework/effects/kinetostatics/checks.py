@@ -232,8 +232,6 @@ def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
 
 
 def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:
-    if not own.rows.scheme.forces.friction:
-        return skipped(say("check.FRICTION.skip"))
     empty = np.isnan(own.reactions.rows).all(axis=1)
     locked = np.flatnonzero(empty & np.isfinite(own.reactions.condition))
     if empty.any() and not len(locked):
@@ -263,5 +261,6 @@ FORCE_CHECKS: tuple[Check, ...] = (
 
 
 def check_forces(own: ForceAnalysis, exact: ForceAnalysis | None) -> tuple[Finding, ...]:
-    """Return the findings of all checks of forces."""
-    return tuple(check.finding(own, exact) for check in FORCE_CHECKS)
+    """Return the findings of all checks of forces; friction is judged where something rubs."""
+    rubs = bool(own.rows.scheme.forces.friction)
+    return tuple(check.finding(own, exact) for check in FORCE_CHECKS if rubs or check.code != "FRICTION")

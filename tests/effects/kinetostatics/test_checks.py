@@ -169,9 +169,9 @@ def test_where_nothing_drives_or_nothing_is_known_no_drive_is_judged():
     )
 
 
-def rubbed(rows, condition=(1.0, 1.0, 1.0), power=(-1.0, -3.0, -2.0), friction=("pair",)):
+def rubbed(rows, condition=(1.0, 1.0, 1.0), power=(-1.0, -3.0, -2.0)):
     return SimpleNamespace(
-        rows=SimpleNamespace(scheme=SimpleNamespace(forces=SimpleNamespace(friction=friction)), count=3),
+        rows=SimpleNamespace(scheme=SimpleNamespace(forces=SimpleNamespace(friction=("pair",))), count=3),
         reactions=SimpleNamespace(rows=np.array(rows, dtype=float), condition=np.array(condition), friction=()),
         energy=SimpleNamespace(friction=np.array(power)),
     )  # fmt: skip
@@ -181,8 +181,6 @@ def rubbed(rows, condition=(1.0, 1.0, 1.0), power=(-1.0, -3.0, -2.0), friction=(
     (rubbed([[1, 2]] * 3), "PASS", "pass", 2), (rubbed([[1, 2], [NAN, NAN], [NAN, NAN]]), "FAIL", "locked", 2),
     (rubbed([[1, NAN]] * 3), "PASS", "pass", 2),
     (rubbed([[1, 2], [NAN, NAN], [1, 2]], condition=(1.0, NAN, 1.0)), "SKIP", "not_unique", None),
-
-    (rubbed([[1, 2]] * 3, friction=()), "SKIP", "skip", None),
 ])  # fmt: skip
 def test_friction_locks_where_no_force_settles(given, verdict, key, row):
     found = _friction(given, None)
