@@ -91,6 +91,10 @@ def test_all_faults_are_told_at_once_in_file_order():
     assert [fault.line for fault in refused.value.faults] == [2, 3, 5, 7]
 
 
+def test_the_hardest_allowed_is_by_the_band_harder_than_the_easiest():
+    assert [Difficulty(band).reach for band in (0.21, 0.44)] == [pytest.approx((1 / 1.1, 1.1)), pytest.approx((1 / 1.2, 1.2))]
+
+
 def test_a_start_that_the_geometry_gives_may_not_be_listed():
     with pytest.raises(coursework.InputError, match=r"the start of theta2 follows from the data"):
         read('[start]\ntheta2 = { choice = ["1 rad"] }', "homework")

@@ -78,6 +78,10 @@ def test_the_hodograph_of_a_crank_pin_is_a_circle_and_its_rows_lie_on_it() -> No
     assert np.abs(np.array(tips) - middle) == pytest.approx(4 / speed, abs=0.05)
 
 
+def test_only_a_drawing_with_a_scale_to_measure_by_keeps_its_size_on_paper() -> None:
+    assert [drawing.exact for drawing in drawings_of("example-4").values()] == [False] * len(drawings_of("example-4"))
+
+
 def test_what_is_not_asked_for_is_not_drawn() -> None:
     run = solve("31", quantities=["table"])
     assert run.figures() == {}

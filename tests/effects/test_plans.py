@@ -51,8 +51,8 @@ def test_the_order_of_a_dyad_is_that_of_the_textbook():
 @pytest.mark.parametrize(("name", "number", "bars"), [("example-1", 0, 2), ("example-1", 1, 1)])
 def test_the_links_of_a_group_are_drawn_with_the_forces_on_them(name, number, bars):
     """A dyad of two bars, and a crank: each as a line from point to point, heavier than any force."""
-    svg = plans(name).group_drawing(number, str).svg
-    assert svg.count(f"{LINK}/>") == bars
+    drawing = plans(name).group_drawing(number, str)
+    assert (drawing.id, drawing.svg.count(f"{LINK}/>")) == (f"forces-{number + 1}", bars)
 
 
 @pytest.mark.parametrize("name", NAMES)

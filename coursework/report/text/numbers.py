@@ -62,10 +62,8 @@ class Numbers:
 
     def scalar(self, value: float | None, digits: int = 4) -> str:
         """Return a single number with `digits` significant digits, but at most 3 if it is written with a power of ten."""
-        if value is None or math.isnan(value):
+        if value is None:
             return NOTHING
-        if value == 0 or math.isinf(value):
-            return self._special(value)
         if not SMALLEST_DECIMAL <= abs(value) < LARGEST_DECIMAL:
             return self.power(value, min(digits, 3))
         exponent = int(f"{value:.{digits - 1}e}".split("e")[1])
@@ -80,7 +78,7 @@ class Numbers:
 
     def plain(self, value: float, digits: int = 6) -> str:
         """Return a datum without trailing zeros: 0.953 stays "0.953", 30 deg become "0.523599"."""
-        if value == 0 or not SMALLEST_DECIMAL <= abs(value) < 10**digits:
+        if not SMALLEST_DECIMAL <= abs(value) < 10**digits:
             return self.scalar(value, digits)
         text = f"{value:.{digits}g}"
         return self._dress(text)

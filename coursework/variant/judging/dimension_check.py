@@ -156,7 +156,7 @@ class _Search:
         source, at = self.source, self.source.path_of(place.path)
         names = outcome.measurer.names
         parts = sum(1 for one in places(variant, names, self.times) for formula in one.formulas for _ in formula.walk())
-        passes = max(1, _MOST_PARTS // (len(names) + parts))
+        passes = _MOST_PARTS // (len(names) + parts)
         data = [datum for datum in _data(variant) if datum.path not in freed]
         tried = [(datum, self._pass(variant, freed | {datum.path})) for datum in (data if len(data) <= passes else [])]
         mended = [(datum, after) for datum, after in tried if number not in after.clashes and after.clashes.keys() < before]

@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 
 from coursework.grading.collecting.file_lists import FileList
-from coursework.grading.collecting.sources import Source, collect_files, collect_one
+from coursework.grading.collecting.sources import Source, _walk, collect_files, collect_one, files_below
 from coursework.grading.platforms.escapes import shown, text_cell
 from coursework.grading.platforms.names import file_stem
 from coursework.grading.reading.files.archive import Archive
-from coursework.grading.reading.submission import Submission
+from coursework.grading.reading.submission import Note, Submission
 from coursework.words.errors import InputError
 
 
@@ -154,6 +154,19 @@ def test_a_zip_from_an_old_russian_program(tmp_path: Path) -> None:
     assert set(found) == {"Иванов", "yy"}
 
 
+def test_names_falsely_marked_as_utf_8_are_those_of_an_old_russian_program(tmp_path: Path) -> None:
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as file:
+        for name in ("жжж", "Пётр", "xx", "ююю"):
+            file.writestr(f"{name}/tabl.csv", name)
+    raw = content.getvalue()
+    for name, other in (("жжж/", "Иванов/"), ("ююю/", "Сидоро/")):
+        raw = raw.replace(name.encode(), other.encode("cp866"))
+    path = tmp_path / "class.zip"
+    path.write_bytes(raw)
+    assert set(read(path)[1]) == {"Иванов", "Пётр", "xx", "Сидоро"}
+
+
 def test_a_part_without_a_name_is_left_out() -> None:
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w") as file:
@@ -205,6 +218,15 @@ def test_only_regular_files_are_opened(tmp_path: Path) -> None:
     assert sorted(str(note.text).partition(" ")[0].removeprefix("one/") for note in found["one"].notes) == sorted(aside)
     assert {note.code for note in found["one"].notes} == {"ignored_file"}
     assert names(collect_one(folder)) == ["good.txt"]
+
+
+def test_a_folder_that_cannot_be_opened_is_told_by_its_name(tmp_path: Path) -> None:
+    """The one that is given by its own name, one inside by its place; both are gone before they are opened."""
+    assert [name for name, _ in files_below(tmp_path / "gone")] == [""]
+    ((_, alone),) = files_below(tmp_path / "gone")
+    ((_, inside),) = _walk(tmp_path / "gone", "ivanov/work/", 2)
+    assert isinstance(alone, Note) and isinstance(inside, Note)
+    assert (str(alone.text).partition(" ")[0], str(inside.text).partition(" ")[0]) == ("gone", "ivanov/work/")
 
 
 def test_sizes_are_bounded_before_anything_is_read(tmp_path: Path) -> None:

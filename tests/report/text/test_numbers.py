@@ -42,11 +42,16 @@ def test_times_show_just_the_decimals_they_need() -> None:
     assert N.times([0.0, 1.0]) == ["0", "1"]
     assert N.times([1 / 3]) == ["0.33333333"]
     assert N.times([k / 120 for k in range(3)]) == ["0.000000", "0.008333", "0.016667"]  # three beyond the step's first digit
+    assert N.times([1.0, 1.0 + 1 / 120]) == ["1.000000", "1.008333"]
+    assert N.times([0.0, 2000.75, 4001.5]) == ["0", "2001", "4002"] and N.times([0.0, 200.75]) == ["0.0", "200.8"]
+    assert N.times([0.0, 20000.7]) == ["0", "20001"]
     assert N.times([0.0, 0.0125, 0.025]) == ["0.0000", "0.0125", "0.0250"]
 
 
 def test_data_limits_counts_and_durations() -> None:
     assert N.plain(0.953) == "0.953"
+    assert [N.plain(value) for value in (0.0, -0.0, math.nan, math.inf, 9.9e-4)] == ["0", "0", "–", "∞", "9.90·10⁻⁴"]
+    assert [N.dressed(text) for text in ("-0.5", "1.5e-07", "-2e+12")] == ["−0.5", "1.5·10⁻⁷", "−2·10¹²"]
     assert N.plain(math.pi / 6) == "0.523599"
     assert N.plain(0.11688925461, 8) == "0.11688925"
     assert N.limit(0.1) == "0.1"

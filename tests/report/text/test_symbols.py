@@ -34,6 +34,11 @@ def test_names(name: str, text: str, typst: str) -> None:
     assert symbol(name).typst == typst
 
 
+def test_a_word_stands_upright_on_a_page_and_a_letter_has_its_index() -> None:
+    shown = {"speed": {"t": "speed"}, "speed1": {"v": "speed", "s": "1"}, "phi1": {"v": "φ", "s": "1"}, "t": {"v": "t", "s": ""}}
+    assert {name: symbol(name).run for name in shown} == shown
+
+
 def test_an_acceleration_is_written_as_a_language_does() -> None:
     rates = Rates(frozenset({"w3", "u2", "w"}), "ε")
     assert [symbol(f"d{name}", rates).text for name in ("w3", "u2", "w")] == ["ε₃", "u̇₂", "ε"]

@@ -24,6 +24,17 @@ def test_a_share_on_one_side_of_its_limit_never_reads_like_one_on_the_other(shar
     assert str(percent(share)) == f"{100 * share:.1f} %"
 
 
+@pytest.mark.parametrize(
+    ("share", "shown"),
+    [
+        (0.0, "0 %"), (9.9e-7, "less than 0.0001 %"), (1.01e-6, "0.0001 %"), (4.94e-4, "0.049 %"), (5.1e-4, "0.1 %"),
+        (9.994, "999.4 %"), (10.0, "1,000 %"), (99.99, "9,999 %"), (100.0, "more than 10,000 %"), (1e6, "more than 10,000 %"),
+    ],
+)  # fmt: skip
+def test_a_share_has_as_many_digits_as_anybody_compares(share, shown):
+    assert str(percent(share)) == shown
+
+
 def test_digits_are_added_only_where_two_numbers_would_read_alike():
     assert [digits_apart(value, 0.05, 3, "g") for value in (0.0500499, 0.0496, 0.05, 0.7)] == [4, 3, 3, 3]
 

@@ -225,9 +225,12 @@ def _at_slashes(text: str, names: Names) -> list[str]:
         if before < start or behind < 0 or not _is_one(text[found.end() :], names):
             continue
         alone = sum(before < other.start() < behind for other in slashes) == 1
-        is_zero = "0" in {text[start:before].strip(), text[found.end() : behind].strip()}
+        parts = text[start:before], text[before : found.start()], text[found.end() : behind]
+        is_zero = "0" in {part.strip("= ") for part in parts}
         divides = not is_zero and _has_one_unit(text[start:behind], names)
-        if not divides and (_has_one_unit(text[start : found.start()], names) or (alone and _is_one(text[start:before], names))):
+        if not divides and (
+            _has_one_unit(text[start : found.start()], names) or (alone and _is_one(text[start : found.start()], names))
+        ):
             pieces.append(text[start : found.start()])
             start = found.end()
     return [*pieces, text[start:]]

@@ -10,7 +10,7 @@ from coursework.grading.reading.documents.formulas.formula_tree import FormulaNo
 from coursework.grading.reading.documents.formulas.mathml import text_of_mathml
 from coursework.grading.reading.documents.formulas.omml import text_of_omml
 from coursework.grading.reading.documents.formulas.starmath import text_of_starmath
-from coursework.grading.reading.documents.office.odt import document_of_odt
+from coursework.grading.reading.documents.office.odt import document_of_odt, is_odt
 from coursework.grading.reading.documents.office.rtf import document_of_rtf
 from coursework.grading.reading.documents.pdf.pdf_lines import PageLine, Word
 from coursework.grading.reading.equations.systems.parts import parts_of
@@ -152,7 +152,30 @@ ODT = """<?xml version="1.0"?><office:document-content xmlns:office="urn:oasis:n
  xmlns:table="urn:oasis:names:tc:opendocument:xmlns:table:1.0" xmlns:math="http://www.w3.org/1998/Math/MathML">
 <style:style style:name="T1"><style:text-properties style:text-position="sub 58%"/></style:style>
 <style:style style:name="T2"><style:text-properties style:text-position="33% 58%"/></style:style>
+<style:style style:name="T3"><style:text-properties style:text-position="-33% 58%"/></style:style>
+<style:style style:name="T4"><style:text-properties style:text-position="super 58%"/></style:style>
+<style:style style:name="T5"><style:text-properties style:text-position="0% 100%"/></style:style>
 <office:body>{}</office:body></office:document-content>"""
+
+
+def _span(style: str, text: str) -> str:
+    return f'<text:span text:style-name="{style}">{text}</text:span>'
+
+
+def _table(*rows: str, times: int = 1) -> str:
+    made = (f'<table:table-row table:number-rows-repeated="{times}">{row}</table:table-row>' for row in rows)
+    return f"<table:table>{''.join(made)}</table:table>"
+
+
+def _cell(text: str, spanned: int = 1) -> str:
+    return f'<table:table-cell table:number-columns-spanned="{spanned}"><text:p>{text}</text:p></table:table-cell>'
+
+
+def _covered(count: int) -> str:
+    return f'<table:covered-table-cell table:number-columns-repeated="{count}"/>'
+
+
+FOUR = "".join(map(_cell, "pqrs"))
 
 
 @pytest.mark.parametrize(
@@ -163,6 +186,19 @@ ODT = """<?xml version="1.0"?><office:document-content xmlns:office="urn:oasis:n
          ["r3 x^2"], []),
         ("<text:p><math:math><math:msub><math:mi>r</math:mi> <math:mn>3</math:mn></math:msub><o>x</o></math:math></text:p>",
          ["r_3"], []),
+        *(
+            (f"<text:p>a{_span(style, '2')} 3b</text:p>", [f"a{read} 3b"], [])
+            for style, read in (("T1", "2"), ("T2", "^2"), ("T3", "2"), ("T4", "^2"), ("T5", "2"), ("T9", "2"))
+        ),
+        (f"<text:p>a{_span('T2', '2')} 3</text:p>", ["a^2 3"], []),
+        (f"<text:p>a{_span('T2', _span('T3', '3') + '2')}</text:p>", ["a3^2"], []),
+        ("<text:p>a<office:annotation><text:p>no</text:p></office:annotation>b</text:p>", ["ab"], []),
+        ("<text:p>a<text:note>n<office:annotation>no</office:annotation>no</text:note>b</text:p>", ["ab"], []),
+        ("<text:tracked-changes><text:p>no</text:p></text:tracked-changes>no<text:s/><text:h>a</text:h>no", ["a"], []),
+        (_table(_cell("a") + _cell("b"), times=2), [], [[["a", "b"]] * 2]),
+        (_table(_cell("a", spanned=3) + _covered(2) + _cell("b")), [], [[["a", "a", "a", "b"]]]),
+        (_table(FOUR, _cell("a", spanned=2) + _covered(2) + _cell("b")), [], [[[*"pqrs"], [*"aarb"]]]),
+        (_table(FOUR, _covered(3) + _cell("b")), [], [[[*"pqrs"], [*"pqrb"]]]),
         (
             "<table:table><table:table-row>"
             '<table:table-cell table:number-columns-spanned="2"><text:p>a</text:p></table:table-cell>'
@@ -175,6 +211,7 @@ ODT = """<?xml version="1.0"?><office:document-content xmlns:office="urn:oasis:n
 )  # fmt: skip
 def test_letters_formulas_and_cells_of_opendocument(body: str, lines: list[str], tables: list[list[list[str]]]) -> None:
     packed = archive({"mimetype": "application/vnd.oasis.opendocument.text", "content.xml": ODT.format(body)})
+    assert is_odt(Archive(packed))
     document = document_of_odt(Archive(packed), 10, 10)
     assert [line.text for line in document.lines] == lines
     assert [[[cell.text for cell in row] for row in table.rows] for table in document.tables] == tables

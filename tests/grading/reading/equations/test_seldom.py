@@ -50,6 +50,12 @@ def test_of_prose_between_formulas_the_equations_are_left(text: str, parts: list
         (in_brackets, "A <- matrix(c(a, b, c, d), 2, 2)", "A = [[a, c], [b, d]]"),
         (in_brackets, "A <- matrix(c(a, b, c, d), ncol=2, byrow=TRUE)", "A = [[a, b], [c, d]]"),
         (in_brackets, "A <- matrix(c(a, b, c, d, e, f), 2, byrow=T)", "A = [[a, b, c], [d, e, f]]"),
+        (in_brackets, "A <- matrix(c(a, b, c, d, e, f), ncol=3)", "A = [[a, c, e], [b, d, f]]"),
+        (in_brackets, "A <- rbind(c(a, b), c(d, e))", "A = [[a, b], [d, e]]"),
+        (in_brackets, "A <- cbind(c(a, b), c(d, e))", "A = [[a, d], [b, e]]"),
+        (in_brackets, "A <- rbind(c(a, b, c), c(d, e, f))", "A = [[a, b, c], [d, e, f]]"),
+        (in_brackets, "A <- cbind(c(a, b, c), c(d, e, f))", "A = [[a, d], [b, e], [c, f]]"),
+        (in_brackets, "A <- rbind(c(a, b), d)", "A = rbind(c(a, b), d)"),
         (in_brackets, "A <- matrix(c(a, b, c, d), 3)", "A = matrix(c(a, b, c, d), 3)"),
         (in_brackets, "A <- matrix(c(a, b, c, d), q, ncol=2)", "A = matrix(c(a, b, c, d), q, ncol=2)"),
         (in_one_line, "[ a   0 ] [x]   [ -e ]\n[ c  -d  5 ] [y] = [ 0 ]", None),
@@ -67,22 +73,6 @@ def test_a_matrix_is_read_if_its_rows_are_of_one_length(way: Callable[[str], str
 @pytest.mark.parametrize(("content", "rows"), [("[w1, w2]", [["w1", "w2"]]), ("[a, b], [c]", [["a", "b"], ["c"]])])
 def test_a_row_in_brackets_of_its_own_is_a_row(content: str, rows: list[list[str]]) -> None:
     assert rows_of(content) == rows
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "A = {{a, b}, {c, d}}; k = {e, f};\n{w1, w2} = LinearSolve[A, k]",
-        "A: matrix([a, b], [c, d])$\nk: matrix([e], [f])$\nx: invert(A) . k;\nw1: x[1,1];\nw2: x[2,1];",
-        "double A[2][2] = {{a, b}, {c, d}};\ndouble k[2] = {e, f};\nsolve(A, k, x);\nw1 = x[0]; w2 = x[1];",
-        "A = [a, b; c, d]; k = [e; f];\nx = A\\k;\nw1 = x(1); w2 = x(2);",
-        "A = np.array([[a, b], [c, d]])\nk = np.array([e, f])\nw1, w2 = np.linalg.solve(A, k)",
-    ],
-    ids=["Mathematica", "Maxima", "C", "Matlab", "numpy"],
-)
-def test_a_system_in_matrices_is_its_rows(text: str) -> None:
-    said = [one.strip(" ;$\n") for one in in_rows(text).split(";")]
-    assert [one for one in said if one] == ["(a)*(w1) + (b)*(w2) = e", "(c)*(w1) + (d)*(w2) = f"]
 
 
 @pytest.mark.parametrize("text", ["w3 = frac(VMy + 2", "w3 = frac(VMy) + 2", "w3 = [VMy, sin(1/phi3", "w3 = 2*sin(1/0)^"])

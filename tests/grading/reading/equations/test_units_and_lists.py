@@ -2,10 +2,13 @@
 
 import pytest
 
+from coursework.grading.reading.equations.equations import names_for
 from coursework.grading.reading.equations.notation.degrees import with_factors
 from coursework.grading.reading.equations.plain_text import of_units
 from coursework.grading.reading.equations.systems.parts import parts_of
+from coursework.grading.reading.equations.text_lines import _parted
 from tests.grading.reading.equations.notation.test_notations import PLAIN, marked
+from tests.grading.scenes import expected
 
 LINES = PLAIN.split("\n")
 WRONG = [*LINES[:3], LINES[3].replace("- r1", "+ r1")]
@@ -131,6 +134,21 @@ def test_equations_may_be_parted_by_slashes_and_a_remark_behind_them_is_none():
         assert len(marked("\n".join(f"{line} // {remark}" for line in LINES)).marks) == 4
 
 
+@pytest.mark.parametrize("line", [
+    "r1*w1 = VMy ¦ r2*w2 = V1", "r1*w1 = VMy ¦ r2*w2 = V1 ¦ r3*w3 = VMy", "r1*w1 = 0 ¦ r2*w2 = V1",
+    "r1*w1 - VMy = 0 ¦ r2*w2 = V1",
+    "r1*w1 = r2 ¦ r3*w3 = VMy",  # neither has one unit: each may be an equation
+    "w1 = VMy / r2 = w3", "r1*w1 = VMy / r2", "r1*w1 = r1*VMy / r2 = w2*r2", "r1*w1 = (VMy / r2)*r2 = w2*r2",
+    "r1*w1 = VMy / r2 = 3", "r1*w1 = VMy / r2 and r3",  # what stands behind is no equation for a velocity
+    "0 = r1*w1 - VMy ¦ r2*w2 = V1", "r1*w1 - VMy = w4*r1 ¦ 0 = r2*w2 - V1", "r1*w1 = 0 ¦ w2 = VMy / r2 = w3",
+])  # fmt: skip
+@pytest.mark.parametrize("sign", ["/", "•", "·"])
+def test_a_slash_parts_equations_where_it_cannot_divide(line, sign):
+    """The velocities are w1 to w4, lengths r1 to r3, speeds V1 and VMy."""
+    if sign == "/" or "/" not in line:
+        assert _parted(line.replace("¦", sign), names_for(expected())) == line.replace(" ¦", ";")
+
+
 @pytest.mark.parametrize(("written", "means"), [
     ("cosd phi3 + r2*sind 30 - w1", "cos((pi/180)*phi3) + r2*sin((pi/180)*30) - w1"),
     ("cosd90*b", "cos((pi/180)*90)*b"), ("tand(a)*x", "tan((pi/180)*(a))*x"), ("sind (a*(b+c))*d", "sin((pi/180)*(a*(b+c)))*d"),
@@ -139,3 +157,9 @@ def test_equations_may_be_parted_by_slashes_and_a_remark_behind_them_is_none():
 ])  # fmt: skip
 def test_functions_of_degrees_take_just_what_is_theirs(written, means):
     assert with_factors(written) == means
+
+
+@pytest.mark.parametrize("sign", ["# ", "// ", "% ", "## "])
+def test_equations_in_comments_are_read_where_no_others_are(sign):
+    assert marked("\n".join(f"{sign}{line}" for line in LINES)).share == 1.0
+    assert [mark.verdict for mark in marked("\n".join([*LINES[:2], f"{sign}{WRONG[3]}"])).marks] == ["right"] * 2

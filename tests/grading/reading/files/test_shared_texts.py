@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from coursework.grading.reading.files.xlsx import _shared
+from coursework.grading.reading.files.xlsx import _shared, _SheetReader
 
 TEXTS = (
     "<sst><si><t>t</t></si><si><r><t>phi</t></r><r><t>1</t></r></si>"
@@ -24,3 +24,19 @@ def test_the_texts_that_are_wanted_are_found_wherever_they_stand(wanted: set[int
 
 def test_a_workbook_without_shared_texts_has_none() -> None:
     assert _shared(SimpleNamespace(parts={}), {0}) == {}
+
+
+@pytest.mark.parametrize("column", [1, 2])
+def test_a_cell_is_its_value_without_the_formula_before_it(column: int) -> None:
+    reader = _SheetReader(9, 9)
+    for _ in range(column):
+        reader.begin("c", {})
+        reader.text(" ")
+        for part, text in (("f", "B1*2"), ("v", "6")):
+            reader.begin(part, {})
+            reader.text(text)
+            reader.end(part)
+        reader.text(" ")
+        reader.row = 1
+        reader.end("c")
+    assert [cell.text for cell, *_ in reader.rows[1].values()] == ["6"] * column

@@ -175,6 +175,18 @@ def test_a_head_that_the_numbers_contradict_is_only_a_slip(heads, factors, units
     assert tuple(units_of_columns(grid, dict(zip("qw", heads, strict=True)), own).values()) == units
 
 
+@pytest.mark.parametrize(("head", "angle"), [("rad", 1.0), ("deg", 57.29578), ("", 57.29578)])
+@pytest.mark.parametrize(("unit", "rate"), [("1/s", 1.0), ("deg/s", 57.29578), ("rpm", 9.549297)])
+def test_velocities_that_are_all_wrong_have_the_unit_in_which_they_make_the_steps(head, angle, unit, rate):
+    wrong, angles, right = [3.0, 4.9, 2.7, 4.4, 3.1], [1.4], [1.4]
+    for own, key in zip(wrong[:-1], RATE[:-1], strict=True):
+        angles.append(angles[-1] + 0.02 * own)
+        right.append(right[-1] + 0.02 * key)
+    grid = Grid(0.02, 5, (GridColumn("q", "rad", right, "w"), GridColumn("w", "1/s", RATE)))
+    own = {"q": [angle * value for value in angles], "w": [rate * value for value in wrong]}
+    assert units_of_columns(grid, {"q": head, "w": ""}, own) == {"q": "rad" if angle == 1.0 else "deg", "w": unit}
+
+
 @pytest.mark.parametrize(("head", "factor", "unit"), [
     ("m", 1000.0, "mm"), ("mm", 1.0, "m"), ("cm", 1000.0, "mm"), ("m", 10.0, "m"), ("m", 985.0, "m"), ("m", 995.0, "mm"),
 ])  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from typing import Any
 
 import pytest
@@ -11,7 +12,7 @@ import pytest
 import coursework
 from coursework.equations.reduction.symbolic import expanded
 from coursework.motion.geometry.time_derivatives import acceleration_rest
-from coursework.report.sections.derivation.worked import _slopes, _solved, _values
+from coursework.report.sections.derivation.worked import _slopes, _solved, _values, worked
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
@@ -144,6 +145,15 @@ def test_analogs_and_invariants_follow_from_their_formulas() -> None:
 
 def test_what_is_too_long_to_read_is_left_out() -> None:
     assert equations(coursework.solve(coursework.load("prp"), quantities=("table", "accelerations")), "accelerations") == []
+
+
+@pytest.mark.parametrize(("wheels", "shown"), [(6, True), (7, False)])
+def test_more_than_six_equations_are_not_differentiated_on_a_page(wheels: int, shown: bool) -> None:
+    text = mechanism("ten-wheels").partition(f'[[constraint]]\nname = "{wheels + 1}"')[0]
+    text = re.sub(r"(?m)^phi(\d+) .*\n", lambda line: line[0] if int(line[1]) <= wheels else "", text)
+    run = coursework.solve(coursework.parse_variant(text), quantities=("accelerations",))
+    (extra,) = run.extra_tables.values()
+    assert bool(worked(PageContext(run, load_words("en")), "accelerations", extra)) is shown
 
 
 def test_determinants_have_the_number_of_their_block() -> None:

@@ -64,7 +64,7 @@ _ELEMENT = re.compile(
     r"[ \t]*:?=(?!=)([^=;\n]+);?"
 )
 _ROW_OF_CELLS = re.compile(
-    r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*([\[(])\s*(\d{1,2})\s*(?:,\s*:\s*)?[\])][ \t]*=[ \t]*(?:[\w.]{1,12}\()?"
+    r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*[\[(]\s*(\d{1,2})\s*(?:,\s*:\s*)?[\])][ \t]*=[ \t]*(?:[\w.]{1,12}\()?"
     r"\[((?:[^\[\]\n]|\[\d{1,2}\]){1,1000})\]\)?"
 )
 # An array with its values in braces, double A[2][2] = {{a, b}, {c, d}};
@@ -84,6 +84,7 @@ _OF_CALL = ("matrix_of_call", "sides_of_call")
 _SMATH = re.compile(r"(?<!\w)mat\(")
 _DETERMINANT = re.compile(r"(?:(?<![\w.])(?:[A-Za-z]{1,13}(?:\.|:-)){1,2}|(?<![\w.]))(?:[dD]et|[dD]eterminant)\s*(?=[(\[])")
 _WRAPPED = re.compile(r"\s*[\w.]{0,20}\s*\(?\s*(\[.*\])\s*\)?\s*", re.DOTALL)
+_SIGNS = ("[", "matrix", "(1,", "(0,", "bind", "{{", "mat(", "x:")  # a system has one of them
 _MOST, _MOST_SYSTEMS, _LONGEST, _LONGEST_DETERMINANT, _MOST_CHARACTERS = 20, 6, 4000, 2000, 200_000
 
 
@@ -93,12 +94,11 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     >>> in_rows("A = [a, b; c, d]; k = [e; f];\nw1, w2 = np.linalg.solve(A, k)")
     '(a)*(w1) + (b)*(w2) = e; (c)*(w1) + (d)*(w2) = f; ;\n'
     """
-    if len(text) > _MOST_CHARACTERS or not any(
-        sign in text for sign in ("[", "matrix", "(1,", "(0,", "bind", "{{", "mat(", "x:")
-    ):
+    if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in _SIGNS):
         return text
-    text = in_one_vector(_without_braces(in_brackets(_as_lists(_with_determinants(_of_smath(text))))))
-    text = _elements_gathered(_ROW_OF_CELLS.sub(_as_cells, _returned_as_named(text)))
+    text = _returned_as_named(in_one_vector(_without_braces(in_brackets(_as_lists(_with_determinants(_of_smath(text)))))))
+    first = min([1, *(int(row[2]) for row in _ROW_OF_CELLS.finditer(text))])  # columns are counted from 0 or 1 as rows are
+    text = _elements_gathered(_ROW_OF_CELLS.sub(lambda row: _as_cells(row, first), text))
     for _ in range(_MOST_SYSTEMS):
         apart = _named_apart(text)
         whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(apart)) if _LATEX.search(apart) else apart
@@ -261,11 +261,10 @@ def _solved_for(arguments: Sequence[str]) -> list[str]:
     return parts if is_matrix and (found[1] or parts[1].isidentifier()) else []
 
 
-def _as_cells(row: re.Match[str]) -> str:
+def _as_cells(row: re.Match[str], first: int) -> str:
     """Return a row that is assigned to a matrix, A[0] = [a, b] or A(1, :) = [a, b], cell by cell: A[0, 0] = a; A[0, 1] = b"""
-    base = int(row[2] == "[")
-    cells = [cell for cell in vector(row[4]) if cell]
-    return "; ".join(f"{row[1]}[{int(row[3]) + 1 - base}, {place}] = {cell}" for place, cell in enumerate(cells, start=1 - base))
+    cells = enumerate(filter(None, vector(row[3])), first)
+    return "; ".join(f"{row[1]}[{row[2]}, {place}] = {cell}" for place, cell in cells)
 
 
 def _elements_gathered(text: str) -> str:

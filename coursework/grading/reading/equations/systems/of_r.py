@@ -62,9 +62,9 @@ def _rows(kind: str, parts: Sequence[str]) -> list[list[str]]:
     places = iter(("nrow", "ncol", "byrow"))
     keys = {found[1] or next(places): found[2] or found[3] for found in said if found}
     cells = vectors[0]
-    count = int(keys.get("nrow") or 0) or (len(cells) // max(int(keys.get("ncol") or 0), 1))
+    count = int(keys.get("nrow") or 0) or (len(cells) // (int(keys.get("ncol") or 0) or 1))
     width = len(cells) // max(count, 1)
-    if not 0 < count * width == len(cells) <= _MOST**2:
+    if not count * width == len(cells) <= _MOST**2:
         return []
     if keys.get("byrow", "F").startswith("T"):
         return [cells[row * width : (row + 1) * width] for row in range(count)]

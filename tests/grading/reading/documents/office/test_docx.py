@@ -21,6 +21,10 @@ def run(text: str, style: str = "") -> str:
     return f"<w:r><w:rPr>{style}</w:rPr><w:t>{text}</w:t></w:r>"
 
 
+def formula(inside: str) -> str:
+    return f'<m:oMath xmlns:m="http://schemas.openxmlformats.org/officeDocument/2006/math">{inside}</m:oMath>'
+
+
 @pytest.mark.parametrize(("inside", "lines"), [
     (run("a = 1"), ["a = 1"]), (run("a = ") + "<w:r><w:tab/></w:r>" + run("1"), ["a = \t1"]),
     ('<w:pPr><w:tabs><w:tab w:val="left" w:pos="720"/></w:tabs></w:pPr>' + run("a = 1"), ["a = 1"]),
@@ -31,6 +35,15 @@ def run(text: str, style: str = "") -> str:
     (run("r = w") + run("3", '<w:vertAlign w:val="subscript"/>'), ["r = w3"]),
     (run("r = x") + run("2", '<w:vertAlign w:val="superscript"/>'), ["r = x^2"]),
     (run("a = 1") + "<w:del>" + run("2") + "</w:del>", ["a = 1"]),
+    (run("r = x") + run("2", '<w:vertAlign w:val="superscript"/>') + run(" 3"), ["r = x^2 3"]),
+    (run("a = 1") + "<w:del><w:del>" + run("2") + "</w:del>" + run("3") + "</w:del>" + run(" b"), ["a = 1 b"]),
+    (run("a = 1") + "<w:Fallback><w:p>" + run("2") + "</w:p></w:Fallback>" + run(" b"), ["a = 1 b"]),
+    (run("a = 1") + "<w:moveFrom>" + run("2") + "</w:moveFrom>" + run(" b"), ["a = 1 b"]),
+    ("no<w:r> no <w:t>a = 1</w:t> no </w:r>no", ["a = 1"]), ('<w:vMerge/><w:gridSpan w:val="2"/>' + run("a = 1"), ["a = 1"]),
+    (formula("<m:r>no<m:t>a=1</m:t> no </m:r>no"), ["a=1"]),
+    (formula("<m:r><w:rPr><w:p/></w:rPr><m:t>a=1</m:t></m:r>"), ["a=1"]),
+    (formula("<m:r><m:t>a=1</m:t></m:r><w:del><m:r><m:t>2</m:t></m:r></w:del>"), ["a=1"]),
+    (formula("<m:r><m:t>a=1</m:t></m:r>") + run(" and b") + run("3", '<w:vertAlign w:val="subscript"/>'), ["a=1", "and b3"]),
     ('<w:r><w:sym w:font="Symbol" w:char="F066"/></w:r>' + run(" = 1"), ["φ = 1"]),
     ('<w:r><w:sym w:font="Symbol" w:char="F0Z6"/></w:r>' + run(" = 1"), ["= 1"]),
 ])  # fmt: skip
@@ -43,6 +56,14 @@ def test_a_row_may_begin_further_right(before: str, first: list[str]) -> None:
     cells = "".join(f"<w:tc><w:p>{run(text)}</w:p></w:tc>" for text in "ab")
     (table,) = read(f"<w:tbl><w:tr><w:trPr>{before}</w:trPr>{cells}</w:tr></w:tbl>").tables
     assert [[cell.text for cell in row] for row in table.rows] == [first]
+
+
+def test_a_cell_may_span_columns_and_go_on_below() -> None:
+    wide = '<w:gridSpan w:val="2"/>'
+    rows = [[(wide, "a"), ("", "b")], [("", "c"), (wide, "d")], [("<w:vMerge/>", ""), (f"{wide}<w:vMerge/>", "")]]
+    cells = ["".join(f"<w:tc><w:tcPr>{look}</w:tcPr><w:p>{run(text)}</w:p></w:tc>" for look, text in row) for row in rows]
+    (table,) = read(f"<w:tbl>{''.join(f'<w:tr>{row}</w:tr>' for row in cells)}</w:tbl>").tables
+    assert [[cell.text for cell in row] for row in table.rows] == [[*"aab"], [*"cdd"], [*"cdd"]]
 
 
 def test_a_formula_within_a_formula_ends_with_the_outer_one() -> None:

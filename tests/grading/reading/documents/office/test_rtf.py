@@ -45,6 +45,7 @@ def test_a_text_as_it_is_read(text: str, found: list[str]) -> None:
     (r"\rtf1\ansicpg9999", r"\'e9", ["é"]), (r"\rtf1\ansicpg1252", r"\'81", ["\ufffd"]),
     (r"\rtf1{\fonttbl{\f0\fcharset204 A;}{\f1\fnil\fcharset2 S;}{\f2\fcharset161 G;}}", r"\f0\'e0\f2\'e1", ["аα"]),
     (r"\rtf1{\fonttbl{\f0\fcharset204 A;}{\f1\fnil\fcharset2 S;}}", r"{\f1 w\'77}\f0 w", ["ωωw"]),
+    (r"\rtf1{\fonttbl{\f0\fcharset204 A;}{\f1\fcharset161 G;}}", r"\f1\'e1{\f\'e0}\'e1\plain\'e1", ["αаαα"]),
     (r"\rtf1{\fonttbl{\f3\fcharset99 A;}}", r"\f3\'e9\f9\'e8", ["éè"]),
 ])  # fmt: skip
 def test_letters_are_of_the_code_page_of_the_file_or_the_font(head: str, text: str, found: list[str]) -> None:

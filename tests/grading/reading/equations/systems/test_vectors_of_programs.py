@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from coursework.grading.reading.equations.systems.vectors import _of_whole_vectors
 from tests.grading.reading.equations.notation.test_notations import marked
 
 SOLVED = """w3 = VMy/(r3*(2*cos(phi3) + sin(phi3)))
@@ -134,3 +135,11 @@ def test_a_system_is_read_in_the_order_in_which_the_program_takes_its_solution(p
 
 def test_where_no_line_could_be_read_each_is_a_question():
     assert marked("A = {1, 2; sin}\nq = [a, b]", "v102").unread is not None
+
+
+@pytest.mark.parametrize(("said", "told"), [
+    ("s, c = np.sin(q), np.cos(q)", "sin(q[0])*cos(q[1])"), ("c, s = cos(p), sin(q);", "sin(q[0])*cos(p[1])"),
+    ("s, c = np.sin(q)", "sin(q[0])*c[1]"), ("s = np.sin(q), np.cos(q)", "sin(q[0])*c[1]"), ("s, c = np.tan(q)", "s[0]*c[1]"),
+])  # fmt: skip
+def test_sines_of_a_whole_vector_are_taken_entry_by_entry(said: str, told: str) -> None:
+    assert _of_whole_vectors(f"{said}\nw1 = s[0]*c[1]") == f"{said}\nw1 = {told}"
