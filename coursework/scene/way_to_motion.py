@@ -39,8 +39,6 @@ from coursework.motion.integration.rates import Rates, compile_rates
 from coursework.motion.schemes import scheme_of
 from coursework.motion.settings import Settings
 from coursework.motion.singular.event import NotFollowed
-from coursework.motion.singular.explain import explain, explain_passage
-from coursework.motion.singular.round_about import goes_round
 from coursework.motion.singular.scaled_flow import Flow, compile_flow
 from coursework.motion.singular.search import Search, search_event
 from coursework.system.arrays import Array
@@ -131,6 +129,8 @@ class WayToMotion:
             if found.passages and horizon < time.end:  # every passage must be known
                 found = search_event(self.flow, start, time.end, breaks=breaks(self.variant))
             if (until := found.given_up) is not None:
+                from coursework.motion.singular.round_about import goes_round
+
                 found = replace(found, goes_round=goes_round(self.flow, start))
                 refuse_endless(self.equations, until, goes_round=found.goes_round)
             return found
@@ -145,6 +145,7 @@ class WayToMotion:
         if (event := self.search.event) is None:
             return None
         from coursework.motion.singular.change_point import branches_at
+        from coursework.motion.singular.explain import explain
 
         at = (event.block, event.time, event.position.tolist())
         branches = branches_at(self.flow, *at, self.variant.time.end) if event.kind == "change point" else ()
@@ -175,6 +176,10 @@ class WayToMotion:
     @property
     def passed(self) -> tuple[str, ...]:
         """Return the sentences about the singular positions that the motion passes through."""
+        if not self.search.passages:
+            return ()
+        from coursework.motion.singular.explain import explain_passage
+
         return tuple(explain_passage(passage, self.equations, self.reduction) for passage in self.search.passages)
 
     def rerun(self, scheme: str, step: float) -> Motion | None:

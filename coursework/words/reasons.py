@@ -6,7 +6,6 @@ Enters: the exception.  Leaves: `reason_of`.  Used by whoever opens or writes a 
 from __future__ import annotations
 
 import errno
-import socket
 
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -23,6 +22,8 @@ def reason_of(error: Exception) -> Sentence | str:
     >>> str(reason_of(PermissionError(13, "Permission denied", "a.csv"))), reason_of(OSError(5, "Input/output error"))
     ('access is denied', 'Input/output error')
     """
+    import socket  # imported here, as loading it takes 3 ms and few runs have anything to tell
+
     if isinstance(error, (socket.gaierror, UnicodeError)):
         return say("reason.address")
     if isinstance(error, OSError) and (key := _REASONS.get(error.errno or 0)):

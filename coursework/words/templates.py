@@ -34,7 +34,7 @@ _SHORT = 24  # a shorter text needs no place to break in its words
 # A piece ends between a sign and the next, not inside a name or number, unless that is longer than a piece.
 _PIECE = re.compile(r"\S{1,12}(?!(?<=[\w.,])[\w.,])|\S{1,12}")
 # In a stylesheet: comments, blanks around signs, leading zeros and blanks that mean nothing.
-_BARE = re.compile(r"""("[^"]*")|/\*.*?\*/|\s*([{};,>])\s*|(?<=:)\s+|(?<=[\s,(:])0(?=\.\d)|^\s+""", re.DOTALL | re.MULTILINE)
+_BARE = r"""(?ms)("[^"]*")|/\*.*?\*/|\s*([{};,>])\s*|(?<=:)\s+|(?<=[\s,(:])0(?=\.\d)|^\s+"""
 INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
@@ -112,7 +112,7 @@ def _look(place: Path, *names: str) -> str:
 
 
 def _bare(style: str) -> str:
-    return _BARE.sub(lambda found: found[1] or found[2] or "", style).replace(";}", "}")
+    return re.sub(_BARE, lambda found: found[1] or found[2] or "", style).replace(";}", "}")
 
 
 def unreadable(piece: Path) -> Fault | None:

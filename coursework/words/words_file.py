@@ -10,10 +10,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-_LINE = re.compile(
+_LINE = (
     r"""(?:([\w-]+|"[^"\\\n]*")((?:\.[\w-]+)*) = (?:"([^"\\\x00-\x08\n-\x1f\x7f]*)"|("(?:\\.|[^"\\\n])*"|'[^'\n]*'))"""
-    r"""|\[([\w.-]+)\])?[ \t]*(?:#[^\x00-\x08\n-\x1f\x7f]*)?\n""",
-    re.ASCII,
+    r"""|\[([\w.-]+)\])?[ \t]*(?:#[^\x00-\x08\n-\x1f\x7f]*)?\n"""
 )
 
 
@@ -43,7 +42,7 @@ def _plain_words(text: str, read: Callable[[str], dict[str, Any]]) -> dict[str, 
     dotted: set[int] = set()  # tables created by dotted keys; no section may add to them
     opened: set[int] = set()
     at = 0
-    for line in _LINE.finditer(text):
+    for line in re.finditer(_LINE, text, re.ASCII):
         if line.start() != at:
             return None
         at = line.end()

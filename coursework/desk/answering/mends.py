@@ -108,7 +108,7 @@ def _spelling(fault: Fault, line: str) -> tuple[str, str] | None:
     if fault.code == _COMMA:
         return str(fault.message.values["found"]), str(fault.message.values["advised"])
     if "straight" in advice:
-        return line, QUOTES.sub('"', line)
+        return line, re.sub(QUOTES, '"', line)
     if "greek" in advice:
         key = str(advice["greek"]["key"])
         return key, f'"{key}"'

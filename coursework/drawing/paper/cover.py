@@ -15,7 +15,7 @@ from coursework.system.arrays import Array, Flags
 Segment = tuple[complex, complex]
 Rectangle = tuple[float, float, float, float]
 CLOSE = 1e-9  # mm: lines at most this far from a rectangle are examined exactly
-STILL = 1e-300  # stands for a step of 0, so that a line along an axis needs no case of its own
+STILL = 1e-150  # stands for a step of 0, so that a line along an axis needs no case of its own; no quotient by it overflows
 
 
 def shared(low: Array, high: Array, others: Sequence[Rectangle] | Array) -> Array:
@@ -32,9 +32,8 @@ def clipped(low: Array, high: Array, begin: Array, step: Array, free: Array | fl
 
     For each line the rectangles are enlarged by `free` (m, 1) on every side.
     """
-    with np.errstate(over="ignore"):
-        first = (low[..., None, :] - (begin + free)[..., None, :, :]) / step[..., None, :, :]
-        second = (high[..., None, :] - (begin - free)[..., None, :, :]) / step[..., None, :, :]
+    first = (low[..., None, :] - (begin + free)[..., None, :, :]) / step[..., None, :, :]
+    second = (high[..., None, :] - (begin - free)[..., None, :, :]) / step[..., None, :, :]
     enters, leaves = np.minimum(first, second), np.maximum(first, second)
     begins = np.maximum(np.maximum(enters[..., 0], enters[..., 1]), 0.0)
     return np.asarray(np.maximum(np.minimum(np.minimum(leaves[..., 0], leaves[..., 1]), 1.0) - begins, 0.0))

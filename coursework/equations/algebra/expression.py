@@ -20,7 +20,7 @@ from weakref import WeakValueDictionary
 Number = int | Fraction
 # Sort order of the kinds in sums and products; other functions follow by name.
 _KINDS = {"pi": 11, "symbol": 13, "^": 15, "*": 16, "+": 17, "abs": 20}
-_NUMBERS = {Fraction(0): 0, Fraction(1): 1, Fraction(1, 2): 2, Fraction(-1): 5}
+_NUMBERS = {(0, 1): 0, (1, 1): 1, (1, 2): 2, (-1, 1): 5}
 
 
 class Expression:
@@ -37,10 +37,9 @@ class Expression:
         self.depth: int = 1 + max([arg.depth for arg in args], default=0)
         self.size: int = 1 + sum([arg.size for arg in args])
         self._free: frozenset[Expression] | None = None
-        kind = _KINDS.get(op, 99) if op != "number" else _NUMBERS.get(value, 7 + (value.denominator > 1))
-        self._key: tuple[Any, ...] = (
-            kind, op, len(args), name, value.numerator, value.denominator, *[arg._key for arg in args],
-        )  # fmt: skip
+        parts = value.numerator, value.denominator
+        kind = _KINDS.get(op, 99) if op != "number" else _NUMBERS.get(parts, 7 + (parts[1] > 1))
+        self._key: tuple[Any, ...] = (kind, op, len(args), name, *parts, *[arg._key for arg in args])
 
     def __repr__(self) -> str:
         own = self.name or (str(self.value) if self.op == "number" else self.op)
@@ -147,7 +146,8 @@ _known: WeakValueDictionary[tuple[object, ...], Expression] = WeakValueDictionar
 
 def node(op: str, args: tuple[Expression, ...] = (), name: str = "", value: Fraction = _ZERO) -> Expression:
     """Return the unique expression with this kind and these arguments, without simplification."""
-    key = (op, value) if op == "number" else (op, args, name)  # fractions are slow to hash
+    # Fractions are slow to hash and to compare.
+    key = (op, value.numerator, value.denominator) if op == "number" else (op, args, name)
     found = _known.get(key)
     return _known.setdefault(key, Expression(op, args, name, value)) if found is None else found
 
@@ -173,7 +173,7 @@ def add(*terms: Expression) -> Expression:
         factor, rest = term.split()
         found[rest] = found[rest] + factor if rest in found else factor
     total = found.pop(ONE, _ZERO)
-    parts = sorted(rest if by == 1 else node("*", (number(by), *rest.factors)) for rest, by in found.items() if by)
+    parts = sorted(rest if by is _ONE or by == 1 else node("*", (number(by), *rest.factors)) for rest, by in found.items() if by)
     return _joined("+", [number(total), *parts] if total else parts, ZERO)
 
 
@@ -193,14 +193,15 @@ def multiply(*factors: Expression) -> Expression:
     total = functools.reduce(operator.mul, numbers) if numbers else _ONE
     if not total:
         return ZERO
-    parts = [base if by == 1 else power(base, by) for base, by in powers.items()]
+    parts = [base if by is _ONE or by == 1 else power(base, by) for base, by in powers.items()]
     if any(part.op in {"*", "number"} or part.base_and_power[0] not in powers for part in parts):
         # A part that is no longer a power, or has another base now, may join with a similar factor.
         return multiply(number(total), *parts)
     parts.sort()
-    if total != 1 and len(parts) == 1 and parts[0].op == "+":
+    is_one = total is _ONE or total == 1
+    if not is_one and len(parts) == 1 and parts[0].op == "+":
         return add(*[multiply(number(total), term) for term in parts[0].args])
-    return _joined("*", [number(total), *parts] if total != 1 else parts, ONE)
+    return _joined("*", parts if is_one else [number(total), *parts], ONE)
 
 
 def power(base: Expression, exponent: Number) -> Expression:

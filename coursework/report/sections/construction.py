@@ -65,10 +65,10 @@ def reading_row(words: Words, one: Reading, rich: Callable[[str], Runs], plan: C
     if math.isfinite(one.table):
         values[1] = numeral(words.amount(numbers.scalar(one.table), one.unit))
     lengths = "".join(f"{ITALIC[0]}{letter}{ITALIC[1]}" if letter.isalpha() else letter for letter in one.images)
-    own = re.compile(rf"(?:^|(?<=[ \u00a0])){re.escape(one.images)}(?!_)")  # only the image in "p_v p·0.02 (m/s)/mm"
+    own = rf"(?:^|(?<=[ \u00a0])){re.escape(one.images)}(?!_)"  # only the image in "p_v p·0.02 (m/s)/mm"
 
     def put(text: str) -> Runs:
-        return plan(own.sub(lengths, words.written(text), count=1)) if one.images else rich(text)
+        return plan(re.sub(own, lengths, words.written(text), count=1)) if one.images else rich(text)
 
     return [rich(one.name), put(read), put(one.relation), *values, apart]
 

@@ -14,7 +14,7 @@ from coursework.variant.record.entries import guide_number
 from coursework.words.templates import clean
 
 MOST_REMARKS = 12  # more would take the room of the results, which begin on the same page
-_QUANTITY = re.compile(r"([+-]?\d*\.?\d+(?:[eE][+-]?\d+)?) ([\w/^]+)")
+_QUANTITY = r"([+-]?\d*\.?\d+(?:[eE][+-]?\d+)?) ([\w/^]+)"
 
 
 def remarks(context: PageContext) -> list[Part]:
@@ -40,7 +40,7 @@ def _set_value(context: PageContext, name: str, text: str) -> str:
     """Return "name = value" as it was set, with the unit in the language of the page; a law of the drive has no unit."""
     if name == "check_row" and (guide := guide_number(int(text))) >= 1:
         return context.words("remark.set_row", name=name, row=text, guide=guide)
-    if found := _QUANTITY.fullmatch(text):
+    if found := re.fullmatch(_QUANTITY, text):
         return f"{name} = {context.with_unit(as_written(context, found[1]), found[2])}"
     return f"{name} = {as_written(context, text)}"
 

@@ -29,7 +29,7 @@ _FUNCTION_ALIASES = {
     "tg": "tan", "arctg": "atan", "arctan": "atan", "arcsin": "asin", "arccos": "acos", "ln": "log",
 }  # fmt: skip
 # Units with a mass that no datum is called; their table is loaded only for files with forces.
-_HEAVY = re.compile(r"(k?N|kg|к?Н|кг)(?!\w)([*/](mm|cm|m|мм|см|м)(\^2)?(?!\w))?")
+_HEAVY = r"(k?N|kg|к?Н|кг)(?!\w)([*/](mm|cm|m|мм|см|м)(\^2)?(?!\w))?"
 _UNIT_TOKENS = 5  # the longest unit: m, /, s, ^, 2
 _COTANGENT = {"ctg", "cot"}
 # Words that always mean a function, so that they cannot be names.
@@ -187,7 +187,7 @@ class _Reader:
     def unit(self) -> str:
         """Return the unit that the next tokens are, "" if none."""
         behind = [one.text for one in self.tokens[self.position : self.position + _UNIT_TOKENS]]
-        heavy = _HEAVY.match("".join(behind))
+        heavy = re.match(_HEAVY, "".join(behind))
         if heavy or UNITS.get(behind[0], (0, "1"))[1] == "1":
             return heavy[0] if heavy else ""
         return next(u for k in range(len(behind), 0, -1) if (u := "".join(behind[:k])) in UNITS)

@@ -16,7 +16,7 @@ from coursework.words.errors import Fault
 from coursework.words.sentences import say
 
 # Names that textbooks give to angles, never to a distance.
-_ANGLE = re.compile(r"(phi|fi|theta|psi|alpha|beta|gamma|delta)(_?[A-Za-z0-9]{0,3})\Z")
+_ANGLE = r"(phi|fi|theta|psi|alpha|beta|gamma|delta)(_?[A-Za-z0-9]{0,3})\Z"  # compiled when first needed
 
 
 def is_angle_first(group: Group) -> bool:
@@ -37,6 +37,6 @@ def faults_of_names(variant: Variant, source: Source) -> list[Fault]:
         fault_of_order(index, group, source)
         for index, group in enumerate(variant.groups)
         if is_angle_first(group)
-        and [_ANGLE.match(spell(name)) is not None for name in group.coordinates] == [False, True]
+        and [re.match(_ANGLE, spell(name)) is not None for name in group.coordinates] == [False, True]
         and not units.keys() & {*group.coordinates}
     ]

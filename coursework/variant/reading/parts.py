@@ -38,7 +38,7 @@ _SCOPES = {
 }
 _ADVISED = 100
 _TYPED = 9  # characters of a number that a person types
-_FORMULA_AND_UNIT = re.compile(r"\s*(.*[*/+)(].*?)\s+((?:1/)?(?:[^\W\d_]|°)[^\s*()]*)\s*")
+_FORMULA_AND_UNIT = r"\s*(.*[*/+)(].*?)\s+((?:1/)?(?:[^\W\d_]|°)[^\s*()]*)\s*"
 _ENDS_IN_NUMBER = re.compile(r"(?<![\w./])[\d.]+$")
 Kind = Literal["scalar", "vector", "any"]
 
@@ -284,7 +284,7 @@ def _written_out(text: str, wanted: str) -> Sentence | None:
 
 def _split(text: str) -> tuple[Formula | None, str, str]:
     """Return a formula, its text, and the unit after it ("" if none); None in place of a formula that cannot be read."""
-    found = _FORMULA_AND_UNIT.fullmatch(text)
+    found = re.fullmatch(_FORMULA_AND_UNIT, text)
     formula, unit = (found[1], found[2]) if found and units.plain_unit(found[2]) in UNITS else (text, "")
     try:
         return reader.parse(formula, vectors=False), formula, unit

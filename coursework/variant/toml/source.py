@@ -34,11 +34,12 @@ _NOT_STRUCTURE = re.compile(
 )
 _BRACKET = re.compile(r"[\[\]{}]")
 _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
-_OPEN_KEY = re.compile(r"[ \t]*([\w-]+)[ \t]*=")
-_SINGLE = re.compile(r"[ \t]*\[[ \t]*(constraint|group|quote)[ \t]*\]")  # these sections stand in double brackets
-_STRANGE_NAME = re.compile(r"[\w-]+[^\w=\[{\"#-][^=\[{\"#]*=")  # a name with a prime or a space in it, before its sign
-QUOTES = re.compile("[“”„«»‘’]")
-_KEY_EXPECTED = re.compile(r"Invalid statement|Invalid initial character|Expected '=' after|Expected '\]'")
+# Only faulty files need the following patterns: they are compiled then.
+_OPEN_KEY = r"[ \t]*([\w-]+)[ \t]*="
+_SINGLE = r"[ \t]*\[[ \t]*(constraint|group|quote)[ \t]*\]"  # these sections stand in double brackets
+_STRANGE_NAME = r"[\w-]+[^\w=\[{\"#-][^=\[{\"#]*="  # a name with a prime or a space in it, before its sign
+QUOTES = "[“”„«»‘’]"
+_KEY_EXPECTED = r"Invalid statement|Invalid initial character|Expected '=' after|Expected '\]'"
 # Start of the TOML reader's message -> the last part of the key of the advice.
 _ADVICE = (
     ("Cannot overwrite", "key_twice"),
@@ -224,7 +225,7 @@ def explained(message: str, text: str, file: str) -> Fault:
         line = max((number for number, one in above if one.strip() and one.lstrip()[0] != "#"), default=line)
         column = len(lines[line - 1].rstrip()) + 1
     found = lines[line - 1].strip() if 0 < line <= len(lines) else ""
-    strange = _strange(lines[line - 1], column - 1) if found and column and _KEY_EXPECTED.match(reason) else None
+    strange = _strange(lines[line - 1], column - 1) if found and column and re.match(_KEY_EXPECTED, reason) else None
     advice = single or strange or _of_key(reason, lines[line - 1], column - 1) or _advice(reason, found)
     return Fault(_told(advice, found), file, line, column)
 
@@ -234,9 +235,9 @@ def _in_single_brackets(reason: str, text: str, line: int) -> tuple[int, str | N
     lines, begun = text.split("\n"), []
     here = lines[line - 1] if 0 < line <= len(lines) else ""
     if reason.startswith("Cannot declare"):
-        begun = [(line, _SINGLE.match(here))]
-    elif reason.startswith("Cannot overwrite") and _SINGLE.match(here.replace("[[", "[").replace("]]", "]")):
-        begun = [(number, _SINGLE.match(one)) for number, one in enumerate(_structure(text), start=1)]
+        begun = [(line, re.match(_SINGLE, here))]
+    elif reason.startswith("Cannot overwrite") and re.match(_SINGLE, here.replace("[[", "[").replace("]]", "]")):
+        begun = [(number, re.match(_SINGLE, one)) for number, one in enumerate(_structure(text), start=1)]
     return next(((number, say("fault.toml.double", name=one[1])) for number, one in begun if one), (line, None))
 
 
@@ -254,7 +255,7 @@ def _strange(line: str, at: int) -> str | None:
 
 def _of_key(reason: str, line: str, at: int) -> str | None:
     """Return the advice about what stands at offset `at` of a line in place of a key; None for any other fault."""
-    if reason.startswith("Expected '=' after") and _STRANGE_NAME.match(line.strip()) and at < line.find("="):
+    if reason.startswith("Expected '=' after") and re.match(_STRANGE_NAME, line.strip()) and at < line.find("="):
         return say("fault.toml.key")
     if reason.startswith("Invalid initial character") and "{" in line[:at]:
         if line[:at].rstrip().endswith(","):
@@ -266,7 +267,7 @@ def _of_key(reason: str, line: str, at: int) -> str | None:
 def _with_other_keys(first: Fault, text: str) -> list[Fault]:
     """Return a fault; if it is a key with foreign letters, also the faults of all such keys in later lines."""
     lines_left = enumerate(_structure(text), start=1)
-    keys = {line: key for line, one in lines_left if (key := _OPEN_KEY.match(one)) and not key[1].isascii()}
+    keys = {line: key for line, one in lines_left if (key := re.match(_OPEN_KEY, one)) and not key[1].isascii()}
     if first.line not in keys:
         return [first]
     lines, found = text.split("\n"), [first]
@@ -281,7 +282,7 @@ def _advice(reason: str, found: str) -> str:
         return say("fault.toml.section_twice", name=twice[1].replace("'", "").replace(", ", "."))
     if "\r" in found:
         return say("fault.toml.line_ends")
-    if QUOTES.search(found) and not reason.startswith("Cannot"):
+    if re.search(QUOTES, found) and not reason.startswith("Cannot"):
         return say("fault.toml.straight")
     if reason.startswith("Expected newline"):
         return _after_a_value(found)
