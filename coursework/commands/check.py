@@ -15,6 +15,7 @@ from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_ties
 from coursework.run import Run
 from coursework.scene.quantities import ENERGY, FORCES
+from coursework.scene.scene import Scene
 from coursework.variant.formula.made import as_read
 from coursework.variant.record.held import followed
 from coursework.words.sentences import say, say_count
@@ -50,17 +51,7 @@ def _tell(run: Run) -> int:
     closure = scene.closure
     for note in reduction.notes:
         tell(note)
-    pairs = cramer(equations, reduction, [bool(solution) for solution in scene.solutions])
-    for block, solution, pair in zip(reduction.blocks, scene.solutions, pairs, strict=True):
-        tell(say("screen.block", unknowns=tuple(block.unknowns), equations=tuple(block.equations)))
-        for name, formula in solution:
-            tell(f"    {name} = {as_read(formula)}")
-        found = pair.determinant if pair is not None else block.determinant  # of a pair with the signs of the page
-        determinant = as_read(found) if solution and found is not None else say("screen.numerical")
-        if block.meaning != say("determinant.never"):
-            tell(say("screen.determinant", determinant=determinant, meaning=block.meaning))
-        else:
-            tell(say("screen.never_zero", determinant=determinant))
+    _tell_blocks(scene)
     if closure is None:
         tell(say("screen.all_free" if free else "screen.no_positions"))
         for tie in () if free else proposed_ties(equations, scene.start):
@@ -86,3 +77,17 @@ def _tell(run: Run) -> int:
     if scene.phases:
         tell(scene.phases)
     return 1
+
+
+def _tell_blocks(scene: Scene) -> None:
+    pairs = cramer(scene.equations, scene.reduction, [bool(solution) for solution in scene.solutions])
+    for block, solution, pair in zip(scene.reduction.blocks, scene.solutions, pairs, strict=True):
+        tell(say("screen.block", unknowns=tuple(block.unknowns), equations=tuple(block.equations)))
+        for name, formula in solution:
+            tell(f"    {name} = {as_read(formula)}")
+        found = pair.determinant if pair is not None else block.determinant  # of a pair with the signs of the page
+        determinant = as_read(found) if solution and found is not None else say("screen.numerical")
+        if block.meaning != say("determinant.never"):
+            tell(say("screen.determinant", determinant=determinant, meaning=block.meaning))
+        else:
+            tell(say("screen.never_zero", determinant=determinant))

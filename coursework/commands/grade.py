@@ -8,22 +8,22 @@ from __future__ import annotations
 
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import click
 
 from coursework.commands.line.screen import in_language, tell, tell_own_file
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, class_tables, handed_in, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
-from coursework.grading.batch.gradebook import PAGES, Options, grade_class
+from coursework.grading.batch.gradebook import PAGES, Graded, Options, grade_class
 from coursework.grading.batch.journal import Journal
-from coursework.grading.batch.single import autograder_results
-from coursework.grading.batch.work import Setup, Task, VariantSource
+from coursework.grading.batch.work import Outcome, Setup, Task, VariantSource
 from coursework.grading.batch.workers import trade_of
 from coursework.grading.batch.written import record_in, write_gradebook
 from coursework.grading.collecting.sources import Source, collect_one
 from coursework.grading.marking.late import LATE, OF_FILE, UNKNOWN
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
-from coursework.grading.platforms.autograder import created_at
+from coursework.grading.platforms.autograder import autograder_results, created_at
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.downloads import canvas_owner
 from coursework.grading.platforms.roster import read_roster
@@ -31,7 +31,7 @@ from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
 from coursework.grading.reading.submission import Submission
 from coursework.system.files.links import led_to
 from coursework.system.files.lock import held, refuse_link
-from coursework.system.processes.pool import Worker
+from coursework.system.processes.pool import Trade, Worker
 from coursework.words.custom_templates import templates_in_use
 from coursework.words.errors import Fault, InputError, OutputError
 from coursework.words.reasons import reason_of
@@ -59,7 +59,10 @@ def grade_source(
         assert variant is not None
         chosen, content = read_source(variant, Path())
         check_rubric(marking, chosen, str(rubric or "rubric"))
-        return _one(source, content, marking, text, out, results, limit, memory, language)
+        trade = trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)
+        grade = _grade_of_one(source, content, trade, results if marking.late else "")
+        autograder_results(grade, marking, results, out / "results.json", language)
+        return 0
     with Source(source) as opened:
         sheet = read_worksheet(_bytes(worksheet), str(worksheet)) if worksheet else None
         if sheet is not None:
@@ -88,11 +91,9 @@ def grade_source(
             )
             if len(graded.places) != len(listed.places):
                 raise RuntimeError(f"{len(listed.places)} submissions, {len(graded.places)} grades")
-            _tell(listed, graded.fresh, len(graded.changes), out, written, {e.id: e.grade["status"] for e in graded.entries()})
-            times = [handed_in(opened, place) for place in listed.places] if marking.late else []
-            for key, word in (("late_unknown", UNKNOWN), ("late_by_file", OF_FILE)):
-                if count := sum(time.startswith(word) for time in times):
-                    tell(say(f"screen.{key}", count=count))
+            _tell(listed, graded, out, written)
+            if marking.late:
+                _tell_times([handed_in(opened, place) for place in listed.places])
             if gradebook and (count := sum(bool(p.file_lists) and record_in(gradebook, p) is None for p in listed.places)):
                 tell(say("screen.not_in_canvas", count=count))
             if sheet and (locked := [place.id for place in listed.places if place.row and place.row.locked]):
@@ -116,17 +117,12 @@ def _decided(overrides: Path | None, listed: ClassList, rubric: Rubric) -> dict[
     return read_overrides(_bytes(overrides), str(overrides), [place.id for place in listed.places], rubric, folders)
 
 
-def _one(
-    source: Path, variant: VariantSource, rubric: Rubric, text: str, out: Path, results: str, limit: float, memory: int,
-    language: str,
-) -> int:  # fmt: skip
-    """Mark one submission and write only the results file of an autograder."""
+def _grade_of_one(source: Path, variant: VariantSource, trade: Trade[Task, Outcome], platform: str) -> dict[str, Any]:
+    """Return the grade of one submission; if its time matters, `platform` is the one that tells it, else ""."""
     submission = collect_one(source)
-    with Worker(trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)) as worker:
-        time = _handed_in_alone(source, submission, results) if rubric.late else ""
-        outcome = worker.answer(Task(submission, variant, handed_in=time))
-    autograder_results(outcome.grade, rubric, results, out / "results.json", language)
-    return 0
+    time = _handed_in_alone(source, submission, platform) if platform else ""
+    with Worker(trade) as worker:
+        return worker.answer(Task(submission, variant, handed_in=time)).grade
 
 
 def _handed_in_alone(source: Path, submission: Submission, platform: str) -> str:
@@ -158,14 +154,20 @@ def _bytes(path: Path) -> bytes:
         raise InputError([Fault(say("fault.G007", reason=reason_of(error)), str(path))]) from error
 
 
-def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[str], states: dict[str, str]) -> None:
-    counts = Counter(states.values())
+def _tell(listed: ClassList, graded: Graded, out: Path, written: list[str]) -> None:
+    counts, fresh, kept = Counter(entry.grade["status"] for entry in graded.entries()), graded.fresh, len(graded.places)
     named = {state: say(f"feedback.state.{state.replace('-', '_')}") for state in sorted(counts)}
     counted = [say("screen.state", count=counts[state], state=name) for state, name in named.items()]
     told = joined(counted, "join.numbers") if counted else say("screen.nobody")
-    tell(say("screen.submissions", count=len(listed.places), told=told, fresh=fresh, kept=len(states) - fresh))
-    if changed:
-        tell(say("screen.changed", changed=changed))
+    tell(say("screen.submissions", count=len(listed.places), told=told, fresh=fresh, kept=kept - fresh))
+    if graded.changes:
+        tell(say("screen.changed", changed=len(graded.changes)))
     if listed.not_on_roster:
         tell(say("screen.not_on_roster", count=len(listed.not_on_roster)))
     tell(say("screen.written_to", out=out, files=", ".join(written)))
+
+
+def _tell_times(times: list[str]) -> None:
+    for key, word in (("late_unknown", UNKNOWN), ("late_by_file", OF_FILE)):
+        if count := sum(time.startswith(word) for time in times):
+            tell(say(f"screen.{key}", count=count))

@@ -15,9 +15,9 @@ import numpy as np
 
 from coursework.effects.dynamics.dynamics import Dynamics, FreeMotion
 from coursework.effects.dynamics.dynamics_checks import Evidence, check_dynamics
-from coursework.effects.dynamics.dynamics_lesson import energy_of_rows, is_heavy, rates_of
+from coursework.effects.dynamics.dynamics_lesson import Moved, energy_of_rows, is_heavy, rates_of
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
-from coursework.effects.dynamics.known_rows import COARSER, LOOKS, known_rows
+from coursework.effects.dynamics.known_rows import COARSER, LOOKS, UNDEFINED, known_rows, up_to_values
 from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.dynamics.regime import Regime, find_regime
 from coursework.effects.dynamics.why_ended import CHANGE, LIMIT
@@ -31,7 +31,6 @@ from coursework.motion.singular.search import Search
 from coursework.results.checks.result import Finding
 from coursework.scene.motion_results import MotionResults
 from coursework.scene.scene import Scene
-from coursework.scene.up_to_values import UNDEFINED, up_to_values
 from coursework.system.arrays import Array
 from coursework.system.on_demand import computed
 from coursework.variant.formula.tree import Formula
@@ -143,9 +142,12 @@ class MotorScene(Scene):
         """Return the study of accuracy: the error of the energy against slopes."""
         from coursework.effects.dynamics.energy_study import energy_study
 
-        own = self.scheme or DEFAULT_SCHEME
-        unit, begin = self.unit_of_rates, self.begin_of_forces
-        return energy_study(self.free_equations, begin, self.variant.time, self.exact, own, unit, progress=progress)
+        return energy_study(self.moved, self.scheme or DEFAULT_SCHEME, self.unit_of_rates, progress)
+
+    @property
+    def moved(self) -> Moved:
+        """Return the motion that schemes are tried on."""
+        return Moved(self.free_equations, self.begin_of_forces, self.variant.time, self.exact)
 
     @property
     def begin_of_forces(self) -> tuple[list[float], list[float]]:

@@ -238,7 +238,7 @@ def test_one_step_shows_what_it_costs_and_no_step_costs_nothing(rows, lines):
     scene = solved("falling-arm", scheme="euler").scene
     way = scene.exact
     short = replace(way, t=way.t[:rows], coordinates=way.coordinates[:rows], velocities=way.velocities[:rows])
-    assert len(lesson(scene.free_equations, scene.begin_of_forces, scene.variant.time, short)) == lines
+    assert len(lesson(replace(scene.moved, exact=short))) == lines
 
 
 def test_the_steady_motion_of_the_motor():

@@ -65,13 +65,13 @@ def test_a_study_of_too_many_rows_is_left_out(rows, left_out):
 
     scene = solved("falling-arm", scheme="euler").scene
     first = {name: np.repeat(getattr(scene.exact, name)[:1], rows, axis=0) for name in ("t", "coordinates", "velocities")}
-    given = scene.free_equations, scene.begin_of_forces, scene.variant.time, replace(scene.exact, **first), SCHEMES["euler"], ""
+    given = replace(scene.moved, exact=replace(scene.exact, **first)), SCHEMES["euler"], "", begin
     if left_out:
-        (why,) = energy_study(*given, progress=begin).left_out
+        (why,) = energy_study(*given).left_out
         assert "The study is left out: 5002 rows with every scheme take too long" in str(why)
     else:
         with pytest.raises(Begun):
-            energy_study(*given, progress=begin)
+            energy_study(*given)
 
 
 # Stages of a scheme beyond all numbers: they were told as a point without a place, refused as a row without forces, or crashed.

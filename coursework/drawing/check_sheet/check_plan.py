@@ -16,7 +16,7 @@ from coursework.drawing.check_sheet.layout import lay_out
 from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.plans.moving import Kinematics, Moving
 from coursework.drawing.plans.plan_scale import SEEN, PlanScale, scale_of
-from coursework.drawing.plans.polygons import polygons
+from coursework.drawing.plans.polygons import Driven, polygons
 from coursework.drawing.plans.vectors import POLE, VELOCITY, Polygons
 from coursework.system.frozen import frozen
 
@@ -64,9 +64,9 @@ def plan_of(sketch: Sketch, findings: Findings, table: Kinematics) -> CheckPlan 
             taken.update(wanted)
         return fits
 
-    drive = tuple(sketch.pose.velocities), tuple(sketch.pose.rates), sketch.pose.driven_lengths
-    drawn = polygons(sketch.outline, _constructed(sketch, findings), *drive, on_sheet=on_sheet)
-    tabled = polygons(sketch.outline, table, *drive, on_sheet=lambda _, ends: ends in taken)
+    driven = Driven(tuple(sketch.pose.velocities), tuple(sketch.pose.rates), sketch.pose.driven_lengths)
+    drawn = polygons(sketch.outline, _constructed(sketch, findings), driven, on_sheet=on_sheet)
+    tabled = polygons(sketch.outline, table, driven, on_sheet=lambda _, ends: ends in taken)
     named = [one.point for one in drawn.found if one.rule == "special"]
     specials = dict(zip(named, taken.values(), strict=True))
     return CheckPlan(drawn, scale_of(drawn, VELOCITY, 0), _images(sketch, drawn), _images(sketch, tabled), specials)

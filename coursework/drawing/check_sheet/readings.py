@@ -72,12 +72,13 @@ class _Length:
     read: float | None = None
     computed: float | None = None
     images: str = ""
+    is_nothing: bool = False  # two images in one place: seen, not measured
 
     @property
     def part(self) -> float:
-        """Return half the last digit as a part of the length, 0 if the length is given."""
+        """Return half the last digit as a part of the length, 0 if the length is given or nothing."""
         paper = self.computed if self.read is None else self.read
-        return 0.0 if paper is None else unsure(paper)
+        return 0.0 if paper is None or self.is_nothing else unsure(paper)
 
 
 NO_LENGTH = _Length("", 0.0)
@@ -172,7 +173,7 @@ class _Ruler:
         if body.name not in self.omegas and self.asked(body):
             known = self.carrier(body)
             if centre.at is None:
-                self.omega(body, NO_LENGTH, say("drawing.read.translation"), 0.0, 0.0)
+                self.omega(body, NO_LENGTH, say("drawing.read.translation"), 0.0)
             else:
                 self.turn(body, self.to_centre(body, known), known)
         for name in body.points:
@@ -181,22 +182,19 @@ class _Ruler:
             known = self.carrier(body) if centre.at is None else ""
             if known:
                 relation = say("drawing.read.same", point=known)
-                part = self.parts.get(f"V_{known}", 0.0)
-                self.speed(name, NO_LENGTH, relation, self.speeds[known], part, f"V_{known}")
+                self.speed(name, NO_LENGTH, relation, self.speeds[known], f"V_{known}")
             elif centre.at is not None and body.name in self.omegas:
                 self.carry(body, self.to_centre(body, name), name)
 
     def turn(self, body: Body, length: _Length, known: str) -> None:
         """Write down a link's angular velocity from the speed of the point `known` and its distance from a point at rest."""
         relation = say("drawing.read.omega", point=known.replace("'", "′"), length=length.name)
-        found = self.speeds[known] / length.metres
-        self.omega(body, length, relation, found, self.parts.get(f"V_{known}", 0.0) + length.part, f"V_{known}")
+        self.omega(body, length, relation, self.speeds[known] / length.metres, f"V_{known}")
 
     def carry(self, body: Body, length: _Length, name: str) -> None:
         """Write down the speed of a point from the angular velocity of its link and its distance from a point at rest."""
         relation = say("drawing.read.speed", omega=omega_name(body), length=length.name)
-        part = self.parts.get(omega_name(body), 0.0) + length.part
-        self.speed(name, length, relation, self.omegas[body.name] * length.metres, part, omega_name(body))
+        self.speed(name, length, relation, self.omegas[body.name] * length.metres, omega_name(body))
 
     # by the plan of velocities
 
@@ -228,7 +226,7 @@ class _Ruler:
         if name in self.speeds or name in pose.fixed or (one.rule == "special" and self.plan and not self.plan.moves(name)):
             return
         if one.rule == "solved":
-            self.speed(name, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.velocities[name]), 0.0)
+            self.speed(name, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.velocities[name]))
         else:
             self.vector("", name)
 
@@ -246,7 +244,7 @@ class _Ruler:
             tabled = self.plan.tabled
             if end in tabled:
                 self.table.setdefault(f"V_{called}", abs(tabled[end] - tabled.get(start, 0j)))
-            self.speed(called, _Length(name, size, read, images=images), relation, read * scale, unsure(read) if size else 0.0)
+            self.speed(called, _Length(name, size, read, images=images, is_nothing=not size), relation, read * scale)
         return called
 
     def rotation(self, body: Body, start: str, end: str) -> None:
@@ -266,32 +264,31 @@ class _Ruler:
     def planned(self, body: Body) -> None:
         """Take the velocities of a link that only all links together determine, without a reading."""
         if self.asked(body) and body.name not in self.omegas:
-            self.omega(body, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.omegas[body.name]), 0.0)
+            self.omega(body, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.omegas[body.name]))
         for name in body.points:
             if name in self.findings.velocities and name not in self.speeds:
-                self.speed(name, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.velocities[name]), 0.0)
+                self.speed(name, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.velocities[name]))
 
     # what is written down
 
-    def omega(self, body: Body, length: _Length, relation: Sentence, found: float, part: float, known: str = "") -> None:
+    def omega(self, body: Body, length: _Length, relation: Sentence, found: float, known: str = "") -> None:
         """Write down an angular velocity, found from the value named `known`."""
         name = omega_name(body)
         self.omegas[body.name] = found
         if all(one.name != name for one in self.readings):
-            self.note(name, length, relation, found, "rad/s", part, known)
+            self.note(name, length, relation, found, "rad/s", known)
 
-    def speed(self, point: str, length: _Length, relation: Sentence, found: float, part: float, known: str = "") -> None:
+    def speed(self, point: str, length: _Length, relation: Sentence, found: float, known: str = "") -> None:
         """Write down a speed; it becomes a reading unless the point is at rest or a contact."""
         self.speeds[point] = found
         shown = point in self.sketch.moving or all(point not in body.points for body in self.sketch.pose.bodies)
-        self.note(f"V_{point}", length, relation, found, "m/s", part, known, shown=shown)
+        self.note(f"V_{point}", length, relation, found, "m/s", known, shown=shown)
 
     def note(
-        self, name: str, length: _Length, relation: Sentence, found: float, unit: str, part: float, known: str, *,
-        shown: bool = True,
-    ) -> None:  # fmt: skip
-        """Write down what was `found` (in `unit`) from a length, and how far off it may be by the reading; a line if `shown`."""
-        self.parts[name] = part
+        self, name: str, length: _Length, relation: Sentence, found: float, unit: str, known: str, *, shown: bool = True
+    ) -> None:
+        """Write down what was `found` (in `unit`) from a length and the value `known`, with its error; a line if `shown`."""
+        part = self.parts[name] = self.parts.get(known, 0.0) + length.part
         if length.read is not None or known in self.resting:
             self.resting.add(name)
         if shown:

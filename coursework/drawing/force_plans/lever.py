@@ -14,12 +14,12 @@ from collections.abc import Callable
 import numpy as np
 
 from coursework.drawing.force_plans.vectors import word_of
-from coursework.drawing.paper.board import COLUMN, EDGE, around, vector_scale
+from coursework.drawing.paper.board import around, vector_scale
 from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import AXIS, ITALIC
 from coursework.drawing.paper.symbols import decimal
-from coursework.drawing.plans.foot import draw_foot, sheet_over_foot
+from coursework.drawing.plans.foot import draw_foot, sheet_around
 from coursework.drawing.plans.plan_scale import LONGEST, read_length
 from coursework.effects.force_scheme import drives_of
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
@@ -100,10 +100,7 @@ def draw_lever(lever: Lever, row: int, time: float, written: Callable[[str], str
     places = [(one.image.conjugate(), ARROW * (one.force / abs(one.force)).conjugate()) for one in lever.arms]
     circles = [(0j, 6.0), *((at, 5.0) for at, _ in places), *((at + way, 6.0) for at, way in places)]
     feet = [_foot(at, way) for at, way in places]
-    left, top, right, bottom = around([*circles, *((foot, 3.0) for foot in feet)])
-    width = max(COLUMN, right - left + 2 * EDGE)
-    pole = complex((width - right - left) / 2, EDGE - top)
-    sheet = sheet_over_foot(width, bottom - top + 2 * EDGE)
+    sheet, pole = sheet_around(around([*circles, *((foot, 3.0) for foot in feet)]))
     for at, foot in zip((at for at, _ in places), feet, strict=True):
         if abs(at) > 0.3:
             sheet.line(pole, pole + at, 'stroke="black" stroke-width="0.3"')

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from coursework.drawing.paper.board import EDGE
+from coursework.drawing.paper.board import COLUMN, EDGE
+from coursework.drawing.paper.cover import Rectangle
 from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet
 from coursework.drawing.paper.symbols import decimal
 from coursework.words.sentences import say
@@ -24,6 +25,13 @@ THIN = 'stroke="black" stroke-width="0.35"'
 def sheet_over_foot(width: float, height: float) -> Sheet:
     """Return a sheet with a field as high, its edges included, and the foot below it."""
     return Sheet(width, height + FOOT, (EDGE, EDGE, width - EDGE, height))
+
+
+def sheet_around(box: Rectangle) -> tuple[Sheet, complex]:
+    """Return a sheet of at least a column's width over the foot, with room for a box about a pole, and the place of the pole."""
+    left, top, right, bottom = box
+    width = max(COLUMN, right - left + 2 * EDGE)
+    return sheet_over_foot(width, bottom - top + 2 * EDGE), complex((width - right - left) / 2, EDGE - top)
 
 
 def draw_foot(sheet: Sheet, scales: Sequence[str], title: str, of_mm: tuple[float, str], written: Callable[[str], str]) -> None:

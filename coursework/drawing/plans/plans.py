@@ -17,7 +17,7 @@ from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.plans.given import DrivenLengths, driven_lengths, given_points
 from coursework.drawing.plans.moving import Kinematics, kinematics_of
-from coursework.drawing.plans.polygons import polygons
+from coursework.drawing.plans.polygons import Driven, polygons
 from coursework.drawing.plans.vectors import ACCELERATION, UNITS, VELOCITY, Polygons
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
@@ -74,12 +74,11 @@ def make_plans(
     outline = read_outline(mechanism)
     if outline is None or not outline.bars:
         raise InputError([Fault(say("fault.V523"), variant.file)])
-    pairs = stretching(mechanism)
-    given, rates = given_points(outline, variant), variant.known_rates
-    driven = driven_lengths(outline, equations, exact[0])
+    lengths = driven_lengths(outline, equations, exact[0])
+    driven = Driven(given_points(outline, variant), variant.known_rates, lengths, stretching(mechanism))
     row = min(variant.time.row_of_check, max(1, min(len(table[0].t), len(exact[0].t))))
     rows, true = (
-        polygons(outline, _kinematics(outline, equations, motion, second, driven), given, rates, driven, pairs, row - 1)
+        polygons(outline, _kinematics(outline, equations, motion, second, lengths), driven, row - 1)
         for motion, second in (table, exact)
     )
     return Plans(outline, row, rows, true, chain=bool(variant.groups))

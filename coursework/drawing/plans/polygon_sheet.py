@@ -15,7 +15,7 @@ from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet
 from coursework.drawing.paper.sheet import width as width_of
 from coursework.drawing.paper.symbols import decimal, image, name_word, short
-from coursework.drawing.plans.foot import draw_foot, sheet_over_foot
+from coursework.drawing.plans.foot import draw_foot, sheet_around
 from coursework.drawing.plans.plan_scale import LONGEST, SEEN, SMALL, arrows_of, scale_of, short_ones
 from coursework.drawing.plans.steps import steps
 from coursework.drawing.plans.vectors import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
@@ -52,9 +52,7 @@ def draw_plan(
         is_beside = right + 3 + inset.width - left <= COLUMN - 2 * EDGE
         corner = complex(right + 3, top) if is_beside else complex(left, bottom + 3)
         right, bottom = max(right, corner.real + inset.width), max(bottom, corner.imag + inset.height)
-    width = max(COLUMN, right - left + 2 * EDGE)
-    pole = complex((width - right - left) / 2, EDGE - top)
-    sheet = sheet_over_foot(width, bottom - top + 2 * EDGE)
+    sheet, pole = sheet_around((left, top, right, bottom))
     images: dict[str, complex] = {}
     if blank:
         given = {one.point for one in found.found if one.rule in {"given", "turned"}}

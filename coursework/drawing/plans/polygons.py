@@ -22,42 +22,49 @@ from coursework.drawing.plans.moving import Kinematics
 from coursework.drawing.plans.special_points import PARALLEL, Leg, special_name, special_points
 from coursework.drawing.plans.vectors import POLE, Found, Line, Polygons, Vectors
 from coursework.system.arrays import Complex
+from coursework.system.frozen import frozen
+
+OnSheet = Callable[[complex, tuple[str, ...]], bool]
+
+
+@frozen
+class Driven:
+    """What the drive gives: the motion of `points`, links with known `rates`, and (link, rider) whose sliding has a law.
+
+    `stretching` are pairs of points of a link whose distance changes, because one of them slides.
+    """
+
+    points: Sequence[str]
+    rates: Sequence[str]
+    lengths: Collection[tuple[str, str]] = ()
+    stretching: frozenset[frozenset[str]] = frozenset()
 
 
 def polygons(
-    outline: Outline, kinematics: Kinematics, given: Sequence[str] = (), rates: Sequence[str] = (),
-    lengths: Collection[tuple[str, str]] = (),
-    stretching: frozenset[frozenset[str]] = frozenset(), row: int = 0,
-    on_sheet: Callable[[complex, tuple[str, ...]], bool] = lambda place, ends: True,
-) -> Polygons:  # fmt: skip
-    """Return the plans of every row: the drive gives the motion of the `given` points and of links with known `rates`.
+    outline: Outline, kinematics: Kinematics, driven: Driven, row: int = 0, on_sheet: OnSheet = lambda place, ends: True
+) -> Polygons:
+    """Return the plans of every row.
 
-    `lengths` are the (link, rider) whose sliding is driven.
-
-    `stretching` are pairs of points of a link whose distance changes, because one of them slides.  Of a link's special points the
-    nearest in `row` (from 0, the one on paper) is taken for which `on_sheet` is true; its arguments are the place (m) and the
-    points from which lines lead there.
+    Of a link's special points the nearest in `row` (from 0, the one on paper) is taken for which `on_sheet` is true; its
+    arguments are the place (m) and the points from which lines lead there.
     """
-    plan = _Plan(outline, kinematics, rates, lengths, stretching, row, on_sheet)
+    plan = _Plan(outline, kinematics, driven, row, on_sheet)
     if len(kinematics.t):  # a motion may stop before its first row
-        plan.draw(given)
+        plan.draw(driven.points)
     return Polygons(kinematics.t, tuple(plan.paper.segments.values()), tuple(plan.paper.found))
 
 
 class _Plan:
     """The polygons being drawn: which images there are, and which links turn in a known way."""
 
-    def __init__(
-        self, outline: Outline, kinematics: Kinematics, rates: Sequence[str], lengths: Collection[tuple[str, str]],
-        stretching: frozenset[frozenset[str]], row: int, on_sheet: Callable[[complex, tuple[str, ...]], bool],
-    ) -> None:  # fmt: skip
+    def __init__(self, outline: Outline, kinematics: Kinematics, driven: Driven, row: int, on_sheet: OnSheet) -> None:
         self.outline, self.kinematics, self.row, self.on_sheet = outline, kinematics, row, on_sheet
-        self.lengths = lengths
-        self.paper = Vectors(kinematics, outline.hinges, stretching, images=[*outline.hinges])
+        self.lengths = driven.lengths
+        self.paper = Vectors(kinematics, outline.hinges, driven.stretching, images=[*outline.hinges])
         self.images = self.paper.images
         self.bars = [bar for bar in outline.bars if bar.corners]
         self.rails = {rail.rider: rail for rail in outline.rails if rail.rider and not rail.rolls}
-        self.driven = {bar.link for bar in self.bars if bar.rate and bar.rate in rates}
+        self.driven = {bar.link for bar in self.bars if bar.rate and bar.rate in driven.rates}
         unturned = {bar.link for bar in self.bars if not bar.rate}
         self.still = {block.link for block in outline.blocks if block.link in unturned and not block.open}  # in fixed guides
         self.turning = {*self.driven, *self.still}

@@ -11,7 +11,8 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -55,6 +56,10 @@ class FreeMotion:
     at: float = 0.0
     by: str = ""
     lost: tuple[float, ...] = ()
+
+    def first(self, rows: int, **ended: Any) -> FreeMotion:
+        """Return the first rows alone; `ended` says why they are the last ones."""
+        return replace(self, t=self.t[:rows], coordinates=self.coordinates[:rows], rates=self.rates[:rows], **ended)
 
 
 @dataclass(slots=True)

@@ -48,31 +48,51 @@ class Trial:
     row: int = 0
 
 
-def lesson(equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion) -> list[Row]:
+@frozen
+class Moved:
+    """A motion under forces: its equations, its start, its times, and its exact rows."""
+
+    equations: EquationsOfMotion
+    begin: Begin
+    time: Time
+    exact: Motion
+
+    @property
+    def steps(self) -> int:
+        """Return the number of steps of the table."""
+        return len(self.exact.t) - 1
+
+    def energy(self) -> tuple[Array, Array]:
+        """Return the total and the kinetic energy (n,) J of the exact rows."""
+        exact = self.exact
+        return energy_of_rows(self.equations, exact.t, exact.coordinates, rates_of(self.equations, exact))
+
+    def tried(self, scheme: Scheme, parts: int) -> Trial:
+        """Return the trial of a scheme with each step divided into `parts`."""
+        equations, (places, state) = self.equations, self.begin
+        made = Dynamics(equations, list(places)).rows(scheme, state, self.time.step / parts, self.steps * parts)
+        if made.ended:
+            return Trial(made.slopes, float("inf"), np.zeros(0), made.ended, len(made.t))
+        rows = slice(None, None, parts)
+        error = float(np.abs(made.rates[rows] - rates_of(equations, self.exact)).max(initial=0.0))
+        return Trial(made.slopes, error, energy_of_rows(equations, made.t[rows], made.coordinates[rows], made.rates[rows])[0])
+
+
+def lesson(moved: Moved) -> list[Row]:
     """Return the rows of the lesson; empty for a long table."""
-    steps, most = len(exact.t) - 1, MOST_SLOPES // equations.dear
+    steps, most = moved.steps, MOST_SLOPES // moved.equations.dear
     if steps < 1 or steps * sum(PARTS) * sum(one.slopes for one in COMPARED) > 12 * most:
         return []
-    last = float(energy_of_rows(equations, exact.t, exact.coordinates, rates_of(equations, exact))[0][-1])
+    last = float(moved.energy()[0][-1])
     found = []
     for scheme in COMPARED:
         for parts in PARTS:
             if steps * parts * scheme.slopes > most:
                 continue
-            tried = attempt(equations, begin, time, exact, scheme, parts)
+            tried = moved.tried(scheme, parts)
             gained = float("inf") if tried.ended else float(tried.energy[-1]) - last
             found.append(Row(title_of(scheme), tried.slopes, tried.error, gained))
     return found
-
-
-def attempt(equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion, scheme: Scheme, parts: int) -> Trial:
-    """Return the trial of a scheme with each step divided into `parts`."""
-    made = Dynamics(equations, list(begin[0])).rows(scheme, begin[1], time.step / parts, (len(exact.t) - 1) * parts)
-    if made.ended:
-        return Trial(made.slopes, float("inf"), np.zeros(0), made.ended, len(made.t))
-    rows = slice(None, None, parts)
-    error = float(np.abs(made.rates[rows] - rates_of(equations, exact)).max(initial=0.0))
-    return Trial(made.slopes, error, energy_of_rows(equations, made.t[rows], made.coordinates[rows], made.rates[rows])[0])
 
 
 def rates_of(equations: EquationsOfMotion, motion: Motion) -> Array:

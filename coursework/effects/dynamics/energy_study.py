@@ -10,14 +10,11 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from coursework.effects.dynamics.dynamics_lesson import Begin, Trial, attempt, energy_of_rows, rates_of
-from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
-from coursework.motion.integration.motion import Motion
+from coursework.effects.dynamics.dynamics_lesson import Moved, Trial
 from coursework.motion.schemes import PRECISE, SCHEMES, SEMI_IMPLICIT, Scheme, title_of
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 from coursework.results.accuracy.trace import orders_of
 from coursework.system.arrays import Array
-from coursework.variant.record.variant import Time
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -26,26 +23,24 @@ MOST_SLOPES = 6400  # in one run; if the table's own step needs more, only it an
 MOST_ROWS = 20_000  # slopes for the table: with more there is no study
 
 
-def energy_study(
-    equations: EquationsOfMotion, begin: Begin, time: Time, exact: Motion, own: Scheme, unit: str,
-    *, progress: Callable[[str], None] | None = None,
-) -> AccuracyStudy:  # fmt: skip
+def energy_study(moved: Moved, own: Scheme, unit: str, progress: Callable[[str], None] | None = None) -> AccuracyStudy:
     """Return the study; it is never timed, because slopes are the cost here.
 
     `own` is the scheme of the table, `unit` that of the free rates.
     """
-    if (len(exact.t) - 1) * PRECISE.slopes * equations.dear > MOST_ROWS:
-        why = say("study.too_long", rows=len(exact.t))
-        return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), seconds_shown=False, left_out=(why,))
-    energy, kinetic = energy_of_rows(equations, exact.t, exact.coordinates, rates_of(equations, exact))
+    steps, dear, label = moved.steps, moved.equations.dear, moved.exact.label
+    if steps * PRECISE.slopes * dear > MOST_ROWS:
+        why = say("study.too_long", rows=steps + 1)
+        return AccuracyStudy((), {}, None, 0.0, label, (), (), seconds_shown=False, left_out=(why,))
+    energy, kinetic = moved.energy()
     scale = float(kinetic.max(initial=0.0)) or 1.0
     rows, rates = list[StudyRow](), dict[str, float]()
     for scheme in (*SCHEMES.values(), SEMI_IMPLICIT):
-        for parts in _parts(scheme, len(exact.t) - 1, MOST_SLOPES // equations.dear):
+        for parts in _parts(scheme, steps, MOST_SLOPES // dear):
             if progress:
                 progress(f"{scheme.name}, {parts}")
-            tried = attempt(equations, begin, time, exact, scheme, parts)
-            rows.append(_row(scheme, tried, energy, (len(exact.t) - 1) * parts))
+            tried = moved.tried(scheme, parts)
+            rows.append(_row(scheme, tried, energy, steps * parts))
             if parts == 1:
                 rates[title_of(scheme)] = tried.error
     floor = 64 * float(np.finfo(float).eps) * max(scale, float(np.abs(energy).max()))
@@ -54,7 +49,7 @@ def energy_study(
     mine = next(row for row in rows if row.method == title)
     point = None if mine.failed else (title, mine.evaluations, mine.max_error, None)
     told = tuple(_told(rows, rates, unit, mine, scale))
-    return AccuracyStudy(tuple(rows), orders, point, floor, exact.label, told, (), seconds_shown=False)
+    return AccuracyStudy(tuple(rows), orders, point, floor, label, told, (), seconds_shown=False)
 
 
 def _parts(scheme: Scheme, steps: int, most: int) -> list[int]:

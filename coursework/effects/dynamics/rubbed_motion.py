@@ -6,14 +6,14 @@ Used by `scene/motor_scene.py`, for a file with [friction] only.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from coursework.effects.acting import ActingWriter, cross
+from coursework.effects.acting import cross
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.force_scheme import Unknown
@@ -28,12 +28,10 @@ from coursework.motion.geometry.time_derivatives import derivative
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-Entries = dict[tuple[int, int], Expression]  # row and column in the equations of the unknown forces -> entry
-
 
 def rubbed_motion(writer: MotionWriter) -> EquationsOfMotion:
     """Return the equations of motion with the friction of the file.  Raises `InputError` if reactions are not unique."""
-    ideal, own = writer.made(), _Writer(writer, writer.acting).made()
+    ideal, own = writer.made(), _Writer(writer).made()
 
     def table(*rows: Any) -> Any:
         return ideal.table(*rows, *own.taken(len(ideal.free), *np.broadcast_arrays(*rows)))
@@ -41,23 +39,22 @@ def rubbed_motion(writer: MotionWriter) -> EquationsOfMotion:
     return replace(ideal, slope=own.slope, table=table, rubbing=own)
 
 
-@dataclass(slots=True)
 class _Writer:
     """Writes the state as expressions: the columns of the unknowns, the acting forces, a unit of friction for each pair."""
 
-    motion: MotionWriter
-    acting: ActingWriter
+    def __init__(self, motion: MotionWriter) -> None:
+        self.motion, self.acting, self.scheme = motion, motion.acting, motion.scheme
+        self.places = places_of(motion.scheme)  # the first equation of each body and pin
+        self.entries: dict[tuple[int, int], Expression] = {}  # row and column in the equations of the unknown forces -> entry
 
     def made(self) -> Rubbing:
-        scheme, free = self.motion.scheme, len(self.motion.rates)
-        places, count = places_of(scheme), len(scheme.unknowns)
+        scheme, entries, free, count = self.scheme, self.entries, len(self.motion.rates), len(self.scheme.unknowns)
         if count != 3 * len(scheme.bodies) + 2 * len(scheme.pins):
             variant = self.motion.equations.variant
             raise InputError([Fault(say("fault.V718"), variant.file, variant.nearest_line("friction"))])
-        entries: Entries = {}
         for place, one in enumerate(scheme.unknowns):
             for name, sign in ((one.on, ONE), (one.off, -ONE)):
-                self.acts(entries, places, place, name, one, sign)
+                self.acts(place, name, one, sign)
         for place, body in enumerate(scheme.bodies):
             for row, value in enumerate([*self.acting.wrench(body)][2:], 3 * place):
                 entries[row, count] = -value
@@ -70,17 +67,12 @@ class _Writer:
                 column = count + 1 + free + len(pairs)
                 one, factor = scheme.unknowns[place], self.acting.scalar(rubs.arm if kind == "wheel" else rubs.coefficient)
                 factor = factor * self.acting.scalar(rubs.radius) if kind == "pin" else factor
-                speed = (self.slides if kind == "guide" else self.turns)(entries, places, column, one)
+                speed = (self.slides if kind == "guide" else self.turns)(column, one)
                 following = scheme.unknowns[place + 1].name if place + 1 < count else ""
                 pairs.append(Pair(rubs.at, kind, place, kind == "guide" and following == f"K{one.name[1:]}"))
                 change = self.acting.changed(speed)
-                beside += [
-                    factor,
-                    self.acting.scalar(rubs.length),
-                    speed,
-                    change,
-                    *(self.by_free(change, k) for k in range(free)),
-                ]
+                own = [factor, self.acting.scalar(rubs.length), speed, change]
+                beside += [*own, *(self.by_free(change, k) for k in range(free))]
         drives = [place for place, one in enumerate(scheme.unknowns) if one.is_drive]
         others = [symbol(self.motion.equations.variant.coordinates[place].rate) for place in self.motion.others]
         results = [*self.motion.solved, *others, *entries.values(), *beside]
@@ -95,43 +87,43 @@ class _Writer:
         names = dict.fromkeys([*variant.rates, *(name for name, _ in variant.unknowns)])
         return add(ZERO, *[derivative_by(value, derivative(name)) * self.motion.rate_of(name, k) for name in names])
 
-    def acts(self, entries: Entries, places: Mapping[str, int], column: int, name: str, one: Unknown, sign: Expression) -> None:
+    def acts(self, column: int, name: str, one: Unknown, sign: Expression) -> None:
         """Add the entries of a unit of an unknown in the equations of a body or pin."""
-        if name not in places:
+        if name not in self.places:
             return  # the frame
         if one.direction.kind == "couple":
-            entries[places[name] + 2, column] = sign
+            self.entries[self.places[name] + 2, column] = sign
             return
         x, y = self.unit(one)
-        self.force(entries, places, column, name, one, (sign * x, sign * y))
+        self.force(column, name, one, (sign * x, sign * y))
 
-    def force(self, entries: Entries, places: Mapping[str, int], column: int, name: str, one: Unknown, force: Vector) -> None:
-        first, body = places[name], self.motion.scheme.by_name.get(name)
-        entries[first, column], entries[first + 1, column] = force
+    def force(self, column: int, name: str, one: Unknown, force: Vector) -> None:
+        first, body = self.places[name], self.scheme.by_name.get(name)
+        self.entries[first, column], self.entries[first + 1, column] = force
         if body is not None and one.at is not None:
             at, centre = self.acting.vector(one.at), self.acting.vector(body.centre)
-            entries[first + 2, column] = cross((at[0] - centre[0], at[1] - centre[1]), force)
+            self.entries[first + 2, column] = cross((at[0] - centre[0], at[1] - centre[1]), force)
 
     def unit(self, one: Unknown) -> Vector:
         return {"x": (ONE, ZERO), "y": (ZERO, ONE)}.get(one.direction.kind) or self.acting.along(one)
 
-    def turns(self, entries: Entries, places: Mapping[str, int], column: int, one: Unknown) -> Expression:
+    def turns(self, column: int, one: Unknown) -> Expression:
         """Enter a couple on two bodies that turn about each other, and return their relative angular velocity."""
         speed = ZERO
-        for name, sign in ((one.on, ONE), (partner(self.motion.scheme, one), -ONE)):
-            if (body := self.motion.scheme.by_name.get(name)) is not None:
-                entries[places[name] + 2, column] = sign
+        for name, sign in ((one.on, ONE), (partner(self.scheme, one), -ONE)):
+            if (body := self.scheme.by_name.get(name)) is not None:
+                self.entries[self.places[name] + 2, column] = sign
                 speed = speed + sign * self.acting.turned(body)[0]
         return speed
 
-    def slides(self, entries: Entries, places: Mapping[str, int], column: int, one: Unknown) -> Expression:
+    def slides(self, column: int, one: Unknown) -> Expression:
         """Enter a force along a guide on block and guide, and return the sliding speed of the block."""
         assert one.at is not None
         (x, y), at, speed = self.unit(one), self.acting.vector(one.at), ZERO
         along = y, -x
         for name, sign in ((one.on, ONE), (one.off, -ONE)):
-            if (body := self.motion.scheme.by_name.get(name)) is not None:
-                self.force(entries, places, column, name, one, (sign * along[0], sign * along[1]))
+            if (body := self.scheme.by_name.get(name)) is not None:
+                self.force(column, name, one, (sign * along[0], sign * along[1]))
                 centre, turned = self.acting.vector(body.centre), self.acting.turned(body)[0]
                 (u, v), arm = self.acting.rate(centre), (at[0] - centre[0], at[1] - centre[1])
                 speed = speed + sign * (along[0] * (u - turned * arm[1]) + along[1] * (v + turned * arm[0]))

@@ -15,14 +15,16 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.grade import Grade
+from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.reasons.equations import why_of_line
 from coursework.grading.marking.reasons.reasons import summary
 from coursework.grading.marking.reasons.table import counts, shut
-from coursework.grading.marking.table.cells import CARRIED, GIVEN, MISSING, WRONG
+from coursework.grading.marking.table.cells import CARRIED, GIVEN, MISSING, WRONG, Cells
 from coursework.grading.marking.table.ways import KEY
 from coursework.grading.marking.table_marks import TableMarks
 from coursework.grading.pages.curves import SIZE, panel
 from coursework.grading.pages.shown_cells import shown_column
+from coursework.grading.reading.student_work import Reading
 from coursework.grading.reading.table.units import AS_READ
 from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import runs, spelt
@@ -191,24 +193,6 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases, *, is_explained: bo
                 entries.append((text, title, sign, mark, is_first))
             rows.append({"number": row + 1, "t": times[row], "cells": entries})
         blocks.append({"heads": [(heads[place], units[place]) for place in places.tolist()], "rows": rows})
-    m = len(key.coordinates)
-    panels = [
-        panel(
-            symbol(name), words.unit(key.variant.unit_of(name)), key.t,
-            key.table[:, m + place], cells.student.values[:, m + place],
-            cells.wrong[:, m + place], words,
-        )
-        for place, name in enumerate(key.velocities)
-    ]  # fmt: skip
-    read = [
-        {
-            "name": [symbol(name).run],
-            "at": entry["at"],
-            "by": say(f"feedback.by.{entry['by']}"),
-            "unit": words.unit(AS_READ.get(entry["unit"], entry["unit"])),
-        }
-        for name, entry in reading.columns.items()
-    ]
     return {
         "counts": asdict(counts(key, marked)), "shut": bool(uncounted.any()), "blocks": blocks, "first": first is not None,
         "rounded": any(
@@ -217,12 +201,37 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases, *, is_explained: bo
             if column
             for row, text in zip(chosen, texts, strict=True)
         ),
-        "file": clean(reading.file, LONGEST_TEXT), "reading": reading, "read": read,
+        "file": clean(reading.file, LONGEST_TEXT), "reading": reading, "read": _columns_read(reading, words),
         "present": sum(marked.table.rows_present), "needed": len(key.table),
         "second": words.unit("s"),
         "left_out": len(key.table) - len(chosen), "left_out_wrong": len({*wrong_rows} - {*chosen}),
-        "panels": panels, "box": f"0 0 {SIZE[0]:g} {SIZE[1]:g}", "least": key.least_decimals,
+        "panels": _panels(key, cells, words), "box": f"0 0 {SIZE[0]:g} {SIZE[1]:g}", "least": key.least_decimals,
     }  # fmt: skip
+
+
+def _panels(key: Key, cells: Cells, words: Phrases) -> list[str]:
+    """Return a graph of each velocity: the student's cells beside the key."""
+    m = len(key.coordinates)
+    student, wrong = cells.student.values, cells.wrong
+    return [
+        panel(
+            symbol(name), words.unit(key.variant.unit_of(name)), key.t, key.table[:, at], student[:, at], wrong[:, at], words
+        )
+        for at, name in enumerate(key.velocities, start=m)
+    ]  # fmt: skip
+
+
+def _columns_read(reading: Reading, words: Phrases) -> list[dict[str, Any]]:
+    """Return where each column was found in the file, by what, and in which unit."""
+    return [
+        {
+            "name": [symbol(name).run],
+            "at": entry["at"],
+            "by": say(f"feedback.by.{entry['by']}"),
+            "unit": words.unit(AS_READ.get(entry["unit"], entry["unit"])),
+        }
+        for name, entry in reading.columns.items()
+    ]
 
 
 def typeset(text: str) -> str:

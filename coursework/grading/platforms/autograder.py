@@ -1,19 +1,22 @@
-"""The outcome of one submission -> `results.json` for Gradescope and PrairieLearn.
+"""One graded submission -> `results.json` for Gradescope or PrairieLearn.
 
-Enters: `Outcome`.  Leaves: plain data for JSON.  Used with `--results`.
+Enters: a grade as grades.json writes it.  Leaves: the file.  Used by `commands/grade.py`, for `--results`.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from coursework.grading.marking.reasons.reasons import told
+from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.platforms.escapes import shown
+from coursework.system.files.whole_files import write_bytes
 from coursework.system.frozen import frozen
-from coursework.words.sentences import ENGLISH, load_phrases, say
+from coursework.words.sentences import ENGLISH, Phrases, load_phrases, say
 
 _MOST_TEXT = 60_000  # characters of one output: both platforms accept a megabyte in all
 _NOT_GRADABLE = {"unreadable", "missing"}
@@ -135,3 +138,34 @@ def _summing(values: Sequence[float], total: float) -> list[float]:
 def _text(text: str) -> str:
     plain = shown(text)
     return plain if len(plain) <= _MOST_TEXT else plain[: _MOST_TEXT - 1] + "…"
+
+
+PLATFORMS = {"gradescope": gradescope, "prairielearn": prairielearn}
+
+
+def autograder_results(grade: Mapping[str, Any], rubric: Rubric, platform: str, path: Path, language: str) -> None:
+    """Write the results of one submission for a platform, in the given language; a part not handed in is a part too."""
+    words = load_phrases(language)
+    parts = [
+        PartOutcome(part, found.get("score"), float(found.get("max") or rubric.most(part)), _told(grade, part, words))
+        for part in PARTS
+        if (found := grade[part] or {}).get("max") or found.get("score") or rubric.most(part)
+    ]
+    if late := grade.get("late"):
+        parts.append(PartOutcome("late", -late["lost"], 0.0, told(grade, words, "late")))
+    output = "\n".join([told(grade, words, "total"), *(entry["text"] for entry in grade["notes"])]).strip()
+    problems = [text] if (text := told(grade, words, "")) else []
+    outcome = Outcome(grade["status"], grade["score"], float(grade["max"]), output, parts, problems)
+    write_bytes(path, results_json(PLATFORMS[platform](outcome, language)))
+
+
+def _told(grade: Mapping[str, Any], part: str, words: Phrases) -> str:
+    """Return what a student reads about a part: why it has its points, then the verdict on each line or answer."""
+    lines = [told(grade, words, part)]
+    if part == "equations" and grade[part]:
+        asked = {"unreadable": "asked"} if grade["status"] == "needs-review" else {}  # an unreadable line is a question then
+        verdicts = [(item["line"], asked.get(item["verdict"], item["verdict"])) for item in grade[part]["items"]]
+        lines += [f"{line}: {words.said(f'feedback.equation.{verdict}')}" for line, verdict in verdicts]
+    if part == "answers" and grade[part]:
+        lines += [f"{item['name']}: {words.said('feedback.answer.' + item['verdict'])}" for item in grade[part]["items"]]
+    return "\n".join(line for line in lines if line)

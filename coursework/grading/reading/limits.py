@@ -5,6 +5,8 @@ Enters: nothing.  Leaves: the limits for everything that is read; `Refused`.  Us
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from coursework.grading.reading.student_work import Trouble
 from coursework.words.sentences import say
 
@@ -45,6 +47,13 @@ def doubtful(code: str, /, **values: object) -> Refused:
     return Refused(Trouble("needs-review", code, say(f"reading.trouble.{code}", **values)))
 
 
-def bounds(rows: int) -> tuple[int, int]:
+class Room(NamedTuple):
+    """The most `rows` and `columns` that are read of a table."""
+
+    rows: int
+    columns: int
+
+
+def room_for(rows: int) -> Room:
     """Return the most rows and columns read from a file for a grid of `rows` rows (a transposed table has one column per row)."""
-    return max(ROWS, rows + 100), max(COLUMNS, rows + 10)
+    return Room(max(ROWS, rows + 100), max(COLUMNS, rows + 10))

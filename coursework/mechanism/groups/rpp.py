@@ -63,11 +63,7 @@ def rpp(b: At, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = F
     carried_on = line.carried_acceleration(s_j, ds_j)
     right = a_b - carried_on - ((1j * gain - turn * turn) * s_i + 2j * turn * ds_i) * f
     dds_i, dds_j = cross(e, right) / sine, cross(right, f) / sine
-    return solved(
-        rates=(ds_i, ds_j),
-        accelerations=(dds_i, dds_j),
-        meets=(at_d, carried + ds_j * e, carried_on + dds_j * e),
-    )
+    return solved(rates=(ds_i, ds_j), accelerations=(dds_i, dds_j), meets=(at_d, carried + ds_j * e, carried_on + dds_j * e))
 
 
 def _slide(group: Group) -> Formula:

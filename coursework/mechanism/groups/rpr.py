@@ -89,11 +89,7 @@ def rpr(
     if end is not None:
         v_b = v_d + 1j * (rate * end) * e
         a_b = a_d + (1j * acceleration - rate * rate) * end * e
-    return solved(
-        rates=(rate, ds),
-        accelerations=(acceleration, dds),
-        meets=(meets, v_b, a_b),
-    )
+    return solved(rates=(rate, ds), accelerations=(acceleration, dds), meets=(meets, v_b, a_b))
 
 
 def _closure(group: Group) -> Closed:

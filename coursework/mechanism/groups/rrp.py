@@ -78,11 +78,7 @@ def rrp(b: At, guide: Guide, *, length: Length, mode: int, positions_only: bool 
     if ddr is not None:
         right = right - u * (ddr / r)
     acceleration, dds = cross(e, right) / along, -dot(u, right) / along
-    return solved(
-        rates=(rate, ds),
-        accelerations=(acceleration, dds),
-        meets=(at_c, carried + ds * e, carried_on + dds * e),
-    )
+    return solved(rates=(rate, ds), accelerations=(acceleration, dds), meets=(at_c, carried + ds * e, carried_on + dds * e))
 
 
 def _closure(group: Group) -> Closed:

@@ -6,20 +6,24 @@ Enters: an `Event`, the reduction.  Leaves: words with units.  Used by `way_to_m
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+
+import numpy as np
 
 from coursework.equations.algebra.expression import add
 from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.meaning import meaning as meaning_of
 from coursework.equations.reduction.meaning import vanishing
+from coursework.equations.reduction.system import compile_values
 from coursework.equations.reduction.tidying.tidy import as_sum
 from coursework.motion.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event
-from coursework.motion.singular.triad import lines_meet
+from coursework.system.arrays import Array
 from coursework.variant.formula.made import as_read
+from coursework.variant.record.entries import Link
 from coursework.variant.record.held import unit_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -30,6 +34,9 @@ _ROUNDING = 1e-9
 _MULTIPLIED = 10
 # A slide longer than this multiple of the longest length has left every guide: two guides have become parallel.
 _AWAY = 1e4
+_RODS = 3
+# Share of the plate's size: lines that pass closer to one point meet there; the position is found to about 1e-10.
+_MEET = 1e-6
 
 
 def explain(
@@ -156,3 +163,38 @@ def _tidied_rates(branch: Mapping[str, float]) -> dict[str, float]:
 def _tidied(value: float, size: float = 1.0) -> float:
     """Return a value (rad, m, or per second) with rounding errors around zero removed, which are a share of a `size`."""
     return 0.0 if abs(value) <= _ROUNDING * size else value
+
+
+def lines_meet(equations: VelocityEquations, unknowns: Sequence[str], time: float, position: Sequence[float]) -> Sentence | None:
+    """Return that the lines of three rods of a plate meet at a `position` (m,), None if they do not or there is no such plate.
+
+    The plate can then turn a little about that point, or be moved across the lines if they are parallel, while the other ends of
+    the rods stand still: the dead point of a class III group.
+    """
+    links = [link for link in equations.variant.links if link.rate in unknowns]
+    for plate in (link for link in links if len(link.held) >= _RODS):
+        rods = [link for link in links if len(link.held) == 2 and len({*link.held} & {*plate.held}) == 1]
+        if len(rods) != _RODS:
+            continue
+        ends = np.array([_ends(rod, plate, equations, time, position) for rod in rods])
+        lines = ends[:, 1] - ends[:, 0]
+        lines = lines / np.linalg.norm(lines, axis=1)[:, None]
+        arms = ends[:, 0] - ends[0, 0]
+        size = float(np.max(np.linalg.norm(arms, axis=1)))
+        if abs(np.linalg.det(np.column_stack([lines, _cross(arms, lines) / size]))) > _MEET:
+            continue
+        turned = max(abs(_cross(one, other)) for one in lines for other in lines)
+        key = "determinant.rods_meet" if turned > _MEET else "determinant.rods_parallel"
+        return say(key, rods=tuple(rod.name for rod in rods), plate=plate.name)
+    return None
+
+
+def _ends(rod: Link, plate: Link, equations: VelocityEquations, time: float, position: Sequence[float]) -> Array:
+    """Return the ends (2, 2) of a rod in m, first the one on the plate."""
+    names = sorted(rod.held, key=lambda name: name not in plate.held)
+    parts = [part for name in names for part in equations.symbols.vectors[name]]
+    return np.array(compile_values(equations, parts)[0](time, *position), dtype=float).reshape(2, 2)
+
+
+def _cross(one: Array, other: Array) -> Array:
+    return np.asarray(one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0])

@@ -101,17 +101,16 @@ class Evidence:
         whole = int((self.motion.t[-1] + near) / self.period)
         return min(round(whole * self.period / step), len(self.motion.t) - 1) if whole else None
 
-    def once(self, name: str, find: Callable[[], Fact]) -> Fact:
-        """Return a fact about the exact motion, computed when it is first asked for."""
-        return _once(self.facts, name, find)
-
     @cached_property
     def _of_rows(self) -> dict[str, object]:
         return {}
 
-    def once_of_rows(self, name: str, find: Callable[[], Fact]) -> Fact:
-        """Return a fact about the rows themselves, computed when it is first asked for."""
-        return _once(self._of_rows, name, find)
+    def once(self, name: str, find: Callable[[], Fact], *, of_rows: bool = False) -> Fact:
+        """Return a fact about the exact motion, or one `of_rows` themselves, computed when it is first asked for."""
+        facts = self._of_rows if of_rows else self.facts
+        if name not in facts:
+            facts[name] = find()
+        return cast("Fact", facts[name])
 
     def unit(self, name: str) -> str:
         """Return the unit of a column."""
@@ -195,12 +194,6 @@ class Evidence:
         for passage in self.passages:  # there the equations say 0 = 0, and the share would be pure round-off
             shares[passage.is_at(motion.t)] = 0.0
         return system.names, shares
-
-
-def _once(facts: dict[str, object], name: str, find: Callable[[], Fact]) -> Fact:
-    if name not in facts:
-        facts[name] = find()
-    return cast("Fact", facts[name])
 
 
 def scales_of(spreads: Sequence[float], sizes: Sequence[float], units: Sequence[str], still: float) -> list[float]:

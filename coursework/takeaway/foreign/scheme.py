@@ -1,7 +1,7 @@
 """What a file of another program says of a mechanism, as far as it can be expressed here.
 
 Leaves: `Scheme`, `Slider`, `Turned`; `Reading`, the base class of every reader.
-Used by the readers of this folder, `groups.py` and `text.py`.
+Used by the readers of this folder and `text.py`.
 """
 
 from __future__ import annotations

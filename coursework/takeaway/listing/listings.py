@@ -6,16 +6,22 @@ A language is an entry of `languages.toml`: texts that are filled with what is k
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from textwrap import fill
 
+from coursework.equations.codegen.tabulated import TableLaw
 from coursework.report.text.words import Words
-from coursework.takeaway.listing.dense import dense
 from coursework.takeaway.listing.program import Datum, Program
-from coursework.takeaway.listing.syntax import filled, syntax_of
-from coursework.takeaway.listing.tables import functions
+from coursework.takeaway.listing.syntax import Syntax, filled, syntax_of
 from coursework.takeaway.listing.writer import Writer, held
 
 _IMPORTED = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "sqrt"}
+_WIDEST, _BEFORE = 120, 40  # letters of a line of numbers, and room before the first of them
+MOST = 80  # lines that a page holds
+WIDEST = 100  # letters of a line
+WIDER = 120  # the same, with no empty lines, if nothing else helps
+_SET = re.compile(r"(?:static double )?\w+(?:: double)? :?= [^;=\"']*;?")
 
 
 def listing(program: Program, language: str, words: Words) -> str:
@@ -128,3 +134,114 @@ class _Listing:
         told = (filled(self.texts.get("value", "{value}"), value=value, **self.known) for value in values)
         marks = ",".join(["%.15g"] * len(values))
         return filled(self.texts["show"], values=self.texts.get("between", ", ").join(told), marks=marks)
+
+
+def numbers(values: list[float], open_: str, close: str, wrap: str = "") -> str:
+    """Return a list of numbers in brackets, in filled lines."""
+    told = ", ".join(f"{value:.15g}" for value in values)
+    rows = fill(told, _WIDEST, initial_indent=" " * _BEFORE, subsequent_indent=" " * 4).lstrip().split("\n")
+    return f"{wrap}\n".join([f"{open_}{rows[0]}", *rows[1:]]) + close
+
+
+def functions(writer: Writer) -> list[str]:
+    """Return the functions that the lines of a listing call, [] if they call none: elimination, tabulated laws, the sign, …
+
+    A law from a table is the quartic through five nodes, as in the tool itself, or for a spline a cubic of two values and slopes.
+    """
+    lines: list[str] = []
+    own = writer.syntax.texts
+    laws = {one[len("_table_") : -2] for one in writer.tables}
+    if any(writer.program.tables[name].method != "spline" for name in laws):
+        lines += ["", *filled(own["five"], five=writer.names.own("_five", "five")).splitlines()]
+    for called in writer.tables:
+        name, order = called[len("_table_") : -2], int(called[-1])
+        method = "spline" if writer.program.tables[name].method == "spline" else "five"
+        told = writer.say("table", name=name, file=writer.words(f"listing.method.{method}"))
+        lines += ["", *([told] if told not in lines else [])]
+        lines += _law(writer, writer.names[called], writer.program.tables[name], order)
+    if writer.largest and "gauss" in own:
+        work = writer.names.own("_work", "work")
+        lines += ["", writer.say("gauss"), *filled(own["gauss"], gauss=writer.gauss, work=work).splitlines()]
+    if "sign" in writer.program.calls and "sign" in own:
+        lines += ["", *filled(own["sign"]).splitlines()]
+    if breaks := writer.program.breaks:
+        known = {"look": writer.look, "breaks": ", ".join(map(repr, breaks)), "count": str(len(breaks))}
+        lines += ["", writer.say("breaks"), *filled(own["before_break"], **known).splitlines()]
+    return lines
+
+
+def _law(writer: Writer, name: str, law: TableLaw, order: int) -> list[str]:
+    syntax, is_spline = writer.syntax, law.method == "spline"
+    values, slopes, *_ = (level.tolist() for level in law.levels)  # slopes of the spline, or of the law
+    at = syntax.node
+    form = f"y{at} + u*(m{at} + u*(b + u*a))" if order == 0 else f"(m{at} + u*(2*b + 3*u*a))/{law.step!r}"
+    return filled(
+        syntax.texts["spline" if is_spline else "law"], name=name, first=f"({law.first!r})", step=repr(law.step),
+        last=str(law.intervals - 1), nodes=str(law.intervals + 1), top=str(law.intervals), form=form,
+        values=numbers(values if is_spline or order == 0 else slopes, *syntax.brackets, syntax.wrap),
+        slopes=numbers(slopes, *syntax.brackets, syntax.wrap), five=writer.names.own("_five", "five"),
+    ).splitlines()  # fmt: skip
+
+
+def dense(lines: list[str], syntax: Syntax) -> list[str]:
+    """Return lines, made fewer if there are more than `MOST`: short assignments share a line, comments move behind code.
+
+    >>> from coursework.takeaway.listing.syntax import syntax_of
+    >>> closer(["a = b;", "c = d;"], syntax_of("c"), WIDEST), behind(["// 4 t = i·h", "t = i*h;"], syntax_of("c"), WIDEST)
+    (['a = b; c = d;'], ['t = i*h;  // 4 t = i·h'])
+    """
+    if len(lines) > MOST:
+        lines = closer(lines, syntax, WIDEST)
+    if len(lines) > MOST:
+        lines = behind(lines, syntax, WIDEST)
+    return lines if len(lines) <= MOST else [line for line in behind(closer(lines, syntax, WIDER), syntax, WIDER) if line]
+
+
+def closer(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
+    """Return lines in which successive short assignments share a line; of data only those with the same comment."""
+
+    def joined(above: str, line: str) -> str:
+        text, said = _parts(line, syntax)
+        before, told = _parts(above, syntax)
+        fits = said == told and _is_set(text) and _is_set(before) and _margin(text) == _margin(before)
+        return f"{before}{'' if before.endswith(';') else ';'} {text.lstrip()}{said}" if fits else ""
+
+    return _merged(lines, joined, widest)
+
+
+def behind(lines: list[str], syntax: Syntax, widest: int) -> list[str]:
+    """Return lines in which a box's comment stands behind the line below it, if both fit."""
+
+    def joined(above: str, line: str) -> str:
+        named = re.match(rf" *{re.escape(syntax.comment)}\d+ ", above)
+        is_free = line.strip() and not line.lstrip().startswith(syntax.comment) and not _parts(line, syntax)[1]
+        return f"{line}  {above.lstrip()}" if named and is_free and _margin(above) == _margin(line) else ""
+
+    return _merged(lines, joined, widest)
+
+
+def _merged(lines: list[str], joined: Callable[[str, str], str], widest: int) -> list[str]:
+    """Return lines, each merged with the one above if `joined` allows it and the result is not too wide."""
+    found: list[str] = []
+    for line in lines:
+        both = joined(found[-1], line) if found else ""
+        if both and len(both) <= widest:
+            found[-1] = both
+        else:
+            found.append(line)
+    return found
+
+
+def _parts(line: str, syntax: Syntax) -> tuple[str, str]:
+    """Return the code of a line and the comment behind it."""
+    text, mark, said = line.partition(f"  {syntax.comment}")
+    return (text, mark + said) if text.strip() else (line, "")
+
+
+def _margin(line: str) -> int:
+    return len(line) - len(line.lstrip())
+
+
+def _is_set(line: str) -> bool:
+    """Return whether a line consists of whole assignments."""
+    return all(_SET.fullmatch(one.strip()) and one.count("(") == one.count(")") for one in line.rstrip(";").split(";"))

@@ -18,11 +18,10 @@ from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
 from coursework.system.extras import require
 from coursework.takeaway.workbook.by_forces import forced_columns
-from coursework.takeaway.workbook.cells import SHEET, StepTable
+from coursework.takeaway.workbook.cells import FIRST, SHEET, StepTable
 from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_checks, write_exact
 from coursework.takeaway.workbook.columns import step_columns
 from coursework.takeaway.workbook.data import TABLES, write_data
-from coursework.takeaway.workbook.graphs import write_graphs
 from coursework.takeaway.workbook.sheet import Book, plain
 from coursework.takeaway.workbook.steps import write_first_row, write_steps
 from coursework.takeaway.workbook.tables import SHEET as DATA
@@ -36,6 +35,12 @@ _A4 = 9
 _WIDTH, _LINE, _WIDE = 105, 16, 0x2E00  # letters of a line; points of its height; letters beyond this code are twice as wide
 README = ("data", "steps", "laws", "determinants", "exact", "checks", "graphs", "rows", "values")
 FORCED = ("data", "forces", "exact", "checks", "graphs", "rows")  # if forces move the mechanism
+COLOURS = ("#1F77B4", "#D62728", "#2CA02C", "#9467BD", "#FF7F0E", "#8C564B", "#17BECF", "#7F7F7F")
+HEIGHT, WIDTH = 360, 860  # px of a chart
+_ROWS = 19  # height of a chart in rows of cells
+_AXIS: dict[str, Any] = {
+    "major_gridlines": {"visible": True, "line": {"color": "#D9D9D9"}}, "name_font": {"bold": False}, "num_format": "General",
+}  # fmt: skip
 
 
 def write(results: Results) -> Iterator[tuple[str, bytes]]:
@@ -115,3 +120,39 @@ def _readme(book: Book, sheet: Any) -> None:
         sheet.set_row(row, _LINE * (1 + letters // _WIDTH))
         sheet.write_string(row, 0, text, book.wrapped)
     sheet.set_column(0, 0, _WIDTH)
+
+
+def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:
+    """Write the charts: velocities first, then coordinates."""
+    motion, run = table.motion, book.run
+    by_unit: dict[str, list[str]] = {}
+    for name in (*motion.velocity_names, *motion.coordinate_names):
+        by_unit.setdefault(run.variant.unit_of(name), []).append(name)
+    exact = [column.head for column in table.columns[1:] if column.head in run.scene.exact.names]
+    for place, (unit, names) in enumerate(by_unit.items() if table.rows > 1 else ()):
+        chart = book.file.add_chart({"type": "scatter", "subtype": "straight"})
+        for number, name in enumerate(names):
+            colour = COLOURS[number % len(COLOURS)]
+            symbol = plain(book.context.label(name))
+            marker = {"type": "circle", "size": 4, "border": {"color": colour}, "fill": {"color": colour}}
+            own = table.number(name)
+            chart.add_series(_series(SHEET, own, table.last, symbol) | {"marker": marker, "line": {"none": True}})
+            if name in exact:
+                column, last = 1 + exact.index(name), FIRST + len(run.scene.exact.t) - 1
+                told = f"{symbol}, {book.say('exact')}"
+                line = {"line": {"color": colour, "width": 1.25}, "marker": {"type": "none"}}
+                chart.add_series(_series(EXACT, column, last, told) | line)
+        shown = ", ".join(plain(book.context.label(name)) for name in names)
+        chart.set_y_axis({"name": f"{shown}{book.context.words.behind(book.context.words.unit(unit))}", **_AXIS})
+        second = book.context.words.behind(book.context.words.unit("s"))
+        chart.set_x_axis({"name": f"t{second}", "min": 0, "label_position": "low", **_AXIS})
+        chart.set_size({"width": WIDTH, "height": HEIGHT})
+        chart.set_legend({"position": "right"})
+        sheet.insert_chart(1 + _ROWS * place, 0, chart)
+    sheet.write_string(0, 0, book.say("graphs"), book.bold)
+
+
+def _series(sheet: str, column: int, last: int, name: str) -> dict[str, Any]:
+    return {
+        "name": name, "categories": [sheet, FIRST - 1, 0, last - 1, 0], "values": [sheet, FIRST - 1, column, last - 1, column],
+    }  # fmt: skip

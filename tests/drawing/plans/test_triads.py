@@ -17,7 +17,7 @@ from coursework.drawing.check_sheet.layout import CROSS, Layout, lay_out
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.plans.given import given_points
 from coursework.drawing.plans.moving import kinematics_of
-from coursework.drawing.plans.polygons import polygons
+from coursework.drawing.plans.polygons import Driven, polygons
 from coursework.drawing.plans.special_points import FAR, Leg, special_name, special_points
 from coursework.drawing.plans.vectors import ACCELERATION, POLE, VELOCITY, Line, Polygons
 from coursework.mechanism.structure import read_structure
@@ -83,7 +83,7 @@ def of_pair(name: str, pair: str) -> tuple[Polygons, complex] | None:
 
     moving = kinematics_of(outline, run.scene.equations, run.exact, run.scene.exact_accelerations)
     variant = run.variant
-    found = polygons(outline, moving, given_points(outline, variant), variant.known_rates, row=3, on_sheet=only)
+    found = polygons(outline, moving, Driven(given_points(outline, variant), variant.known_rates), 3, only)
     return (found, taken[0]) if taken else None
 
 

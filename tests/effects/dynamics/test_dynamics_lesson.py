@@ -1,5 +1,7 @@
 """What the lesson under forces says a scheme does to the energy."""
 
+from dataclasses import replace
+
 import pytest
 
 from coursework.effects.dynamics.dynamics_lesson import lesson
@@ -11,7 +13,7 @@ def test_the_energy_that_euler_makes_of_a_free_arm_is_told():
     """21.015 J at 2 s where 17.940 J must stay: the reference run of the arm."""
     run = solved("falling-arm", scheme="exact")
     scene = run.scene
-    rows = lesson(scene.free_equations, scene.begin_of_forces, scene.variant.time, run.motion)
+    rows = lesson(replace(scene.moved, exact=run.motion))
     listed = reference("arm")["free"]["euler energy"]
     assert rows[0].slopes == len(listed) - 1
     assert rows[0].gained == pytest.approx(listed[-1] - listed[0], abs=1e-6)
@@ -35,5 +37,5 @@ def test_only_trials_that_take_a_quarter_of_a_second_are_made(dear, slopes):
     """
     run = solved("falling-arm", scheme="exact")
     scene = run.scene
-    rows = lesson(Dear(scene.free_equations, dear), scene.begin_of_forces, scene.variant.time, run.motion)
+    rows = lesson(replace(scene.moved, equations=Dear(scene.free_equations, dear), exact=run.motion))
     assert [row.slopes for row in rows] == slopes

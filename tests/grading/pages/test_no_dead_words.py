@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.grading.batch.single import autograder_results
 from coursework.grading.batch.work import Setup, Task, VariantSource, failed
 from coursework.grading.batch.workshop import Workshop
 from coursework.grading.marking.key.key import tables_of
@@ -18,6 +17,7 @@ from coursework.grading.marking.reasons.reason import misconception_sentence
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.class_page import class_page
+from coursework.grading.platforms.autograder import autograder_results
 from coursework.grading.reading.submission import Submission, submitted_file
 from coursework.system.processes.plain_lines import plain_of
 from coursework.words.sentences import Phrases, load_phrases, say

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 from coursework.grading.batch.journal import Journal
-from coursework.grading.batch.single import autograder_results
 from coursework.grading.marking.rubric import read_rubric
+from coursework.grading.platforms.autograder import autograder_results
 from tests.grading.batch.classroom import EQUATIONS, NAMES
 from tests.grading.batch.test_batch import grade
 from tests.grading.marking import students

@@ -5,8 +5,8 @@ import json
 import pytest
 
 from coursework.takeaway.foreign import linkage, pmks, pmks_plus, pylinkage
-from coursework.takeaway.foreign.groups import Chain
 from coursework.takeaway.foreign.scheme import Scheme, Slider
+from coursework.takeaway.foreign.text import Chain
 from coursework.words.sentences import say
 from tests.takeaway.foreign.files import (
     FOUR_BAR,

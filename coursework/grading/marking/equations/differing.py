@@ -16,7 +16,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.edits import Edit, Values, column_of, places
 from coursework.grading.marking.equations.linear import Linear, is_same, linear
-from coursework.grading.marking.equations.numbers import NoValue, real, value_of
+from coursework.grading.marking.equations.numbers import NoValue, are_same, real, value_of
 from coursework.grading.marking.equations.probe import POINTS, Probe
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -66,7 +66,7 @@ def _own_term(tree: Formula, values: Values, left: Array, probe: Probe, others: 
             continue
         part = left - rest
         size = float(np.dot(part, left) / (np.dot(part, part) or np.inf))
-        if not size or not _are_same(size * part, left):
+        if not size or not are_same(size * part, left, _SAME):
             continue
         is_extra = abs(size - 1) <= _SAME
         other = number(0) if is_extra else Formula("*", (number(Fraction(1 - size)), node))
@@ -120,7 +120,7 @@ def _sizes(term: Array, variant: Variant, probe: Probe) -> int | None:
     """Return how many functions of one simple basis add up to the coefficient `term`, None if no basis fits."""
     for basis in _simple(variant, probe):
         sizes = np.linalg.lstsq(basis, term, rcond=None)[0]
-        if _are_same(basis @ sizes, term):
+        if are_same(basis @ sizes, term, _SAME):
             return int(np.sum(np.abs(sizes) > _SAME * np.max(np.abs(sizes))))
     return None
 
@@ -133,7 +133,3 @@ def _simple(variant: Variant, probe: Probe) -> Iterator[Array]:
     for length in (ones, *of["m"]):
         yield length[:, None]
         yield from (np.column_stack([length * np.sin(angle), length * np.cos(angle)]) for angle in angles)
-
-
-def _are_same(one: Array, other: Array) -> bool:
-    return bool(np.max(np.abs(one - other)) <= _SAME * np.max(np.abs(other)))

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from typing import Any, Literal
 
 import numpy as np
@@ -128,9 +128,7 @@ class Values:
                 with np.errstate(all="ignore"):
                     moved = computed(edit.replacement, self.names, self.known) - self.known[id(node)]
                     return self.known[id(self.tree)] + slope * moved
-            way = [self.tree]
-            for place in edit.path:
-                way.append(way[-1].args[place])
+            way = _way(self.tree, edit.path)
             with np.errstate(all="ignore"):
                 value = computed(edit.replacement, self.names, self.known)
                 for place, node in zip(reversed(edit.path), reversed(way[:-1]), strict=True):
@@ -161,6 +159,11 @@ class Values:
         return above.args[place], slope if np.isfinite(slope).all() else None
 
 
+def _way(tree: Formula, path: tuple[int, ...]) -> list[Formula]:
+    """Return the nodes from a tree down to the one that `path` leads to."""
+    return [*accumulate(path, lambda node, place: node.args[place], initial=tree)]
+
+
 def applied(tree: Formula, edit: Edit) -> Formula:
     """Return the tree after an edit."""
     return replaced(tree, edit.path, edit.replacement)
@@ -168,9 +171,7 @@ def applied(tree: Formula, edit: Edit) -> Formula:
 
 def term_of(tree: Formula, edit: Edit) -> Formula:
     """Return the innermost term of a sum that an edit changes, without its sign; of a plus or minus, the term behind it."""
-    way = [tree]
-    for place in edit.path:
-        way.append(way[-1].args[place])
+    way = _way(tree, edit.path)
     if way[-1].op == "neg":  # at the beginning of a product the sign is that of the whole
         place = len(way) - 1
         while place and edit.path[place - 1] == 0 and way[place - 1].op in {"*", "/"}:

@@ -91,6 +91,11 @@ def _size(tree: Formula, names: Mapping[str, Any]) -> Any:
     return np.abs(computed(tree, names, {}))
 
 
+def are_same(one: Array, other: Array, within: float) -> bool:
+    """Return whether values (n,) differ from others by at most a part of the largest of those."""
+    return bool(np.max(np.abs(one - other)) <= within * np.max(np.abs(other)))
+
+
 def real(values: Any, *shape: int) -> Array:
     """Return a scalar value as an array of a shape.  Raises `NoValue` for a vector."""
     if np.iscomplexobj(values):

@@ -17,7 +17,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.edits import places
 from coursework.grading.marking.equations.linear import linear
-from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
+from coursework.grading.marking.equations.numbers import NoValue, are_same, real, size_of, value_of
 from coursework.grading.marking.equations.probe import Probe, with_data
 from coursework.grading.marking.key.key import Key
 from coursework.system.arrays import Array
@@ -163,7 +163,7 @@ def _laws_in(tree: Formula, variant: Variant, probe: Probe) -> Iterator[tuple[Fo
     for part in dict.fromkeys(node for node in tree.walk() if "t" in node.names()):
         if {*part.names()} <= {"t", "pi", *variant.values}:
             own = real(value_of(part, probe.names), probe.count)
-            if not any(_are_same(np.abs(own), np.abs(law)) for _, law in laws):
+            if not any(are_same(np.abs(own), np.abs(law), _SAME) for _, law in laws):
                 like = _functions(part)
                 others = (name for name, law in laws if name not in tree.names() and kinds[name] == like and _is_other(own, law))
                 yield from ((part, by, name, "") for name in others for by, *_ in _scaled(name, 1.0, "m/s"))
@@ -180,11 +180,7 @@ def _functions(formula: Formula) -> frozenset[str]:
 
 def _is_other(own: Array, law: Array) -> bool:
     """Return whether a law is no multiple of another one, which varies."""
-    return bool(np.ptp(law)) and not _are_same(own * law[0], law * own[0])
-
-
-def _are_same(one: Array, other: Array) -> bool:
-    return bool(np.max(np.abs(one - other)) <= _SAME * np.max(np.abs(other)))
+    return bool(np.ptp(law)) and not are_same(own * law[0], law * own[0], _SAME)
 
 
 def _with(tree: Formula, part: Formula, by: Formula) -> Formula:

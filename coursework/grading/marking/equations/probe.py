@@ -65,18 +65,16 @@ def random_probe(key: Key) -> Probe:
     generator = np.random.Generator(np.random.PCG64(_SEED))
     low, high = key.table[:, :m].min(axis=0), key.table[:, :m].max(axis=0)
     margin = WIDER * np.maximum(high - low, 1e-3)
-    kept_t: list[float] = []
-    kept_q: list[Array] = []
-    kept_u: list[Array] = []
+    rows = np.empty((0, 1 + m + len(key.velocities)))
     for _ in range(_TRIES):
         t = generator.uniform(0.0, float(key.t[-1]) or key.step, POINTS)
         q = generator.uniform(low - margin, high + margin, (POINTS, m))
         u = key.velocities_at(t, q)
         fine = np.all(np.isfinite(u), axis=1) & (np.max(np.abs(u), axis=1) < 1e6)
-        kept_t, kept_q, kept_u = [*kept_t, *t[fine]], [*kept_q, *q[fine]], [*kept_u, *u[fine]]
-        if len(kept_t) >= POINTS:
+        rows = np.vstack([rows, np.column_stack([t, q, u])[fine]])
+        if len(rows) >= POINTS:
             break
-    return _probe(key, np.array(kept_t[:POINTS]), np.array(kept_q[:POINTS]), np.array(kept_u[:POINTS]))
+    return _probe(key, rows[:POINTS, 0], rows[:POINTS, 1 : 1 + m], rows[:POINTS, 1 + m :])
 
 
 def exact_probe(key: Key) -> Probe:

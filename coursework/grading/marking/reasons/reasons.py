@@ -1,7 +1,7 @@
 """Why a grade is what it is: the sentences, in order, for the page, grades.csv and every platform.
 
 Enters: a `Grade`; a grade as grades.json writes it, with what was decided.  Leaves: `Reason`s; sentences.
-Used by `workshop.py`, `work.py`, `decisions.py`, `written.py`, `single.py`, `feedback.py`.
+Used by `workshop.py`, `work.py`, `decisions.py`, `written.py`, `autograder.py`, `feedback.py`.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.json_text import JsonNumber, JsonObject, read_json
 from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.cells import Cell
-from coursework.grading.reading.limits import CELL_CHARACTERS
+from coursework.grading.reading.limits import CELL_CHARACTERS, Room
 
 LEVELS = 6
 _MOST_VALUES, _MOST_RECORDS, _MOST_NAMES = 20_000, 10_000, 1000
@@ -23,9 +23,9 @@ _FEW = 10  # most numbers that one name may have in a row
 _NOT_NUMBERS = {"NaN", "Infinity", "-Infinity"}
 
 
-def document_of_json(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
+def document_of_json(text: str, kind: str, room: Room) -> Document:
     """Return the tables and named values of a JSON file; `kind` names its encoding."""
-    reader = _Reader(Document(kind), most_rows, most_columns)
+    reader = _Reader(Document(kind), room)
     reader.read(read_json(text, LEVELS), "")
     return reader.document
 
@@ -33,8 +33,8 @@ def document_of_json(text: str, kind: str, most_rows: int, most_columns: int) ->
 class _Reader:
     """Walks through the data; `LEVELS` limits how deeply they are nested."""
 
-    def __init__(self, document: Document, most_rows: int, most_columns: int) -> None:
-        self.document, self.most_rows, self.most_columns = document, most_rows, most_columns
+    def __init__(self, document: Document, room: Room) -> None:
+        self.document, self.room = document, room
         self.visited = 0
 
     def read(self, value: Any, path: str) -> None:
@@ -42,7 +42,7 @@ class _Reader:
         rows = self._rows(value)
         if rows:
             self.document.add_table(
-                (row[: self.most_columns] for row in rows[: self.most_rows]), place_of("entry", name=path[:80] or "[]")
+                (row[: self.room.columns] for row in rows[: self.room.rows]), place_of("entry", name=path[:80] or "[]")
             )
         if isinstance(value, JsonObject):
             if sides := _sides(value):
@@ -93,8 +93,8 @@ class _Reader:
             numbers = [name.replace(".", "", 1).replace("-", "", 1) for name, _ in first.pairs]  # of rows, or times
             if all(name.isdecimal() for name, _ in columns) or not all(map(str.isdecimal, numbers)):
                 return _records([inner for _, inner in columns])
-        lists = [[_cell(entry) for entry in _entries(inner)[: self.most_rows]] for _, inner in columns[: self.most_columns]]
-        heads = [Cell(name[:CELL_CHARACTERS]) for name, _ in columns[: self.most_columns]]
+        lists = [[_cell(entry) for entry in _entries(inner)[: self.room.rows]] for _, inner in columns[: self.room.columns]]
+        heads = [Cell(name[:CELL_CHARACTERS]) for name, _ in columns[: self.room.columns]]
         return [heads, *map(list, zip_longest(*lists, fillvalue=Cell("")))]
 
 

@@ -18,7 +18,7 @@ from coursework.grading.reading.equations.notation.signs import relates_two_side
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.files.html_text import text_of
 from coursework.grading.reading.files.xml_events import stream
-from coursework.grading.reading.limits import CELL_CHARACTERS, Refused
+from coursework.grading.reading.limits import CELL_CHARACTERS, Refused, Room
 
 _TABLE = re.compile(r"<(/?)table\b[^<>]{0,2000}>", re.IGNORECASE)
 # A drawn formula has its source in a label for screen readers or in a script; the mark identifies its line later.
@@ -61,7 +61,7 @@ def has_tables(text: str) -> bool:
     return bool(_TABLE.search(text) or _TABULAR.search(text))
 
 
-def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
+def document_of_page(text: str, kind: str, room: Room) -> Document:
     """Return the tables and lines of an HTML page; a table inside another is a separate table."""
     document = Document(kind, is_whole=False)
     marked = _DRAWN.sub(lambda found: f"<p>{_MARK}{found[1] or found[2]}</p>", text)
@@ -69,7 +69,7 @@ def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) ->
     for found in (*islice(_TABLE.finditer(marked), _MOST_ENDS), None):
         piece = marked[end : found.start() if found else len(marked)]
         if found and depth:
-            _add_table(document, piece, most_rows, most_columns)
+            _add_table(document, piece, room)
         else:
             _add_text(document, piece)
         if found:
@@ -77,7 +77,7 @@ def document_of_page(text: str, kind: str, most_rows: int, most_columns: int) ->
     return document
 
 
-def _spanned(rows: list[list[str]], most_columns: int) -> list[list[str]]:
+def _spanned(rows: list[list[str]], columns: int) -> list[list[str]]:
     """Return the rows with each cell repeated in all columns and rows that it spans."""
     out: list[list[str]] = []
     below: dict[int, tuple[int, str]] = {}  # column -> (number of further rows, text that spans them)
@@ -94,11 +94,11 @@ def _spanned(rows: list[list[str]], most_columns: int) -> list[list[str]]:
             found = _SPAN.match(text)
             wide, high = (int(found[1]), int(found[2])) if found else (1, 1)
             text = text[found.end() :] if found else text
-            for _ in range(min(wide, most_columns - len(cells))):
+            for _ in range(min(wide, columns - len(cells))):
                 if high > 1:
                     below[len(cells)] = (high - 1, text)
                 cells.append(text)
-        out.append(cells[:most_columns])
+        out.append(cells[:columns])
     return out
 
 
@@ -107,9 +107,9 @@ def _span_mark(found: re.Match[str]) -> str:
     return f"{found[0]}{_MARK}{spans.get('colspan', 1)},{spans.get('rowspan', 1)}{_MARK}" if spans else found[0]
 
 
-def _add_table(document: Document, piece: str, most_rows: int, most_columns: int) -> None:
+def _add_table(document: Document, piece: str, room: Room) -> None:
     lines = text_of(_CELL.sub(_span_mark, piece)).split("\n")
-    rows = _spanned([line.split("\t")[:most_columns] for line in lines if line.strip()][:most_rows], most_columns)
+    rows = _spanned([line.split("\t")[: room.columns] for line in lines if line.strip()][: room.rows], room.columns)
     place = place_of("table", number=min(len(document.tables) + 1, MOST_TABLES))
     document.add_table([[Cell(text.strip()[:CELL_CHARACTERS]) for text in row] for row in rows], place)
     for text in (text for line in lines for text in line.split("\t") if relates_two_sides(text)):
@@ -122,7 +122,7 @@ def _add_text(document: Document, piece: str) -> None:
         document.add_line(plain.replace(_MARK, ""), place_of("line", line=len(document.lines) + 1), plain.startswith(_MARK))
 
 
-def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
+def document_of_latex(text: str, kind: str, room: Room) -> Document:
     """Return the tables of a LaTeX file and the lines of its body outside the tables."""
     document = Document(kind, is_whole=False)
     end = text.find(_BODY) + len(_BODY) if _BODY in text else 0
@@ -130,7 +130,7 @@ def document_of_latex(text: str, kind: str, most_rows: int, most_columns: int) -
     for found in (*islice(_TABULAR.finditer(text, end), _MOST_ENDS), None):
         piece = text[end : found.start() if found else len(text)].replace("\\end{document}", "")
         if is_table:
-            document.add_table(_rows(piece, most_rows, most_columns), place_of("line", line=number))
+            document.add_table(_rows(piece, room), place_of("line", line=number))
             _add_formulas(document, piece, number)
         else:
             for line, content in enumerate(piece.split("\n", MOST_LINES)[:MOST_LINES], start=number):
@@ -150,13 +150,13 @@ def _add_formulas(document: Document, body: str, number: int) -> None:
             number += cell.count("\n")
 
 
-def _rows(body: str, most_rows: int, most_columns: int) -> list[list[Cell]]:
+def _rows(body: str, room: Room) -> list[list[Cell]]:
     """Return the rows of a table's body."""
     for _ in range(_MOST_TYPES):
         found = _TYPES.match(body, 0, _TYPES_WITHIN)
         body = body[found.end() :] if found else body
-    lines = [_RULES.sub(" ", line) for line in _ROW_END.split(body, maxsplit=most_rows)[:most_rows]]
-    cut = [_CELL_END.split(line, maxsplit=most_columns)[:most_columns] for line in lines]
+    lines = [_RULES.sub(" ", line) for line in _ROW_END.split(body, maxsplit=room.rows)[: room.rows]]
+    cut = [_CELL_END.split(line, maxsplit=room.columns)[: room.columns] for line in lines]
     return [
         [Cell(" ".join(_MARKUP.sub("", _TIMES.sub("·", _PER.sub("/", cell))).split())[:CELL_CHARACTERS]) for cell in row]
         for row in cut

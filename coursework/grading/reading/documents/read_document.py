@@ -30,7 +30,7 @@ from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Sheet
 from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.files.kinds import is_html
-from coursework.grading.reading.limits import Refused, bounds
+from coursework.grading.reading.limits import Refused, room_for
 from coursework.grading.reading.student_work import EquationLine, Table
 from coursework.grading.reading.table.parts import Origin, Part, parts_of
 from coursework.grading.reading.table.table import read_parts, weight
@@ -52,15 +52,15 @@ _DOTTED = re.compile(r"([^\W\d_])\u0307_?([0-9₀-₉]{0,2})|\\dot\s?\{?\s?\\?([
 def document_of_bytes(content: bytes, grid: Grid) -> Document | None:
     """Return the document of an RTF file or a PDF, None for any other file."""
     if is_rtf(content):
-        return document_of_rtf(content, *bounds(grid.rows))
-    return document_of_pdf(content, *bounds(grid.rows)) if is_pdf(content) else None
+        return document_of_rtf(content, room_for(grid.rows))
+    return document_of_pdf(content, room_for(grid.rows)) if is_pdf(content) else None
 
 
 def document_of_archive(archive: Archive, grid: Grid) -> Document | None:
     """Return the document of a Word file or an OpenDocument text, None for any other archive."""
     if part := main_part(archive):
-        return document_of_docx(archive, part, *bounds(grid.rows))
-    return document_of_odt(archive, *bounds(grid.rows)) if is_odt(archive) else None
+        return document_of_docx(archive, part, room_for(grid.rows))
+    return document_of_odt(archive, room_for(grid.rows)) if is_odt(archive) else None
 
 
 def is_document(archive: Archive) -> bool:
@@ -73,10 +73,10 @@ def document_of_text(decoded: Decoded, grid: Grid) -> Document | None:
     if is_notebook(decoded.text):
         return document_of_notebook(decoded.text, decoded.encoding)
     if is_json(decoded.text):
-        return document_of_json(decoded.text, decoded.encoding, *bounds(grid.rows))
+        return document_of_json(decoded.text, decoded.encoding, room_for(grid.rows))
     if has_tables(decoded.text):
         kind = document_of_page if is_html(decoded.text) else document_of_latex
-        return kind(decoded.text, decoded.encoding, *bounds(grid.rows))
+        return kind(decoded.text, decoded.encoding, room_for(grid.rows))
     return document_of_markdown(decoded.text, decoded.encoding) if is_markdown(decoded.text) else None
 
 

@@ -9,17 +9,17 @@ from __future__ import annotations
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import BlankRows, Cell, Sheet
 from coursework.grading.reading.files.xml_events import Enough, stream, whole
-from coursework.grading.reading.limits import CELL_CHARACTERS, SHEETS, unreadable
+from coursework.grading.reading.limits import CELL_CHARACTERS, SHEETS, Room, unreadable
 
 CONTENT = "content.xml"
 _MANIFEST = "META-INF/manifest.xml"
 _NUMBERS = {"float", "percentage", "currency"}
 
 
-def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> list[Sheet]:
-    """Return the sheets of a spreadsheet, at most `SHEETS`; cells beyond `most_rows` and `most_columns` are left out."""
+def sheets_of(archive: Archive, room: Room) -> list[Sheet]:
+    """Return the sheets of a spreadsheet, at most `SHEETS`; cells beyond the `room` are left out."""
     refuse_encrypted(archive)
-    reader = _Reader(most_rows, most_columns)
+    reader = _Reader(room)
     stream(archive.chunks(CONTENT), reader)
     return reader.sheets
 
@@ -33,8 +33,8 @@ def refuse_encrypted(archive: Archive) -> None:
 class _Reader:
     """Collects the rows of the sheets; a repeated row or cell is written out up to the limits."""
 
-    def __init__(self, most_rows: int, most_columns: int) -> None:
-        self.most_rows, self.most_columns = most_rows, most_columns
+    def __init__(self, room: Room) -> None:
+        self.room = room
         self.sheets: list[Sheet] = []
         self.name = ""
         self.rows: list[tuple[Cell, ...]] = []
@@ -68,7 +68,7 @@ class _Reader:
     def end(self, name: str) -> None:
         if name in {"table-cell", "covered-table-cell"}:
             self.is_inside = False
-            times = min(whole(self.cell.get("number-columns-repeated"), 1), self.most_columns - len(self.row))
+            times = min(whole(self.cell.get("number-columns-repeated"), 1), self.room.columns - len(self.row))
             self.row += [self._cell()] * max(times, 0)
         elif name == "annotation":
             self.is_inside = True
@@ -87,9 +87,9 @@ class _Reader:
         between = self.blank.seen  # blank rows are kept only if a filled row follows them
         self.is_full = self.blank.too_many(not self.row, self.repeats)
         if self.row:
-            rows = [()] * between + [tuple(self.row)] * min(self.repeats, self.most_rows)
-            self.rows += rows[: self.most_rows - len(self.rows)]
-            self.is_full = len(self.rows) >= self.most_rows
+            rows = [()] * between + [tuple(self.row)] * min(self.repeats, self.room.rows)
+            self.rows += rows[: self.room.rows - len(self.rows)]
+            self.is_full = len(self.rows) >= self.room.rows
 
     def _cell(self) -> Cell:
         text = "".join(self.text_of_cell)[:CELL_CHARACTERS].strip()

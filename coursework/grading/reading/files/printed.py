@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from itertools import chain, groupby, islice
 
+from coursework.grading.reading.limits import Room
 from coursework.grading.reading.numbers import looks_numeric
 
 _PIECE = re.compile(r"^[ \t]*columns?[ \t]+(\d{1,3})(?:[ \t]+(?:through|to|and|-)[ \t]+\d{1,3})?[ \t]*:?[ \t]*$", re.IGNORECASE)
@@ -106,12 +107,12 @@ def _without_factors(lines: list[str]) -> list[str]:
     return out
 
 
-def listed_rows(text: str, most_rows: int, most_columns: int) -> tuple[tuple[str, ...], ...]:
+def listed_rows(text: str, room: Room) -> tuple[tuple[str, ...], ...]:
     r"""Return the rows of a table written as lists in program code, each after its name if all have one; () if there is none.
 
-    >>> listed_rows("T = [0 1.5; 1 1.6; 2 1.7];", 600, 40)
+    >>> listed_rows("T = [0 1.5; 1 1.6; 2 1.7];", Room(600, 40))
     (('0', '1.5'), ('1', '1.6'), ('2', '1.7'))
-    >>> listed_rows("t = [0, 1, 2]\nw1 = [5, 6, 7]\nw2 = [7, 8, 9]", 600, 40)
+    >>> listed_rows("t = [0, 1, 2]\nw1 = [5, 6, 7]\nw2 = [7, 8, 9]", Room(600, 40))
     (('t', '0', '1', '2'), ('w1', '5', '6', '7'), ('w2', '7', '8', '9'))
     """
     found: list[tuple[str, list[str]]] = []
@@ -126,12 +127,12 @@ def listed_rows(text: str, most_rows: int, most_columns: int) -> tuple[tuple[str
                 found.append((name[1] if name and len(lines) == 1 else "", cells))
     usual = Counter(len(cells) for _, cells in found).most_common(1)
     rows = [(name, cells) for name, cells in found if usual and len(cells) == usual[0][0]]
-    if len(rows) < _FEWEST or len(rows) > most_rows:
+    if len(rows) < _FEWEST or len(rows) > room.rows:
         return ()
     if all(name for name, _ in rows):
-        return tuple((name, *cells) for name, cells in rows)[:most_columns]
+        return tuple((name, *cells) for name, cells in rows)[: room.columns]
     heads = _QUOTED.findall(text[:first])
-    return tuple(tuple(row[:most_columns]) for row in ([heads] * (len(heads) == usual[0][0]) + [cells for _, cells in rows]))
+    return tuple(tuple(row[: room.columns]) for row in ([heads] * (len(heads) == usual[0][0]) + [cells for _, cells in rows]))
 
 
 def _entries(line: str) -> list[str]:

@@ -17,7 +17,7 @@ from itertools import pairwise
 
 from coursework.grading.reading.files.cells import BlankRows
 from coursework.grading.reading.files.printed import in_whole_lines, listed_rows, named_rows, rows_of_lines, rows_of_typst
-from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, unreadable
+from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, Room, unreadable
 from coursework.grading.reading.numbers import looks_numeric, marks, plain_text
 from coursework.system.frozen import frozen
 
@@ -41,31 +41,31 @@ class Split:
     has_pairs: bool = False
 
 
-def split(text: str, most_rows: int, most_columns: int) -> Split | None:
+def split(text: str, room: Room) -> Split | None:
     r"""Return the rows of the table in a text, None if it has none.  Raises `Refused` if a line is too long.
 
-    >>> split("t;phi1;w1\n0;1,5;2\n0,1;1,7;2", 600, 40).separator
+    >>> split("t;phi1;w1\n0;1,5;2\n0,1;1,7;2", Room(600, 40)).separator
     ';'
     """
     text = _KNITTED.sub("  ", text if "," in text else text.replace("，", ","))
-    lines = in_whole_lines(list(_lines(text.translate(_BARS), most_rows)))
-    if rows := rows_of_typst(text, most_rows) or listed_rows("\n".join(lines), most_rows, most_columns):
+    lines = in_whole_lines(list(_lines(text.translate(_BARS), room.rows)))
+    if rows := rows_of_typst(text, room.rows) or listed_rows("\n".join(lines), room):
         return Split("cells", rows)
     sample = lines[:_SAMPLE]
     if 2 * sum(map(looks_numeric, sample)) > sum(map(bool, sample)) and not any(_PARTED.search(line) for line in sample):
-        each = list(_lines(text, most_rows * most_columns))  # one cell in each line
+        each = list(_lines(text, room.rows * room.columns))  # one cell in each line
         if rows := rows_of_lines(each, _progresses):
-            return Split("cells", rows[: most_rows + 1])
+            return Split("cells", rows[: room.rows + 1])
     if lines and (hint := _HINT.fullmatch(lines[0])):
-        return Split(NAMES.get(hint[1], hint[1]), _cells(["", *lines[1:]], hint[1], most_columns))
+        return Split(NAMES.get(hint[1], hint[1]), _cells(["", *lines[1:]], hint[1], room.columns))
     signs = [sign for sign in (";", "\t", ",", "|", " ") if sign == " " or any(sign in line for line in lines[:_SAMPLE])]
-    judged = [(sign, found) for sign in signs if (found := _judged(_cells(lines[:_SAMPLE], sign, most_columns), sign))]
+    judged = [(sign, found) for sign in signs if (found := _judged(_cells(lines[:_SAMPLE], sign, room.columns), sign))]
     if not judged:
         # Each number may be on a line of its own.
-        rows = named_rows("\n".join(_lines(text, most_rows * most_columns)), most_rows)
+        rows = named_rows("\n".join(_lines(text, room.rows * room.columns)), room.rows)
         return Split("cells", rows) if rows else None
     sign, (_, has_pairs) = max(judged, key=lambda one: one[1][0])  # of equally good ones the first
-    return Split(NAMES.get(sign, sign), _cells(lines, sign, most_columns), has_pairs)
+    return Split(NAMES.get(sign, sign), _cells(lines, sign, room.columns), has_pairs)
 
 
 def _lines(text: str, most: int) -> Iterator[str]:

@@ -15,7 +15,7 @@ from typing import Literal
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import BlankRows, Cell, Sheet
 from coursework.grading.reading.files.xml_events import Enough, stream, whole
-from coursework.grading.reading.limits import CELL_CHARACTERS, SHEETS
+from coursework.grading.reading.limits import CELL_CHARACTERS, SHEETS, Room
 
 WORKBOOK = "xl/workbook.xml"
 _MOST_ELEMENTS = 10_000
@@ -24,14 +24,14 @@ _DATES = {*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)}  # num
 _KINDS: dict[str, Literal["number", "error", "date"]] = {"n": "number", "e": "error", "d": "date"}
 
 
-def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> Iterator[Sheet]:
-    """Yield the sheets of a workbook, at most `SHEETS`; cells beyond `most_rows` and `most_columns` are left out."""
+def sheets_of(archive: Archive, room: Room) -> Iterator[Sheet]:
+    """Yield the sheets of a workbook, at most `SHEETS`; cells beyond the `room` are left out."""
     targets = _targets(archive)
     for _, found in _attributes(archive, WORKBOOK, {"sheet"})[:SHEETS]:
         part = targets.get(found.get("id", ""), "")
         if part not in archive.parts:
             continue
-        reader = _SheetReader(most_rows, most_columns)
+        reader = _SheetReader(room)
         stream(archive.chunks(part), reader)
         yield Sheet(found.get("name", ""), _resolved(archive, reader))
 
@@ -98,8 +98,8 @@ class _Attributes:
 class _SheetReader:
     """Collects the cells of one sheet by row and column (from 1): the cell, its type (s, n …) and its style."""
 
-    def __init__(self, most_rows: int, most_columns: int) -> None:
-        self.most_rows, self.most_columns = most_rows, most_columns
+    def __init__(self, room: Room) -> None:
+        self.room = room
         self.rows: dict[int, dict[int, tuple[Cell, str, int]]] = {}
         self.blank = BlankRows()
         self.row = self.column = self.style = 0
@@ -112,7 +112,7 @@ class _SheetReader:
         if name == "row":
             self.row = whole(attributes.get("r"), self.row + 1)
             self.column = 0
-            if self.row > self.most_rows:
+            if self.row > self.room.rows:
                 raise Enough
         elif name == "c":
             place = _PLACE.fullmatch(attributes.get("r", ""))
@@ -132,7 +132,7 @@ class _SheetReader:
     def end(self, name: str) -> None:
         if name in {"v", "t"}:
             self.is_open = False
-        elif name == "c" and 0 < self.column <= self.most_columns and self.row > 0:
+        elif name == "c" and 0 < self.column <= self.room.columns and self.row > 0:
             text = "".join(self.value)
             if text or self.is_formula:
                 self.rows.setdefault(self.row, {})[self.column] = _cell(text, self.type, self.is_formula), self.type, self.style

@@ -17,7 +17,7 @@ from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.encoding import Decoded
 from coursework.grading.reading.files.separators import split
-from coursework.grading.reading.limits import Refused, bounds, doubtful, unreadable
+from coursework.grading.reading.limits import Refused, doubtful, room_for, unreadable
 from coursework.grading.reading.numbers import ROUNDED
 from coursework.grading.reading.student_work import Table, TableColumn
 from coursework.grading.reading.submission import note
@@ -39,9 +39,9 @@ def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[tuple[Par
     """Return the table of a spreadsheet (None if no sheet has one) and its sheets.  Raises `Refused`."""
     given: Iterable[Sheet]
     if xlsx.WORKBOOK in archive.parts:
-        given, kind = xlsx.sheets_of(archive, *bounds(grid.rows)), "xlsx"
+        given, kind = xlsx.sheets_of(archive, room_for(grid.rows)), "xlsx"
     else:
-        given, kind = ods.sheets_of(archive, *bounds(grid.rows)), "ods"
+        given, kind = ods.sheets_of(archive, room_for(grid.rows)), "ods"
     parts: list[Part] = []
     refused: list[Refused] = []
     sheets: list[Sheet] = []
@@ -102,7 +102,7 @@ def table_of_text(decoded: Decoded, name: str, grid: Grid) -> tuple[Part, Table]
 
 def parts_of_text(decoded: Decoded, name: str, grid: Grid, place: Sentence | None = None) -> list[Part]:
     """Return the tables in a text; `place` says where in a document the text is.  Raises `Refused`."""
-    found = split(decoded.text, *bounds(grid.rows))
+    found = split(decoded.text, room_for(grid.rows))
     if found is None:
         return []
     if found.has_pairs:

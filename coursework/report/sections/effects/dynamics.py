@@ -35,7 +35,7 @@ def dynamics(context: PageContext) -> list[Part]:
         parts.append(Paragraph(context.say("dynamics.friction")))
     if scene.stop is not None and context.run.motion.stop is None:
         parts.append(Paragraph(context.rich(scene.stop.sentence)))
-    if lines := lesson(scene.free_equations, scene.begin_of_forces, scene.variant.time, scene.exact):
+    if lines := lesson(scene.moved):
         parts.append(_compared(context, lines, scene.unit_of_rates))
     if scene.regime is not None:
         parts.append(_regime(context, scene.regime, table.names[1 + len(context.run.motion.coordinate_names)]))

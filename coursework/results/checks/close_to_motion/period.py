@@ -91,7 +91,7 @@ def velocity(evidence: Evidence) -> Finding:
 
 
 def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
-    splits = evidence.once_of_rows("mismatch", lambda: mismatch(evidence))
+    splits = evidence.once("mismatch", lambda: mismatch(evidence), of_rows=True)
     if splits is None:
         return _behind_the_end(evidence, [name for name in names if name in evidence.names], code)
     scale, unit = evidence.scale, evidence.say("unit.of_the_scale")

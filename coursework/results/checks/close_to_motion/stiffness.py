@@ -56,7 +56,7 @@ def stiff(evidence: Evidence) -> Stiff | None:
     motion = evidence.motion
     if motion.scheme not in SCHEMES or evidence.stop is not None or evidence.restricted:
         return None
-    return evidence.once_of_rows("stiff", lambda: _stiff(evidence))
+    return evidence.once("stiff", lambda: _stiff(evidence), of_rows=True)
 
 
 def _stiff(evidence: Evidence) -> Stiff | None:

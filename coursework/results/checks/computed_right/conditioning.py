@@ -33,7 +33,7 @@ _TOLD_APART = 2.0
 
 def condition(evidence: Evidence) -> Finding:
     """The equations leave at least six of sixteen digits in every row: 16 - log10 of their condition number."""
-    return evidence.once_of_rows("condition", lambda: _condition(evidence))
+    return evidence.once("condition", lambda: _condition(evidence), of_rows=True)
 
 
 def _condition(evidence: Evidence) -> Finding:
@@ -54,7 +54,7 @@ def _condition(evidence: Evidence) -> Finding:
 
 def condition_numbers(evidence: Evidence) -> Array:
     """Return the condition number of the equations solved in each row (n,)."""
-    return evidence.once_of_rows("condition numbers", lambda: _condition_numbers(evidence))
+    return evidence.once("condition numbers", lambda: _condition_numbers(evidence), of_rows=True)
 
 
 def _condition_numbers(evidence: Evidence) -> Array:

@@ -46,7 +46,7 @@ class Division:
 
 def divisions(evidence: Evidence) -> Sequence[Division]:
     """Return for each denominator of the equations solved where it is zero, if it is or passes it."""
-    return evidence.once_of_rows("divisions", lambda: _found(evidence))
+    return evidence.once("divisions", lambda: _found(evidence), of_rows=True)
 
 
 def _found(evidence: Evidence) -> list[Division]:

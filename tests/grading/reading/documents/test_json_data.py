@@ -7,13 +7,16 @@ import json
 import pytest
 
 from coursework.grading.reading.documents.json_data import document_of_json
-from coursework.grading.reading.limits import Refused
+from coursework.grading.reading.limits import Refused, Room
 
 COLUMNS = [["t", "w"], ["0", "5"], ["0.1", "7"]]
 
 
 def tables(text: str, rows: int = 600, columns: int = 40) -> list[list[list[str]]]:
-    return [[[cell.text for cell in row] for row in table.rows] for table in document_of_json(text, "json", rows, columns).tables]
+    return [
+        [[cell.text for cell in row] for row in table.rows]
+        for table in document_of_json(text, "json", Room(rows, columns)).tables
+    ]
 
 
 @pytest.mark.parametrize(("text", "table"), [
@@ -31,13 +34,13 @@ def test_no_more_rows_and_columns_than_are_read() -> None:
 
 
 def test_numbers_and_texts_beside_a_name_are_lines() -> None:
-    document = document_of_json('{"wAB": 0.35, "first": "w1 = V/r\\nw2 = 2*w1", "vC": "3/4"}', "json", 600, 40)
+    document = document_of_json('{"wAB": 0.35, "first": "w1 = V/r\\nw2 = 2*w1", "vC": "3/4"}', "json", Room(600, 40))
     assert [line.text for line in document.lines] == ["wAB = 0.35", "w1 = V/r", "w2 = 2*w1", "vC = 3/4"]
     assert not document.tables
 
 
 def test_numbers_in_a_list_have_no_name_and_are_no_lines() -> None:
-    assert [line.text for line in document_of_json('[0.35, "w1 = 2"]', "json", 600, 40).lines] == ["w1 = 2"]
+    assert [line.text for line in document_of_json('[0.35, "w1 = 2"]', "json", Room(600, 40)).lines] == ["w1 = 2"]
 
 
 def test_a_record_in_each_line_is_a_table_if_every_line_is_whole() -> None:
@@ -51,4 +54,4 @@ def test_a_record_in_each_line_is_a_table_if_every_line_is_whole() -> None:
 @pytest.mark.parametrize(("count", "lines"), [(6_660, ["w1 = 2"]), (6_670, [])])
 def test_behind_twenty_thousand_values_nothing_is_read(count: int, lines: list[str]) -> None:
     text = json.dumps({name: {"x": [*range(count)]} for name in "abc"} | {"d": "w1 = 2"})
-    assert [line.text for line in document_of_json(text, "json", 600, 40).lines] == lines
+    assert [line.text for line in document_of_json(text, "json", Room(600, 40)).lines] == lines

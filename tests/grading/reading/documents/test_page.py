@@ -7,6 +7,7 @@ import pytest
 from coursework.grading.reading.documents.document import place_of
 from coursework.grading.reading.documents.page import document_of_latex, document_of_page, with_formulas
 from coursework.grading.reading.files.kinds import is_html
+from coursework.grading.reading.limits import Room
 from coursework.grading.reading.numbers import plain_text
 
 ROWS = "w_1 & 5 \\\\\nw_2 & 7 \\\\\n"
@@ -23,7 +24,7 @@ def cells(rows) -> list[list[str]]:
 ])  # fmt: skip
 @pytest.mark.parametrize("end", ["", "\\end{document}\n"])
 def test_a_latex_file_is_read_from_its_body_on_whether_it_has_a_preamble_or_not(before: str, first: int, end: str) -> None:
-    document = document_of_latex(before + LATEX + end, "latex", 600, 40)
+    document = document_of_latex(before + LATEX + end, "latex", Room(600, 40))
     assert [line.text for line in document.lines] == ["w_1 = V/r", "w_2 = 2 w_1"]
     assert [line.place for line in document.lines] == [place_of("line", line=first), place_of("line", line=first + 5)]
     (table,) = document.tables
@@ -42,7 +43,7 @@ def test_a_cell_of_a_page_stands_in_every_row_and_column_that_it_spans(
         "<p>w1 = V/r</p><table><tr><td rowspan=2>t</td><td colspan=2>w</td></tr><tr><td>1</td><td>2</td></tr>"
         "<tr><td>0</td><td>5</td><td>7</td></tr></table><p>w2 = 2&middot;w1</p>"
     )
-    document = document_of_page(page, "html", most_rows, most_columns)
+    document = document_of_page(page, "html", Room(most_rows, most_columns))
     (table,) = document.tables
     assert cells(table.rows) == rows
     assert [line.text.replace("·", "*") for line in document.lines] == ["w1 = V/r", "w2 = 2*w1"]
@@ -50,7 +51,7 @@ def test_a_cell_of_a_page_stands_in_every_row_and_column_that_it_spans(
 
 def test_a_number_with_its_power_of_ten_is_one_in_latex_too() -> None:
     (table,) = document_of_latex(
-        r"\begin{tabular}{c}$5{,}25 \cdot 10^{-1}$ & $-1.5\times 10^{2}$\\\end{tabular}", "x", 9, 9
+        r"\begin{tabular}{c}$5{,}25 \cdot 10^{-1}$ & $-1.5\times 10^{2}$\\\end{tabular}", "x", Room(9, 9)
     ).tables
     assert [plain_text(cell) for cell in cells(table.rows)[0]] == ["5,25e-1", "-1.5e2"]
 
@@ -63,7 +64,9 @@ def test_a_page_begins_with_any_of_its_signs(text: str, is_page: bool) -> None:
 
 
 def test_a_formula_that_a_script_draws_is_a_line() -> None:
-    page = document_of_page('<p>So</p><script type="math/tex; mode=display">w_1 = V/r</script><script>w2 = 1</script>', "x", 9, 9)
+    page = document_of_page(
+        '<p>So</p><script type="math/tex; mode=display">w_1 = V/r</script><script>w2 = 1</script>', "x", Room(9, 9)
+    )
     assert [line.text for line in page.lines if "=" in line.text] == ["w_1 = V/r"]
 
 

@@ -15,6 +15,7 @@ from coursework.grading.reading.documents.office.rtf import document_of_rtf
 from coursework.grading.reading.documents.pdf.pdf_lines import PageLine, Word
 from coursework.grading.reading.equations.systems.parts import parts_of
 from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.limits import Room
 from tests.grading.reading.table.dialects import archive
 
 
@@ -132,7 +133,7 @@ def test_parts_of_starmath(text: str, meant: str) -> None:
     ],
 )
 def test_letters_and_signs_of_rtf(written: str, lines: list[str]) -> None:
-    document = document_of_rtf(f"{{\\rtf1\\ansi {written}}}".encode("latin-1"), 10, 10)
+    document = document_of_rtf(f"{{\\rtf1\\ansi {written}}}".encode("latin-1"), Room(10, 10))
     assert [line.text for line in document.lines] == lines
 
 
@@ -140,7 +141,7 @@ def test_merged_cells_of_rtf_hold_what_begins_them() -> None:
     """Of three cells the second goes on from the first; below, the first goes on from above."""
     rows = r"\trowd\cellx1\clmrg\cellx2\cellx3\intbl a\cell\cell b\cell\row"
     rows += r"\trowd\clvmrg\cellx1\cellx2\cellx3\intbl\cell c\cell d\cell\row"
-    document = document_of_rtf(f"{{\\rtf1{rows}\\pard e}}".encode(), 10, 10)
+    document = document_of_rtf(f"{{\\rtf1{rows}\\pard e}}".encode(), Room(10, 10))
     assert [[[cell.text for cell in row] for row in table.rows] for table in document.tables] == [
         [["a", "a", "b"], ["a", "c", "d"]]
     ]
@@ -212,7 +213,7 @@ FOUR = "".join(map(_cell, "pqrs"))
 def test_letters_formulas_and_cells_of_opendocument(body: str, lines: list[str], tables: list[list[list[str]]]) -> None:
     packed = archive({"mimetype": "application/vnd.oasis.opendocument.text", "content.xml": ODT.format(body)})
     assert is_odt(Archive(packed))
-    document = document_of_odt(Archive(packed), 10, 10)
+    document = document_of_odt(Archive(packed), Room(10, 10))
     assert [line.text for line in document.lines] == lines
     assert [[[cell.text for cell in row] for row in table.rows] for table in document.tables] == tables
 

@@ -15,6 +15,7 @@ from coursework.grading.reading.documents.office.odt import document_of_odt
 from coursework.grading.reading.documents.office.rtf import document_of_rtf
 from coursework.grading.reading.documents.page import document_of_page
 from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.limits import Room
 from tests.grading.reading.documents.test_parts_of_formulas import ODT
 from tests.grading.reading.table.dialects import archive
 
@@ -48,7 +49,7 @@ def page(table: Laid, most_rows: int, most_columns: int) -> Document:
         ) + "</tr>"
         for row, cells in enumerate(table)
     )  # fmt: skip
-    return document_of_page(f"<table>{rows}</table>", "html", most_rows, most_columns)
+    return document_of_page(f"<table>{rows}</table>", "html", Room(most_rows, most_columns))
 
 
 def rich_text(table: Laid, most_rows: int, most_columns: int) -> Document:
@@ -62,7 +63,7 @@ def rich_text(table: Laid, most_rows: int, most_columns: int) -> Document:
         rows += r"\intbl " + "".join(
             (cell[0] if all(new) else "") + r"\cell " for cell, new in zip(cells, begun, strict=True)
         ) + r"\row"  # fmt: skip
-    return document_of_rtf(f"{{\\rtf1{rows}\\pard}}".encode(), most_rows, most_columns)
+    return document_of_rtf(f"{{\\rtf1{rows}\\pard}}".encode(), Room(most_rows, most_columns))
 
 
 def word(table: Laid, most_rows: int, most_columns: int) -> Document:
@@ -71,7 +72,7 @@ def word(table: Laid, most_rows: int, most_columns: int) -> Document:
     for text, row, column, high, wide in dict.fromkeys(cell for cells in table for cell in cells):
         made.cell(row, column).merge(made.cell(row + high - 1, column + wide - 1)).text = text
     written.save(packed := io.BytesIO())
-    return document_of_docx(Archive(packed.getvalue()), "word/document.xml", most_rows, most_columns)
+    return document_of_docx(Archive(packed.getvalue()), "word/document.xml", Room(most_rows, most_columns))
 
 
 def open_document(table: Laid, most_rows: int, most_columns: int) -> Document:
@@ -85,7 +86,7 @@ def open_document(table: Laid, most_rows: int, most_columns: int) -> Document:
     )  # fmt: skip
     body = ODT.format(f"<table:table>{rows}</table:table>")
     packed = archive({"mimetype": "application/vnd.oasis.opendocument.text", "content.xml": body})
-    return document_of_odt(Archive(packed), most_rows, most_columns)
+    return document_of_odt(Archive(packed), Room(most_rows, most_columns))
 
 
 @pytest.mark.parametrize(("most_rows", "most_columns"), [(20, 20), (3, 4)])

@@ -6,13 +6,16 @@ import pytest
 
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.ods import sheets_of
+from coursework.grading.reading.limits import Room
 from tests.grading.reading.table.dialects import document
 
 NUMBER = '<table:table-cell office:value-type="{}" office:value="{}"><text:p>{}</text:p></table:table-cell>'
 
 
 def cells(row: str, most: int = 40) -> list[tuple[str, str]]:
-    (sheet,) = sheets_of(Archive(document(f"<table:table><table:table-row>{row}</table:table-row></table:table>")), 600, most)
+    (sheet,) = sheets_of(
+        Archive(document(f"<table:table><table:table-row>{row}</table:table-row></table:table>")), Room(600, most)
+    )
     return [(cell.text, cell.kind) for one in sheet.rows for cell in one]
 
 
@@ -43,5 +46,5 @@ def test_a_cell_is_its_number_or_its_text(row: str, found: list[tuple[str, str]]
 @pytest.mark.parametrize(("tables", "kept"), [(10, 10), (11, 10)])
 def test_ten_sheets_are_looked_at(tables: int, kept: int) -> None:
     one = "<table:table table:name='{}'><table:table-row>" + NUMBER.format("float", "{}", "") + "</table:table-row></table:table>"
-    found = sheets_of(Archive(document("".join(one.format(k, k) for k in range(tables)))), 600, 40)
+    found = sheets_of(Archive(document("".join(one.format(k, k) for k in range(tables)))), Room(600, 40))
     assert [sheet.name for sheet in found] == [str(k) for k in range(kept)]

@@ -8,6 +8,7 @@ import pytest
 
 from coursework.grading.reading.files.kinds import real_kind
 from coursework.grading.reading.files.separators import split
+from coursework.grading.reading.limits import Room
 from coursework.grading.reading.numbers import looks_numeric, plain_text, printed
 from coursework.grading.reading.table.headers import _without_unit, read_head
 from coursework.grading.reading.table.layout import _joined, _lies
@@ -40,7 +41,7 @@ def test_what_is_more_than_a_number_is_none(text: str) -> None:
 @pytest.mark.parametrize("more", ["", ";;", " "])
 def test_the_separator_that_a_file_names_is_taken(sign: str, more: str) -> None:
     """A line of numbers with commas may be read in two ways, were it not said; the line itself stays one, and empty."""
-    found = split(f"sep={sign}{more}\nt{sign}w1\n0{sign}1.5\n", 600, 40)
+    found = split(f"sep={sign}{more}\nt{sign}w1\n0{sign}1.5\n", Room(600, 40))
     assert found is not None and found.separator == {"\t": "tab"}.get(sign, sign)
     assert found.rows == ((), ("t", "w1"), ("0", "1.5"))
 

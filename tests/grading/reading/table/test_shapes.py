@@ -9,6 +9,7 @@ import pytest
 
 from coursework.grading.reading.expected import Grid, GridColumn
 from coursework.grading.reading.files.separators import split
+from coursework.grading.reading.limits import Room
 from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission, submitted_file
@@ -140,7 +141,7 @@ def test_numbers_in_brackets_before_equations_make_no_data_of_a_program():
 
 def test_numbers_each_in_a_line_of_its_own_are_read_to_the_last_row():
     names = [f"x{k}" for k in range(11)]
-    found = split("\n\n".join("\n".join(f"{name} = {row}.5" for name in names) for row in range(61)), 600, 40)
+    found = split("\n\n".join("\n".join(f"{name} = {row}.5" for name in names) for row in range(61)), Room(600, 40))
     assert found is not None and len(found.rows) == 62
 
 
@@ -154,12 +155,12 @@ def test_a_quotation_mark_that_nothing_closes_costs_no_rows(place, behind):
     marked = [
         [f'"{cell}' if (row, column) == place else cell for column, cell in enumerate(line)] for row, line in enumerate(rows)
     ]
-    found = split("".join(",".join(line) + "\n" for line in marked) + behind, 600, 40)
+    found = split("".join(",".join(line) + "\n" for line in marked) + behind, Room(600, 40))
     assert found is not None and [list(row) for row in found.rows[: len(rows)]] == rows
 
 
 def test_lines_within_closed_quotation_marks_are_one_cell():
-    found = split('t,phi1,"w1\nrad/s"\n0,1.5,2.5\n1,1.6,2.6\n2,1.7,"2.7\n(the end)"\n', 600, 40)
+    found = split('t,phi1,"w1\nrad/s"\n0,1.5,2.5\n1,1.6,2.6\n2,1.7,"2.7\n(the end)"\n', Room(600, 40))
     assert found is not None and len(found.rows) == 4 and found.rows[3][2] == "2.7\n(the end)"
 
 

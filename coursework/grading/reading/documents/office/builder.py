@@ -14,7 +14,7 @@ from coursework.grading.reading.documents.formulas.formula_text import equations
 from coursework.grading.reading.documents.signs import plain_signs
 from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.cells import BlankRows, Cell
-from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
+from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, Room
 from coursework.words.sentence import Sentence
 
 _EXPONENT = re.compile(r"[-−–]?\d{1,3}")
@@ -43,9 +43,9 @@ class _Table:
 class DocumentBuilder:
     """Fills a document; rows and columns beyond the limits are left out."""
 
-    def __init__(self, kind: str, most_rows: int, most_columns: int) -> None:
+    def __init__(self, kind: str, room: Room) -> None:
         self.document = Document(kind)
-        self._most_rows, self._most_columns = most_rows, most_columns
+        self._room = room
         self._paragraphs: list[_Paragraph] = []
         self._tables: list[_Table] = []
         self._number = self._table_number = 0
@@ -106,7 +106,7 @@ class DocumentBuilder:
     def open_row(self, skipped: int = 0) -> None:
         """Begin a row; its first `skipped` columns are empty."""
         if self._tables:
-            self._tables[-1].row = [Cell("")] * min(max(skipped, 0), self._most_columns)
+            self._tables[-1].row = [Cell("")] * min(max(skipped, 0), self._room.columns)
 
     def close_cell(self, columns: int = 1, continued: bool = False, beside: bool = False) -> None:
         """End a cell and repeat it over its `columns`; with `continued` or `beside` it repeats the cell above or before."""
@@ -120,7 +120,7 @@ class DocumentBuilder:
             cell = table.rows[-1][at]
         if beside and not text and table.row:
             cell = table.row[-1]
-        table.row += [cell] * min(columns, self._most_columns - at)
+        table.row += [cell] * min(columns, self._room.columns - at)
         table.cell = []
 
     def close_row(self, times: int = 1) -> None:
@@ -130,7 +130,7 @@ class DocumentBuilder:
         table = self._tables[-1]
         is_blank = not any(cell.text for cell in table.row)
         if not table.blank.too_many(is_blank, times):
-            table.rows += [table.row] * min(times, self._most_rows - len(table.rows))
+            table.rows += [table.row] * min(times, self._room.rows - len(table.rows))
         table.row, table.cell = [], []
 
     def close_table(self) -> None:

@@ -16,6 +16,7 @@ from coursework.grading.reading.documents.office.builder import DocumentBuilder
 from coursework.grading.reading.documents.signs import symbol_font
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.xml_events import stream, whole
+from coursework.grading.reading.limits import Room
 
 _MAIN = re.compile(r"word/document\d*\.xml")
 _SKIPPED = {"Fallback", "del", "moveFrom"}  # copies of other content, and deleted or moved text
@@ -31,9 +32,9 @@ def main_part(archive: Archive) -> str | None:
     return next((name for name in sorted(archive.parts) if _MAIN.fullmatch(name)), None)
 
 
-def document_of_docx(archive: Archive, part: str, most_rows: int, most_columns: int) -> Document:
+def document_of_docx(archive: Archive, part: str, room: Room) -> Document:
     """Return the tables, paragraphs and equations of a Word file."""
-    reader = _Reader(DocumentBuilder("docx", most_rows, most_columns))
+    reader = _Reader(DocumentBuilder("docx", room))
     stream(archive.chunks(part), reader, _WANTED)
     return reader.builder.finished()
 

@@ -15,6 +15,7 @@ from coursework.grading.reading.documents.office.builder import DocumentBuilder
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.ods import CONTENT, refuse_encrypted
 from coursework.grading.reading.files.xml_events import stream, whole
+from coursework.grading.reading.limits import Room
 
 _MOST_FORMULAS = 300
 _KIND = b"application/vnd.oasis.opendocument.text"
@@ -35,10 +36,10 @@ def is_odt(archive: Archive) -> bool:
     return {CONTENT, "mimetype"} <= archive.parts.keys() and archive.read("mimetype", 1000).strip().startswith(_KIND)
 
 
-def document_of_odt(archive: Archive, most_rows: int, most_columns: int) -> Document:
+def document_of_odt(archive: Archive, room: Room) -> Document:
     """Return the tables, paragraphs and formulas of an OpenDocument text."""
     refuse_encrypted(archive)
-    reader = _Reader(archive, DocumentBuilder("odt", most_rows, most_columns))
+    reader = _Reader(archive, DocumentBuilder("odt", room))
     stream(archive.chunks(CONTENT), reader, _WANTED)
     return reader.builder.finished()
 

@@ -14,7 +14,7 @@ from coursework.grading.reading.documents.formulas import omml
 from coursework.grading.reading.documents.formulas.formula_tree import FormulaTree
 from coursework.grading.reading.documents.office.builder import DocumentBuilder
 from coursework.grading.reading.documents.signs import symbol_font
-from coursework.grading.reading.limits import unreadable
+from coursework.grading.reading.limits import Room, unreadable
 from coursework.system.frozen import frozen
 
 _TOKEN = re.compile(
@@ -55,9 +55,9 @@ def is_rtf(content: bytes) -> bool:
     return content.startswith(b"{\\rtf")
 
 
-def document_of_rtf(content: bytes, most_rows: int, most_columns: int) -> Document:
+def document_of_rtf(content: bytes, room: Room) -> Document:
     """Return the tables, paragraphs and equations of an RTF file."""
-    return _Reader(DocumentBuilder("rtf", most_rows, most_columns), content.decode("latin-1")).read()
+    return _Reader(DocumentBuilder("rtf", room), content.decode("latin-1")).read()
 
 
 class _Reader:

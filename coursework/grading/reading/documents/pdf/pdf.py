@@ -23,7 +23,7 @@ from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.pdf.pdf_lines import MOST_BARS, Bar, Letter, lines_of, with_fractions
 from coursework.grading.reading.documents.pdf.pdf_tables import tables_in
 from coursework.grading.reading.files.cells import Cell
-from coursework.grading.reading.limits import CELL_CHARACTERS, INFLATED_BYTES, Refused, doubtful, other_kind, unreadable
+from coursework.grading.reading.limits import CELL_CHARACTERS, INFLATED_BYTES, Refused, Room, doubtful, other_kind, unreadable
 
 EXTRA = "pdfplumber"
 PAGES, SECONDS, LETTERS = 30, 5.0, 150_000
@@ -42,13 +42,13 @@ def is_readable() -> bool:
     return importlib.util.find_spec(EXTRA) is not None
 
 
-def document_of_pdf(content: bytes, most_rows: int, most_columns: int) -> Document:
+def document_of_pdf(content: bytes, room: Room) -> Document:
     """Return the tables and lines of a PDF.  Raises `Refused`."""
     if not is_readable():
         raise doubtful("no_pdf_reader", command="coursework --versions")
     try:
         with _bounded():
-            return _read(content, most_rows, most_columns)
+            return _read(content, room)
     except _Stopped as stopped:
         raise stopped.refused from None
     except (Refused, MemoryError):
@@ -57,7 +57,7 @@ def document_of_pdf(content: bytes, most_rows: int, most_columns: int) -> Docume
         raise unreadable("pdf_password") if "Password" in repr(error) else other_kind("pdf_damaged") from error
 
 
-def _read(content: bytes, most_rows: int, most_columns: int) -> Document:
+def _read(content: bytes, room: Room) -> Document:
     import pdfplumber
 
     document = Document("pdf")
@@ -72,7 +72,7 @@ def _read(content: bytes, most_rows: int, most_columns: int) -> Document:
                 raise unreadable("too_large_open")
             lines = lines_of(with_fractions(found, _bars(page)))
             for start, rows in tables_in(lines):
-                cells = ([Cell(text[:CELL_CHARACTERS]) for text in row[:most_columns]] for row in rows[:most_rows])
+                cells = ([Cell(text[:CELL_CHARACTERS]) for text in row[: room.columns]] for row in rows[: room.rows])
                 document.add_table(cells, place_of("page_line", page=number, line=start + 1))
             for place, line in enumerate(lines, start=1):
                 document.add_line(line.text, place_of("page_line", page=number, line=place))

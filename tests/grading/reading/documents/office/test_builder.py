@@ -8,14 +8,14 @@ import pytest
 
 from coursework.grading.reading.documents.document import MOST_LINES, Document, place_of
 from coursework.grading.reading.documents.office.builder import DocumentBuilder
-from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
+from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, Room
 
 MOST_ROWS, MOST_COLUMNS = 4, 5
 
 
 def built(*steps: Any) -> Document:
     """Return the document that a writer's steps fill: a text, or the name of a method with its arguments."""
-    builder = DocumentBuilder("docx", MOST_ROWS, MOST_COLUMNS)
+    builder = DocumentBuilder("docx", Room(MOST_ROWS, MOST_COLUMNS))
     for step in steps:
         if isinstance(step, str) and not hasattr(builder, step):
             builder.text(step)

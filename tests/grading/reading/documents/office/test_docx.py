@@ -7,6 +7,7 @@ import pytest
 from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.office.docx import document_of_docx
 from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.limits import Room
 from tests.grading.reading.table.dialects import archive
 
 WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
@@ -14,7 +15,7 @@ WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 
 def read(body: str) -> Document:
     whole = f'<?xml version="1.0"?><w:document xmlns:w="{WORD}"><w:body>{body}</w:body></w:document>'
-    return document_of_docx(Archive(archive({"word/document.xml": whole})), "word/document.xml", 20, 20)
+    return document_of_docx(Archive(archive({"word/document.xml": whole})), "word/document.xml", Room(20, 20))
 
 
 def run(text: str, style: str = "") -> str:

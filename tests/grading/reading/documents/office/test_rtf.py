@@ -6,11 +6,11 @@ import pytest
 
 from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.office.rtf import document_of_rtf, is_rtf
-from coursework.grading.reading.limits import Refused
+from coursework.grading.reading.limits import Refused, Room
 
 
 def read(text: str, head: str = r"\rtf1\ansi\ansicpg1251") -> Document:
-    return document_of_rtf(f"{{{head}{text}}}".encode("latin-1"), 20, 10)
+    return document_of_rtf(f"{{{head}{text}}}".encode("latin-1"), Room(20, 10))
 
 
 def lines(text: str, head: str = r"\rtf1\ansi\ansicpg1251") -> list[str]:
