@@ -84,10 +84,8 @@ class Explained:
         are left, few were explained.
         """
         rows = self._rows
-        put = np.asarray((put_right(self._by_key[rows]) & (~holds & self._spoken)[rows]).any(axis=1))
         beside = np.zeros(len(holds), dtype=bool)
-        beside[rows] = put
-        beside[rows[1:]] |= put[:-1]
+        beside[rows] = self._beside_put(put_right(self._by_key[rows]) & (~holds & self._spoken)[rows], explained[rows])
         others, lost = self._spoken & ~beside[:, None], self._spoken & beside[:, None] & ~explained
         usual = (explained & others).sum(axis=0) / np.maximum(_FEW * len(rows), others.sum(axis=0))
         before = np.zeros_like(explained)
@@ -96,6 +94,20 @@ class Explained:
             alone[:, column] = lost[:, column]
             before |= alone & ~but(alone, ramp(float(usual[column]), _FEW, _MOSTLY))
         return before
+
+    def _beside_put(self, put: Flags, explained: Flags) -> Flags:
+        """Return which rows handed in hold a cell `put` right, or are made from such a row.
+
+        A velocity beside an angle that nothing explains tells no more what its row was made from: it may agree by chance, and
+        be explained as soon as that angle is right.
+        """
+        m = len(self.key.coordinates)
+        unexplained = self._spoken[self._rows, :m] & ~explained[:, :m]
+        angles, rates, astray = (np.asarray(part.any(axis=1)) for part in (put[:, :m], put[:, m:], unexplained))
+        beside = np.zeros(len(put), dtype=bool)
+        for row in np.flatnonzero(angles | rates).tolist():
+            beside[row : row + 2] |= angles[row] | beside[row] | ~astray[row]
+        return beside
 
     @cached_property
     def _rows(self) -> Places:

@@ -140,7 +140,7 @@ def _told_by_velocities(key: Key, cells: Cells) -> Iterator[Array]:
     put = np.zeros_like(cells.wrong)
     put[0, :m] = ~cells.wrong[0, :m] & ~cells.missing[0, :m]
     tolerance = as_printed(key, student.units)[0, m:]
-    for table in agreed(key, student, own_ways(key, student), cells.wrong, put):
+    for table, _ in agreed(key, student, own_ways(key, student), cells.wrong, put):
         told = np.isfinite(table[0, :m])
         for decimals in _DECIMALS:
             other = np.where(told, np.round(table[0, :m], decimals), start)

@@ -61,9 +61,10 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
         values[:-1, :m][broken] = back[broken]
         yield replace(was, values=values)
     for some, least in ((rows, _AGREE), (alone, 1)):
-        for values in agreed(key, was, own, wrong, other & some[:, None], least) if some.any() else ():
+        for values, units in agreed(key, was, own, wrong, other & some[:, None], least) if some.any() else ():
             told = np.isfinite(values)
-            yield (guess := replace(was, values=np.where(told, values, was.values)))
+            found = np.where(told, values, was.values), np.fmax(np.where(told, units, 0.0), was.units)
+            yield (guess := replace(was, values=found[0], units=found[1]))
             if least == 1 or told[:, m:].any():
                 yield as_it_was(key, guess, other & ~wrong & ~told, own_ways(key, guess, own.coarse)) or guess
     if above := as_it_was(key, was, untold, own):
@@ -86,10 +87,13 @@ def makers_of_several(wrong: Flags, m: int) -> Flags:
     return np.asarray(beside_makers(wrong, m).sum(axis=1) >= _AGREE)
 
 
-def agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, least: int = _AGREE) -> list[Array]:
+def agreed(
+    key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags, least: int = _AGREE
+) -> list[tuple[Array, Array]]:
     """Return tables (n, m + r) of what one cell in each row was, NaN elsewhere; the one on which most cells agree comes first.
 
-    Each `wrong` cell gives a value for a cell that may have been `other`. That wrong cell, all others made from the same cell,
+    With each come the units of its last places, as wide as all cells that agree leave it open: those made from any other value in
+    there are to stay right. Each `wrong` cell gives a value for a cell that may have been `other`. It, all others made from there
     and the cells it was made from leave it spans as wide as their tolerances; a value where most spans meet is taken.
     """
     m, r, printed = len(key.coordinates), len(key.velocities), was.values
@@ -131,11 +135,12 @@ def agreed(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flags
         meet = np.where(one[:, None], meet, off <= half)
         # Well within that place, as the spans are estimates.
         x = np.where(one, np.clip(x, (2 * low + high) / 3, (low + 2 * high) / 3), x)
+        units = np.where(one, np.fmin(high - x, x - low), 0.0) / HALF
         other_than = np.abs(x - printed[row, place]) > HALF * was.units[row, place]
         counts = np.sum([meet[:, cells == cell].any(axis=1) for cell in np.unique(cells)], axis=0)
         counts *= (off[at, by] <= own_half) & other_than
     far = np.where(turning, np.rint(np.abs(x - printed[row, place])), 0.0)
-    return _ranked(printed.shape, (row, place, by >= 2 * r), x, np.where(counts < least, 0, counts), far, own_half)
+    return _ranked(printed.shape, (row, place, by >= 2 * r), (x, units), np.where(counts < least, 0, counts), far, own_half)
 
 
 def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> tuple[Array, Places]:
@@ -170,8 +175,8 @@ def _open_by(key: Key, way: Way, printed: Array) -> Array:
 
 
 def _ranked(
-    shape: tuple[int, ...], at: tuple[Places, Places, Flags], x: Array, counts: Counts, far: Array, half: Array
-) -> list[Array]:
+    shape: tuple[int, ...], at: tuple[Places, Places, Flags], found: tuple[Array, Array], counts: Counts, far: Array, half: Array
+) -> list[tuple[Array, Array]]:
     """Return tables of what was found: in each row first the cell on which most others agree, then the most exact one.
 
     `at` are the row and place of each value, and whether a step tells it or a velocity: a cell may have one value by each. If it
@@ -182,11 +187,12 @@ def _ranked(
     best = best[counts[best] > 0]
     _, first = np.unique((row[best] * shape[1] + place[best]) * 2 + by_step[best], return_index=True)
     best = best[first]
-    tables = [np.full(shape, np.nan) for _ in range(_TRIED)]
+    tables = [(np.full(shape, np.nan), np.full(shape, np.nan)) for _ in range(_TRIED)]
+    x, units = found
     taken = np.zeros(shape[0], dtype=int)
     for one in best[np.lexsort((half[best], -counts[best]))].tolist():
-        found, cell = taken[row[one]], (row[one], place[one])
-        if found < _TRIED and not any(abs(table[cell] - x[one]) <= half[one] for table in tables[:found]):
-            tables[found][cell] = x[one]
+        count, cell = taken[row[one]], (row[one], place[one])
+        if count < _TRIED and not any(abs(table[cell] - x[one]) <= half[one] for table, _ in tables[:count]):
+            tables[count][0][cell], tables[count][1][cell] = x[one], units[one]
             taken[row[one]] += 1
     return tables[: max(taken, default=0)]

@@ -125,17 +125,17 @@ def test_of_each_row_the_cell_of_which_most_speaks_comes_first_and_of_equal_ones
     x, counts = np.array([10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0]), np.array([2, 3, 4, 2, 2, 0, 2, 3])
     far, half = np.array([0, 0, 3, 0, 0, 0, 0, 1]), np.array([0.1, 0.2, 0.1, 0.1, 0.1, 0.1, 0.3, 0.1])
     by_step = np.zeros(8, dtype=bool)
-    first, second, third = _ranked((2, 3), (row, place, by_step), x, counts, far, half)
-    assert np.nan_to_num(first).tolist() == [[12, 0, 0], [0, 14, 0]]
+    (first, units), (second, _), (third, _) = _ranked((2, 3), (row, place, by_step), (x, x / 4), counts, far, half)
+    assert np.nan_to_num(first).tolist() == [[12, 0, 0], [0, 14, 0]] == np.nan_to_num(4 * units).tolist()
     assert second[0, 1] == 11.0 and second[1, 2] == 13.0 and third[0, 2] == 16.0 and np.isnan(third[1]).all()
-    assert _ranked((2, 3), (row, place, by_step), x, np.zeros(8, dtype=int), far, half) == []
+    assert _ranked((2, 3), (row, place, by_step), (x, x), np.zeros(8, dtype=int), far, half) == []
 
 
 @pytest.mark.parametrize(("other", "values"), [(10.3, (10.0, 10.3)), (10.19, (10.0,)), (9.81, (10.0,)), (9.79, (10.0, 9.79))])
 def test_a_cell_has_a_value_by_a_step_beside_that_by_a_velocity_if_these_differ(other, values):
     at = np.array([0, 0]), np.array([1, 1]), np.array([False, True])
-    found = _ranked((1, 2), at, np.array([10.0, other]), np.array([3, 2]), np.zeros(2), np.array([0.1, 0.2]))
-    assert [table[0, 1] for table in found] == list(values)
+    found = _ranked((1, 2), at, (np.array([10.0, other]), np.zeros(2)), np.array([3, 2]), np.zeros(2), np.array([0.1, 0.2]))
+    assert [table[0, 1] for table, _ in found] == list(values)
 
 
 @pytest.mark.parametrize(("moved", "gains", "silent"), [

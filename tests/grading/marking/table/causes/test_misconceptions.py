@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,10 +11,10 @@ import coursework
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.hypotheses import claims
-from coursework.grading.marking.table.causes.misconceptions import indistinct, looked_for
+from coursework.grading.marking.table.causes.misconceptions import _closer, indistinct, looked_for
 from coursework.grading.marking.table.causes.other_data import may_be
 from coursework.grading.marking.table.cells import mark_cells
-from coursework.grading.marking.table.explained import euler_cells
+from coursework.grading.marking.table.explained import Explained, euler_cells
 from tests.grading.marking import students
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.test_cells import printed
@@ -153,3 +154,19 @@ def test_a_value_that_a_file_may_not_have_is_no_cause(name):
         assert may_be(key, f"datum_{datum.name}", (datum.text.lstrip("-"), datum.unit or datum.si))
     assert refused
     assert may_be(key, f"datum_{datum.name}", ()) and may_be(key, "sign_w1", ("-1", "m"))
+
+
+def test_causes_of_most_cells_data_read_off_and_rounded_velocities_are_held_against_the_whole_table():
+    """Rounded velocities are worth most: a cause that comes to explain more must not keep them from being looked at."""
+    counts = {"sign_w1": 9, "rounded_omega_2": 2, "heun": 8, "datum_r": 4, "rk4": 7, "midpoint": 6, "datum_l": 3, "datum_e": 1}
+    held = {code: (count, SimpleNamespace(is_read_off=code[:5] == "datum"), None) for code, count in counts.items()}
+    assert [code for code, *_ in _closer(held)] == ["sign_w1", "heun", "rk4", "datum_r", "datum_l", "rounded_omega_2"]
+
+
+@pytest.mark.parametrize(("put", "rows"), [((1, 0), [1, 2]), ((1, 1), [1, 2]), ((3, 0), [3, 4]), ((3, 1), []), ((4, 1), [4])])
+def test_a_velocity_put_right_beside_an_angle_that_nothing_explains_excuses_no_row(put, rows):
+    """The angle of row 4 is a misprint: what its velocity was made from is not told, as that is right by chance."""
+    explained, given = np.ones((5, 2), dtype=bool), np.zeros((5, 2), dtype=bool)
+    explained[3, 0], given[put] = False, True
+    table = SimpleNamespace(key=SimpleNamespace(coordinates=("p",)), _spoken=np.ones((5, 2), dtype=bool), _rows=np.arange(5))
+    assert np.flatnonzero(Explained._beside_put(table, given, explained)).tolist() == rows
