@@ -7,7 +7,7 @@ Used by `lines.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import replace
 
 from coursework.grading.reading.equations.equations import Names
@@ -15,9 +15,12 @@ from coursework.grading.reading.equations.names_in_text import Spellings, plain_
 from coursework.grading.reading.equations.notation.latex import without_latex
 from coursework.grading.reading.equations.notation.signs import plain_signs
 from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.reader import FUNCTION_WORDS
 
 _NAME = r"([^\W\d]\w{0,12})"
-_SAME = re.compile(rf"(?:(?:[^\W\d_]{{3,20}}\b|[-–•*])[\s:,(]*){{0,6}}{_NAME}\s*(?:=|⇒)\s*{_NAME}\s*(?:[.,;)][^=]{{0,120}})?")
+_SAME = re.compile(
+    rf"(?:(?:[^\W\d_]{{3,20}}\b|[-–•*])[\s:,(]*){{0,6}}{_NAME}\s*(?:=|⇒)\s*{_NAME}(?:\s+\([^=()*/]{{3,40}}\)|\s*(?:[.,;)][^=]{{0,120}})?)"
+)
 _ANGLES = r"(?:angles?|углы|угол|кути|кут|Winkel|angles|ángulos)"
 _LISTED = re.compile(
     rf"((?:{_NAME},\s*){{1,9}}{_NAME})\s*[-–:,]?\s[^=*+/]{{0,40}}\b{_ANGLES}\b[^=*+/\d]{{0,40}}\b((?:\d,\s*){{1,9}}\d)\b.*", re.I
@@ -36,7 +39,7 @@ def with_legend(lines: Sequence[tuple[int, str]], names: Names) -> tuple[Names, 
     called: dict[str, str] = {}
     rest: list[tuple[int, str]] = []
     for number, line in lines:
-        found = [*_pairs(line, names.spellings)]
+        found = [*_pairs(line, names.spellings, {*names.expected.variant.sought})]
         called |= {plain_name(name): meant for name, meant in found if plain_name(name) not in called}
         rest += [] if found else [(number, line)]
     if not called:
@@ -49,13 +52,15 @@ def with_legend(lines: Sequence[tuple[int, str]], names: Names) -> tuple[Names, 
     ), rest
 
 
-def _pairs(line: str, spellings: Spellings) -> Iterator[tuple[str, str]]:
-    """Yield (name of the student, coordinate) of a line that says nothing else."""
+def _pairs(line: str, spellings: Spellings, velocities: Set[str]) -> Iterator[tuple[str, str]]:
+    """Yield (name of the student, coordinate or velocity sought) of a line that says nothing else."""
     text = plain_signs(without_latex(line)).strip() if len(line) <= _MOST_CHARACTERS else ""
     if same := _SAME.fullmatch(text):
         for name, other in (same.groups(), same.groups()[::-1]):
             meant = spellings.angle(other)
-            if meant in spellings.rates and meant in spellings.known and _is_free(name, spellings):
+            is_rate = meant in velocities and spellings.canonical(name) is None and not re.search(r"[*/+]|\.\w", text)
+            is_angle = meant in spellings.rates and meant in spellings.known
+            if meant and (is_rate or is_angle) and _is_free(name, spellings):
                 yield name, meant
                 return
     else:
@@ -71,6 +76,8 @@ def _pairs(line: str, spellings: Spellings) -> Iterator[tuple[str, str]]:
 
 def _is_free(name: str, spellings: Spellings) -> bool:
     """Return whether a name means nothing in the task, or only a datum with a Greek letter, which angles have as well."""
+    if name.lower() in FUNCTION_WORDS:
+        return False
     meant = spellings.canonical(name)
     return (
         spellings.angle(name) is None if meant is None else meant in spellings.data and spell(name).rstrip("0123456789") in _GREEK

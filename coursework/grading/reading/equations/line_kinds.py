@@ -40,10 +40,11 @@ _APART = re.compile(r"^\s*[-–—]\s+")  # a dash with a blank behind it: the m
 _CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
 _CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
-_OF_POINT = r"\s*[vV]_?\{?(?:[A-Z]\d?'?){1,2}\}?\s*"
+_OF_POINT = r"\s*[vV]_?\{?(?:(?:[A-Z]\d?'?){1,2}|[aeru]|abs|rel|tr|отн|пер|абс)\}?\s*"
 _OF_POINTS = re.compile(rf"{_OF_POINT}=(?:{_OF_POINT}[-+])+{_OF_POINT}[.,;]?\s*")
 _LINE_NUMBER = re.compile(r"^\s*(\d{1,5})\s+(?=[^\W\d])")
 _TIME = re.compile(r"(?<![^\W\d])d?[th](?!\w)")
+_SAID = re.compile(r"\W*[^\W\d_]{3,}\s+[^\W\d_]{2,}\s")
 _SPEED, _NATURAL = re.compile(r"[vV]_?[A-Za-z]{1,3}\d?"), re.compile(r"[^\W\d_]{3,}|[\u4e00-\u9fff]{2,}")
 _SEVERAL_WORDS = 3  # of a sentence
 _STEPS, _SEVERAL_LINES = (5, 10, 100), 2
@@ -107,14 +108,31 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
         # A law of time alone, v = V1*sin(p*t), is that of the drive, though the task has only one speed v may be short for.
         words = {spellings.canonical(word) for word in WORD.findall(plain(formula, spellings))} - {None}
         is_own = "t" in words and words <= {*spellings.data, *BUILT_IN}
+    is_own = is_own and not _is_rate(name, formula, spellings)
     is_own = is_own and OWN_NAME.fullmatch(name) is not None and not (meant is None and is_product(name, spellings))
     return (name, formula) if sign and is_own else ("", "")
+
+
+def _is_rate(name: str, formula: str, spellings: Spellings) -> bool:
+    """Return whether a name is the derivative of a coordinate, dphi2 or phi2p, and not the student's for a difference or a sine.
+
+    Of s, a coordinate of one letter, st and sp may be sines as well: there a velocity must stand in the formula.
+    """
+    rates = {*spellings.rates.values()}
+    found = plain(name, spellings.with_own({})).strip()
+    if found == name or found not in rates or spellings.canonical(name):
+        return False
+    named = names_in(formula, spellings)
+    is_short = any(len(coordinate) == 1 and rate == found for coordinate, rate in spellings.rates.items())
+    return bool(named & rates) if is_short else not named or not named <= {*spellings.angles, *spellings.rates}
 
 
 def is_equation_without_sign(text: str, names: Names) -> bool:
     """Return whether a line without "=" is the left side of an equation (readable or not) rather than prose."""
     if len(text) > EQUATION_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
         return False
+    if text.rstrip().endswith(":") and _SAID.match(text):
+        return False  # "divided by r*w1:"
     if not names_in(text, names.spellings):
         return False
     return not isinstance(read_as_one(text, names), Fault) or _is_mostly_names(text, names)
@@ -223,7 +241,7 @@ def is_row(text: str) -> bool:
 
 def is_vector_sum(text: str, names: Names) -> bool:
     """Return whether a line adds velocities of points as vectors, V_C = V_B + V_CB; without axes it is no equation of numbers."""
-    found = _OF_POINTS.fullmatch(plain_signs(text))
+    found = _OF_POINTS.fullmatch(plain_signs(text).rpartition(":")[2])
     return found is not None and any(names.spellings.canonical(word) is None for word in WORD.findall(found[0]))
 
 

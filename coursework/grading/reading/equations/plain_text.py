@@ -23,6 +23,7 @@ _PREFIX = re.compile(r"\b(?:[A-Za-z]\w{0,8}::(?=[A-Za-z])|(?:np|numpy|math|Math|
 # A point between names multiplies (as in France) if the line has no other product sign; else a field follows it, par.r1.
 _POINT = re.compile(r"((?<![^\W\d])[^\W\d]\w{0,40}|[\d)])\.(?=([^\W\d]\w{0,40}|\())")
 _BY_POINT = re.compile(r"(?<![\w.])([^\W\d]{1,7})\.(\w{1,4})(?![\w.]|\((?!\s*t\s*\)))")  # an index in Mathcad: ω.3, V.My
+_BEHIND_PRIME = re.compile(r"(?<=\w')\.(?=[^\W\d]|\()")  # in France: θ'.sin θ
 _KEYED = re.compile(r"[^\W\d]\w{0,20}\[\s*['\"](\w{1,20})['\"]\s*\]")  # d["r1"] of Python
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
@@ -43,6 +44,10 @@ _DERIVATIVES = (
     re.compile(rf"\bD_?{_NAME}"),
 )
 _GLUED = re.compile(r"(|.*[\w}])((?:[φϕθ]|phi|theta)\u0307?_?\d{1,2}|[^\W\d]\u0307_?\d{0,2})(|sin|cos|tg|tan)")
+_DIFFERENTIAL, _DT = (
+    re.compile(r"\bd_?([^\W\d]\w{0,40})\b"),
+    re.compile(r"(?<=[\w)\]}])\s*\*?\s*\bdt\b(?!\s*=)|(?<![/\w])(?<!/ )dt\b\s*(?:\*|(?=[\w(]))\s*()|\bdt\b(?=\s*=)"),
+)
 # As programs name derivatives, unless it is a name of the variant: dphi3, phi3p, thd3, phi3_t.
 _SHORT_DERIVATIVES = (
     re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dpt]\b"),
@@ -103,9 +108,9 @@ def plain(text: str, spellings: Spellings) -> str:
     text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
     text = _fractions(_TYPST_SPACE.sub(" ", text))
     text = _TYPST.sub(lambda found: _dot_or_product(found, spellings), text)
-    text = _KEYED.sub(r"\1", text)
-    text = _BY_POINT.sub(lambda found: _with_index(found, spellings), text)
+    text = _BEHIND_PRIME.sub(" ", _KEYED.sub(r"\1", text))
     is_field = "*" in text
+    text = _BY_POINT.sub(lambda found: _with_index(found, spellings, is_field), text)
     text = _POINT.sub(lambda found: _pointed(found, spellings, is_field), text)
     text = _OF_KIND.sub(r"\1", _DOUBLE.sub(lambda found: _double(found, spellings), text))
     text = _OF_DOUBLES.sub(lambda found: found[0] if found[0] in spellings.data else "", text)
@@ -115,11 +120,21 @@ def plain(text: str, spellings: Spellings) -> str:
     for pattern in _DERIVATIVES:
         text = pattern.sub(lambda found: _rate(found, spellings), text)
     text = with_the_rest_unread(text)
+    text = _with_differentials(text, spellings) if "dt" in text else text
     text = _OF_TIME.sub(lambda found: _of_time(found, spellings), text) if "(t" in text else text  # of a rate, phi3dot(t)
     text = _T_BEHIND.sub("", text) if _AT_TIME.search(text) else text
     for pattern in _SHORT_DERIVATIVES:
-        text = pattern.sub(lambda found: found[0] if spellings.canonical(found[0]) else _rate(found, spellings), text)
+        text = pattern.sub(
+            lambda found: found[0] if spellings.canonical(found[0]) or spellings.is_own(found[0]) else _rate(found, spellings),
+            text,
+        )
     return text
+
+
+def _with_differentials(text: str, spellings: Spellings) -> str:
+    """Return an equation of differentials, dphi2 = … dt, divided by dt: without it, as the others are read as rates."""
+    is_other = any(spellings.canonical(found[0]) is None and spellings.angle(found[1]) for found in _DIFFERENTIAL.finditer(text))
+    return _DT.sub(lambda found: found[1] or "", text) if is_other and "dt" not in spellings.known else text
 
 
 def _pointed(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
@@ -152,9 +167,11 @@ def _fractions(text: str) -> str:
     return text
 
 
-def _with_index(found: re.Match[str], spellings: Spellings) -> str:
-    """Return a name with its index joined, unless what stands behind the point is a name of its own."""
-    is_index = found[2].isdigit() or spellings.canonical(found[2]) is None
+def _with_index(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
+    """Return a name with its index joined, unless what stands behind the point is a name of its own and the point multiplies."""
+    is_index = (
+        found[2].isdigit() or (is_field and spellings.canonical(found[1] + found[2])) or spellings.canonical(found[2]) is None
+    )
     return found[1] + found[2] if is_index and spellings.angle(found[1] + found[2]) else found[0]
 
 
@@ -223,9 +240,10 @@ def of_one_component(text: str, variant: Variant) -> str:
 def _indexed(found: re.Match[str], spellings: Spellings) -> str:
     """Return the name w3 for `w[3]` or `w(3)` if the variant has it; if it has a name w, `w(3)` stays as a product."""
     name, index = found[1], re.sub(r"[\s,]", "", found[2] or found[3])
-    if spellings.angle(name + index) is None or (found[3] and name in spellings.known):
+    meant = spellings.angle(name + index)
+    if meant is None or (found[3] and name in spellings.known):
         return found[0]
-    return name + index
+    return meant if name.lower() in {"ph", "th"} else name + index  # spelled so for no name of a task
 
 
 def _of_row(found: re.Match[str], spellings: Spellings) -> str:

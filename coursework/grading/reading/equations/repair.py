@@ -26,6 +26,7 @@ _CELLS = re.compile(r"[\w)\]]\t+[-\w(\[][^\t]*[\w)\]]\t+[-\w(\[]")  # three cell
 _WORDS = {"ф": "phi", "Ф": "phi", "щ": "w"}
 # The names of functions in other languages, also in their spreadsheets.
 _ELSEWHERE = {"sen": "sin", **dict.fromkeys(("корень", "корінь", "wurzel", "racine", "raiz", "raíz"), "sqrt")}
+_LONGER = re.compile(r"(?i)(?<![a-z])(cot|tan)(?:g|an|ang)(?![a-z])")  # cotg, cotan, tang: no tangent of a length g
 _DIVIDED = re.compile(r"(?<=[\w)])\s*:\s*(?=[\w(])")
 _TIMES = re.compile(r"(?<=[\w)])\s+[xх]\s+(?=[\w(])")
 _TOKEN = re.compile(
@@ -59,6 +60,7 @@ def sides_of(text: str, spellings: Spellings, *, closely: bool = False) -> Sides
         return Sides(tuple(text.split("=")))
     typed = _NAMED.sub(r"\1 = ", text.replace("$", " ").translate(_SIGNS).rstrip(_TAIL))
     typed = typed.replace("\\", " ").strip()
+    typed = _LONGER.sub(r"\1", typed)
     if "atan2" not in typed:
         typed = _DECIMAL_COMMA.sub(r"\1.\2", typed)
     if "x" not in spellings.known:
@@ -112,16 +114,16 @@ def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
 
     Names as the task has them go before other spellings: vrcos is vr*cos, though v may be short for the only speed.
     """
-    if found := _chain(text, spellings.known_as):
+    if found := _chain(text, spellings.known_as, spellings.angles):
         return found
-    found = _chain(text, spellings.canonical)
+    found = _chain(text, spellings.canonical, spellings.angles)
     # VB is the velocity of B and Vr a relative one, not v*b and v*r
     letters = text.replace("_", "")
     is_word = letters.isascii() and letters.isalpha() and not letters.islower()
     return None if found is None or (is_word and all(part.kind == "name" for part in found)) else found
 
 
-def _chain(text: str, meaning: Callable[[str], str | None]) -> tuple[_Token, ...] | None:
+def _chain(text: str, meaning: Callable[[str], str | None], angles: Set[str]) -> tuple[_Token, ...] | None:
     @cache
     def ways(start: int) -> tuple[tuple[_Token, ...], ...]:
         if start == len(text):
@@ -142,6 +144,8 @@ def _chain(text: str, meaning: Callable[[str], str | None]) -> tuple[_Token, ...
         return tuple(found)
 
     found = ways(0)
+    if len(found) > 1:  # in Lωβ the velocity ωβ is a factor: no angle is one
+        found = tuple(way for way in found if not any(token.kind == "name" and token.text in angles for token in way))
     return found[0] if len(found) == 1 else None
 
 

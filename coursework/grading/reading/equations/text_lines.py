@@ -7,7 +7,8 @@ Used by `lines.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 
 from coursework.grading.reading.equations.equations import TURNED, Names, names_in, read_as_one
 from coursework.grading.reading.equations.line_kinds import (
@@ -16,15 +17,19 @@ from coursework.grading.reading.equations.line_kinds import (
     is_statement,
     without_line_numbers,
 )
+from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.notation.escapes import unquoted, with_line_ends
 from coursework.grading.reading.equations.notation.latex import logical_lines
 from coursework.grading.reading.equations.notation.signs import VANISHED, depths, relates_two_sides, relations
+from coursework.grading.reading.equations.systems.cells import with_cells_named
 from coursework.grading.reading.equations.systems.components import by_components, in_one_vector
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
+from coursework.grading.reading.equations.systems.of_c import without_pointers
 from coursework.grading.reading.equations.systems.own_functions import as_names
 from coursework.grading.reading.equations.systems.parts import LIST, at_commas, of_row
-from coursework.grading.reading.equations.systems.vectors import with_entries_named
+from coursework.grading.reading.equations.systems.round_matrices import in_square_brackets
+from coursework.grading.reading.equations.systems.vectors import with_entries_named, with_short_names
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.dimensions.formulas import Clash, Measurer
 from coursework.variant.record.places import measures
@@ -33,6 +38,7 @@ from coursework.words.errors import Fault
 # Rows of empty cells, of which a spreadsheet may leave a million, and blanks longer than anybody types: patterns would be slow.
 _BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\|\s_)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&|\s_))\s*$")
+_FIXED = re.compile(r"^ {5}(?:&|[1-9+$*])\s*(?=[-+*/(]|&)[^=]*$")  # the sixth column of Fortran: the statement goes on
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&|\s_)\s*$")
 _MARKED = re.compile(r"[\w)\]]\s*\\\s*$")
@@ -67,6 +73,17 @@ _REMARK = re.compile(
     r"(?<!\\)%(?![io]\d+\)|(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
 )
 
+# Comments of Fortran, known by its words; and the names that a comment of any language explains.
+_FORTRAN = re.compile(r"(?im)^[ \t]*(?:!|(?:subroutine|program|implicit|end|call|real|double precision)\b|d(?:sin|cos)\()|\s!\s")
+_OF_FORTRAN = re.compile(r"(?:^|(?<=\s))!(?!=).*|^[Cc*](?:\s{2,}.*|\s*$)")
+_COMMENT = re.compile(r"(?:^|\s)(?:#|%|//|!|/\*|\(\*|--|[Cc](?=\s{2}))+\s*([^=]*=.*?)\s*(?:\*/|\*\))?$")
+_ALIAS = re.compile(r"\s*([^\W\d]\w{0,20})\s*=\s*([^\W\d]\w{0,20})\s*[.]?\s*")
+_TAKEN = re.compile(r"(?m)^[ \t]*(?:\w{1,20}\s*=\s*)?\{[\w\s,]{1,80}\}\s*/\.\s*(?=(?:\w{4,7}\[)?N?Solve\[)")  # {w2, w3} /. Solve[…]
+_CONSTANT = re.compile(r"\b\w{1,12}\s*=\s*(?:const\w*|konst\w*|cte|пост\w*)\b\.?,?")  # as x_P = const, …
+_COLON = re.compile(r"\s*([^\W\d][\w.]{0,12})\s*:\s*(?!=)([^=:]*[*/][^=:]*)")  # v.P:c*ω.3*cos(φ.3)
+_KEYED = re.compile(
+    r"^\s*(?:return|[\w.]{1,20}\s*=)\s*\{[\w\s,]*?,?\s*(\w{1,12}\s*:[^{}:]+)\}[;\s]*$"
+)  # return {w2, w3, vP: c*w3*…}
 _BLOCK, _STARRED = re.compile(r"/\*+((?:[^*]|\*(?!/))*)\*/"), re.compile(r"^[ \t]*\*(?=\s)", re.MULTILINE)
 _NUMBER = re.compile(r"\s*-?\d+\.?\d*\s*")
 _UNPACKED = re.compile(r"\(?[^\W\d]\w{0,20}(?:\s*,\s*[^\W\d]\w{0,20})+\)?\s*:?=")  # a11, a12 = …, …
@@ -81,7 +98,7 @@ _ONE = re.compile(r"(?<=\S)\s+[/•·∙⋅●]\s+(?=\S)")
 
 def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
     """Yield (number, line) of the lines that are neither blank nor comments nor statements of a program."""
-    function = ""
+    function, is_fortran = "", len(_FORTRAN.findall(text)) > 1
     text, numbers = with_line_ends(_BLANKS.sub("", text))
     text = _BLOCK.sub(_uncommented, text) if "/*" in text else text
     for place, line in _continued(logical_lines(_by_names(text, names)), names):
@@ -91,8 +108,10 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
             meant = [one for one in called.split("_") if one in names.expected.variant.sought]  # w3 in calc_w3
             function = f"{meant[0] if len(meant) == 1 else called} = "
             line = defined[3] or ""
+        yield from ((number, said) for said in _called(line, names.spellings))
+        line = _OF_FORTRAN.sub("", line) if is_fortran else line
         bare = _REMARK.sub("", _NUMBERED.sub("", _parted(line, names)).partition("#")[0]).strip()
-        bare = unquoted(bare)
+        bare = unquoted(_CONSTANT.sub("", bare) if bare.count("=") > 1 else bare)
         if "→" in bare or "->" in bare:
             bare = _RULE.sub(r"\1 = ", bare.strip("{} ").join("{}")) if _FOUND.match(bare) else bare
             bare = f"{stored[2]} = {stored[1]}" if (stored := _STORED.fullmatch(bare)) else bare
@@ -109,11 +128,36 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
             rest = bare[returned.end() :]  # a list of residuals is not the value of a name
             is_value = TURNED.search(rest) or function.partition(" ")[0] in names.expected.variant.sought
             bare = f"{function if is_value and not rest.startswith('[') else ''}{rest}"
+        bare = _with_sign(bare, names.expected.variant.sought, names.spellings)
         if (square := _SQUARED.fullmatch(bare)) and names.spellings.canonical(square[1]) is None:
             bare = f"{square[1]} = sqrt({square[2]})"
         bare = _closed(bare)
         if any(map(str.isalnum, bare)):  # not an underline of signs below a title
             yield number, bare
+
+
+def _with_sign(line: str, sought: Sequence[str], spellings: Spellings) -> str:
+    """Return a line of a sought velocity, a colon and its formula, as SMath and the objects of JavaScript have it, with "="."""
+    if keyed := _KEYED.search(line):
+        line = keyed[1]
+    found = _COLON.fullmatch(line)
+    meant = spellings.canonical(found[1].replace(".", "")) if found else None
+    return f"{found[1]} = {found[2]}" if found and meant in sought else line
+
+
+def _is_name(names: Names, word: str) -> bool:
+    """Return whether a word has a meaning; B is a name of the student where the task has a datum b."""
+    spellings = names.spellings
+    return names.is_name(word) and not (spellings.canonical(word) in spellings.data and spellings.known_as(word) is None)
+
+
+def _called(line: str, spellings: Spellings) -> Iterator[str]:
+    """Yield what a comment says of the student's names, big_r = R: the name, "=" and the task's name."""
+    comment = _COMMENT.search(line) if len(line) <= EQUATION_CHARACTERS else None
+    for one in re.split("[,;]", comment[1]) if comment else ():
+        found = _ALIAS.fullmatch(one)
+        if found and spellings.angle(found[1]) is None and spellings.canonical(found[2]):
+            yield f"{found[1]} = {found[2]}"
 
 
 def _uncommented(block: re.Match[str]) -> str:
@@ -137,8 +181,14 @@ def _one_by_one(line: str) -> str:
 
 def _by_names(text: str, names: Names) -> str:
     """Return a text with matrix systems written as equations and with names in place of vector entries."""
-    rows = in_rows(in_one_line(as_names(without_line_numbers(text), names.is_name)), names.expected.variant.sought)
-    return with_entries_named(rows, names.expected.variant, names.spellings)
+    variant = names.expected.variant
+    text = _TAKEN.sub("", text) if "/." in text else text
+    text = with_cells_named(text, names.spellings.angle, names.spellings.data)
+    text = without_pointers(text, names.spellings)
+    rows = in_rows(
+        in_square_brackets(in_one_line(as_names(without_line_numbers(text), partial(_is_name, names)))), variant.sought
+    )
+    return with_entries_named(with_short_names(rows, variant, names.spellings), variant, names.spellings)
 
 
 def _closed(line: str) -> str:
@@ -172,6 +222,8 @@ def _continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple
 
 def _goes_on(kept: str, line: str, names: Names) -> bool:
     """Return whether `line` continues `kept`: `kept` ends with a sign or in an open parenthesis, or `line` begins with a sign."""
+    if _FIXED.match(line) and "=" in kept:
+        return True
     if _IMPORT.match(kept) or not (_IS_FORMULA.search(kept) or all(map(names.spellings.canonical, _BARE.findall(kept)))):
         return False
     if kept.lstrip().startswith("[[") and depths(kept)[-1]:

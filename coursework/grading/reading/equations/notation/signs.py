@@ -106,7 +106,7 @@ def plain_signs(text: str) -> str:
         text = _UNDER.sub(_index, text)
     if "_" in text:
         text = _OF_POINT.sub(r"_\2\1", _COMPONENT.sub(r"\1\2", text))
-    return _AXIS.sub(_axis, re.sub(r"(?<=\w)\.(?=[*/^])|(?<=[)\]])\.(?=[*/^'])", "", _LENGTH.sub(r"\1", text)))
+    return _AXIS.sub(_axis, re.sub(r"(?<=\w)\.(?=[*/^])|(?<=[)\]\s])\.(?=[*/^'])", "", _LENGTH.sub(r"\1", text)))
 
 
 @lru_cache(4096)  # a text has few different letters

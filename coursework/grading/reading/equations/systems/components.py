@@ -15,16 +15,19 @@ from coursework.grading.reading.equations.systems.parts import vector
 
 # A vector of two to four cells, perhaps in the call that makes one; an index A[0, 1] stands at its name.
 _VECTOR = re.compile(
-    r"(?:(?:(?:np|numpy|sp|sympy)\.)?(?:array|Matrix|[vV]ector)\(\s*|(?<![\w)\]]))\[(?=[^\[\]\n]{0,2000}(?:[;\n]|,(?!\d)))"
+    r"(?:(?:(?:np|numpy|sp|sympy)\.)?(?:array|Matrix|[vV]ector)\(\s*|(?<![\w)\]]))\[(?=(?:[^\[\]\n]|\[\d\]){0,2000}(?:[;\n]|,(?!\d)))"
 )
 _ENDS, _COMMAND = "=\\;,\n:{}", re.compile(r"\\[A-Za-z]{2}")  # a command of LaTeX, \omega, ends nothing
-_NO_FACTOR = re.compile(r"\\(?![A-Za-z]{2})|[%@]|\b(?:function|return|inv\w*|pinv|solve|lambda)\b", re.IGNORECASE)
+_NO_FACTOR = re.compile(
+    r"\^\s*[({]?\s*-\s*1|⁻¹|\\(?![A-Za-z]{2})|[%@]|\b(?:function|return|inv\w*|pinv|solve|lambda)\b", re.IGNORECASE
+)
 _SUM = re.compile(r"(?<=[\w)\]])\s*([-+])|^\s*([-+])")
 _PRODUCT = re.compile(r"\s*[*·⋅]\s*")
 _SIZES, _MOST, _LONGEST = range(2, 5), 20, 2000
 _BOTH = re.compile(r"\s*(?:\w{1,9}\s*:\s*)?\[([^\[\]=]+)\]\s*={1,2}\s*\[([^\[\]=]+)\]\s*[.,;]?\s*")
 _NAMED = re.compile(
-    r"\s*(?:\\(?:vec|bar|overline|mathbf|boldsymbol)\s*)?\{?\s*(?:\\(?:vec|mathbf)\s*)?([vV]_?\{?\w{1,3}\}?)\s*\}?\s*:?=\s*\[([^\[\]=]+)\]\s*[.,;]?\s*"
+    r"\s*(?:\\(?:vec|bar|overline|mathbf|boldsymbol)\s*)?\{?\s*(?:\\(?:vec|mathbf)\s*)?(?:\{(?=\w\}_))?([vV]\}?_?\{?\w{1,3}\}?)\s*\}?\s*:?="
+    r"\s*(?:[\w.]{1,12}\(\s*)?\[((?:[^\[\]=]|\[[ijkn]\])+)\]\)?\s*[.,;]?\s*"
 )
 # An object of JavaScript, vP = {x: a, y: b}
 _FIELDS = re.compile(r"(?:(?:const|let|var)\s+)?([vV]_?\w{1,3})\s*=\s*\{\s*x\s*:\s*([^{}:]+?),\s*y\s*:\s*([^{}:]+?),?\s*\}")

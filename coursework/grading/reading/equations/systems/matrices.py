@@ -6,16 +6,16 @@ if it has no such system.  Nothing is computed.  Used by `text_lines.py`.
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Sequence
 from itertools import islice
 
-from coursework.grading.reading.equations.notation.latex import determinant, in_one_piece, matrices_in_one_piece
+from coursework.grading.reading.equations.notation.latex import determinant, matrices_in_one_piece
 from coursework.grading.reading.equations.notation.signs import closing
 from coursework.grading.reading.equations.systems.components import in_one_vector
 from coursework.grading.reading.equations.systems.of_r import in_brackets
-from coursework.grading.reading.equations.systems.parts import at_commas, at_signs, product, rows_of, vector
+from coursework.grading.reading.equations.systems.of_smath import of_smath
+from coursework.grading.reading.equations.systems.parts import at_commas, product, rows_of, vector
 
 _TYPE = r"(?:(?:static|const|double|float|real|auto|let|var)[ \t]+)*"
 _DEFINED = re.compile(
@@ -23,7 +23,7 @@ _DEFINED = re.compile(
     r"(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)"
 )
 _NAME = r"([^\W\d]\w{0,20})"
-_NAMES = r"[(\[{]?((?:[^\W\d]\w{0,20}[ \t]*,[ \t]*)+[^\W\d]\w{0,20})[)\]}]?"
+_NAMES = r"[(\[{]?((?:[^\W\d]\w{0,20}[ \t]*[,;][ \t]*)+[^\W\d]\w{0,20})[)\]}]?"
 _SOLVER = r"(?:(?:lin|lu|l|LU)?[sS]olve|LinearSolve)\s*[(\[]"
 _SOLVED = (
     rf"(?:(?:[A-Za-z]{{1,13}}(?:\.|:-)){{0,2}}{_SOLVER}\s*{_NAME}\s*,\s*{_NAME}\s*[)\]]"
@@ -71,17 +71,23 @@ _ROW_OF_CELLS = re.compile(
 _IN_BRACES = re.compile(rf"(?m)(?:^|(?<=;))[ \t]*{_TYPE}([^\W\d]\w{{0,20}})((?:[ \t]*\[\w{{0,9}}\]){{1,2}})[ \t]*=[ \t]*(?=\{{)")
 _LISTS = re.compile(r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*(?::=|=|:)[ \t]*(?:(matrix)[ \t]*(?=\(\s*\[)|(?=\{))")
 _ASSIGNED = re.compile(r"(?m)^[ \t]*([^\W\d]\w{0,20})[ \t]*:[ \t]*(?=invert\b|[^\W\d]\w{0,20}\[\d)")
+# A matrix times its unknowns, which stand there as a vector: A*[w1; w2] = b
+_UNKNOWNS = re.compile(
+    rf"(?m)(?:^|[$;])[ \t]*{_NAME}[ \t]*[*@·⋅×]?[ \t]*\[([^\[\]\n=]{{3,200}})\]"
+    rf"(?:\.?'|\.T|\^\{{?T\}}?|ᵀ)?[ \t]*={{1,2}}[ \t]*{_NAME}"
+    r"(?=[ \t]*[.,;$]?[ \t]*$)"
+)
 _ROUND, _BRACES = str.maketrans("[]", "()"), str.maketrans("{}", "[]")  # of functions and of lists in Mathematica
 # A system that is solved where it is written: solve([[a, b], [c, d]], [e, f]), solve(np.array(...), ...), [a, b; c, d]\[e; f]
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*(?:{_NAME[1:-1]}\s*,\s*)?[\w.]{{0,20}}\s*\(?\s*\[)")
 _FACTOR = rf"(\[[^=\n]{{1,2000}}\]|{_NAME[1:-1]})"
 _DIVIDED = re.compile(
-    rf"(?m)(?<==)[ \t]*(?:{_FACTOR}[ \t]*\\|inv\({_FACTOR}\)[ \t]*[*@])[ \t]*{_FACTOR}(?:\.?'|\.T)?"
+    rf"(?m)(?<==)[ \t]*(?:{_FACTOR}[ \t]*\\|inv\({_FACTOR}\)[ \t]*[*@]"
+    rf"|{_FACTOR}[ \t]*(?:\^[ \t]*[({{]?-1[)}}]?|⁻¹)[ \t]*[*·⋅])[ \t]*{_FACTOR}(?:\.?'|\.T)?"
     r"(?=[ \t]*(?:;|(?:[%#/].*)?$))"
 )
 _SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
 _OF_CALL = ("matrix_of_call", "sides_of_call")
-_SMATH = re.compile(r"(?<!\w)mat\(")
 _DETERMINANT = re.compile(r"(?:(?<![\w.])(?:[A-Za-z]{1,13}(?:\.|:-)){1,2}|(?<![\w.]))(?:[dD]et|[dD]eterminant)\s*(?=[(\[])")
 _WRAPPED = re.compile(r"\s*[\w.]{0,20}\s*\(?\s*(\[.*\])\s*\)?\s*", re.DOTALL)
 _SIGNS = ("[", "matrix", "(1,", "(0,", "bind", "{{", "mat(", "x:")  # a system has one of them
@@ -96,7 +102,8 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     """
     if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in _SIGNS):
         return text
-    text = _returned_as_named(in_one_vector(_without_braces(in_brackets(_as_lists(_with_determinants(_of_smath(text)))))))
+    text = _with_unknowns_named(_without_braces(in_brackets(_as_lists(_with_determinants(of_smath(text))))))
+    text = _returned_as_named(in_one_vector(text))
     first = min([1, *(int(row[2]) for row in _ROW_OF_CELLS.finditer(text))])  # columns are counted from 0 or 1 as rows are
     text = _elements_gathered(_ROW_OF_CELLS.sub(lambda row: _as_cells(row, first), text))
     for _ in range(_MOST_SYSTEMS):
@@ -106,6 +113,13 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
             break
         text = solved
     return text
+
+
+def _with_unknowns_named(text: str) -> str:
+    """Return a text with A*x = b and x = [w1; w2] for A*[w1; w2] = b."""
+    if (found := _UNKNOWNS.search(text)) is None:
+        return text
+    return f"{text[: found.start(1)]}{found[1]}*unknowns = {found[3]}{text[found.end() :]}\nunknowns = [{found[2]}]"
 
 
 def _with_first_system(whole: str, sought: Sequence[str]) -> str:
@@ -124,8 +138,9 @@ def _with_first_system(whole: str, sought: Sequence[str]) -> str:
             break
     else:
         return ""
-    taken = [] if "," in unknowns else _taken(whole, unknowns, found.end())
-    columns = vector(unknowns) if "," in unknowns else vector(named[unknowns][2]) if unknowns in named else []
+    is_listed = not unknowns.isidentifier()
+    taken = [] if is_listed else _taken(whole, unknowns, found.end())
+    columns = vector(unknowns) if is_listed else vector(named[unknowns][2]) if unknowns in named else []
     columns = columns or [one[1] for one in taken] or [*sought]
     equations = product(named[matrix][2], columns, vector(named[right][2]))
     if not equations:
@@ -169,26 +184,6 @@ def _with_determinants(text: str) -> str:
         if said:
             text = text[: found.start()] + said + "\n" * inner.count("\n") + text[end + 1 :]
             start = found.start() + len(said)
-    return text
-
-
-def _of_smath(text: str) -> str:
-    """Return a text with the matrices of SMath Studio, cells row by row and then their numbers of rows and columns, in brackets.
-
-    >>> _of_smath("mat(a;b*(c+1);2;d;2;2)*mat(x;y;2;1)")
-    '[a, b*(c+1); 2, d]*[x; y]'
-    >>> _of_smath("mat(A)*mat(;)")
-    'mat(A)*mat(;)'
-    """
-    for found in reversed([*islice(_SMATH.finditer(text), _MOST)]):
-        end = closing(text, found.end() - 1, _LONGEST)
-        inner = text[found.end() : end]
-        listed = at_signs(re.compile(";" if ";" in inner else ","), inner)
-        cells, size = listed[:-2], [one.strip() for one in listed[-2:]]
-        if cells and all(map(str.isdecimal, size)) and math.prod(map(int, size)) == len(cells):
-            wide = int(size[1])
-            said = in_one_piece(cells[place : place + wide] for place in range(0, len(cells), wide)).strip()
-            text = text[: found.start()] + said + text[end + 1 :]
     return text
 
 

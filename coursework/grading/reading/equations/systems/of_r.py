@@ -21,6 +21,10 @@ _OTHER = (
     (re.compile(r"(?m)^[ \t]*(?=solve\()"), "x = "),
     (re.compile(r"(?<=[=,*])\s*\bc\(((?:[^()]|\((?:[^()]|\([^()]*\))*\))*)\)"), r" [\1]"),
 )
+_GIVEN = re.compile(
+    r"(?m)^[ \t]*([\w.]{1,20})[ \t]*(?:<-|=)[ \t]*function\([^()]{0,60}\)[ \t]*\{[^{}]{0,4000}?"
+    r"\n[ \t]*solve\([^{}\n]*\)[ \t]*\n?\}"
+)
 _MOST = 12
 
 
@@ -45,6 +49,8 @@ def in_brackets(text: str) -> str:
             place = found.start() + len(matrix)
             text = text[: found.start()] + matrix + lines + text[end:]
     if place:
+        for name in _GIVEN.findall(text):  # a function that ends with what it solves for: om(phi)[1] is x[1]
+            text = re.sub(rf"(?<![\w.]){re.escape(name)}\([\w\s,.]{{0,40}}\)(?=\[)", "x", text)
         for pattern, by in _OTHER:
             text = pattern.sub(by, text)
     return text

@@ -16,6 +16,7 @@ from coursework.variant.formula.reader import MAX_DEPTH
 
 _BETWEEN = re.compile(
     rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s&\s(?!\s*=)|\|\||\s\|\s|\s--\s|/\\|[∧⋀]|\\(?:land|wedge)(?![A-Za-z])|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s"
+    r"|\s(?:d['’]où|donc|daher|somit|hence|thus|therefore|откуда|отсюда|звідки|звідси|stąd|skąd|de donde|da cui)\s(?=.{1,30}=)"
 )
 # Another equation begins after "= 0": nothing multiplies or adds to a zero.
 _VANISHED = re.compile(

@@ -42,7 +42,7 @@ _SINES = re.compile(
 _SAME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?::?=|<-)\s*\1\s*(?=[;,}\n#%]|//|$)")  # phi1 = phi1
 _DERIVATIVE = re.compile(r"d[a-z]\w*|\w+_?dot|(?:w|v|om|omega|ω)", re.IGNORECASE)
 _BETWEEN = re.compile("[,;]")
-_MOST_CHARACTERS, _MOST_SINES, _LONGEST = 200_000, 20, 4000
+_MOST_LISTS, _MOST_CHARACTERS, _MOST_SINES, _LONGEST = 40, 200_000, 20, 4000
 
 
 def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str:
@@ -77,6 +77,23 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
             meant[vector] = found
     named = _ENTRY.sub(lambda entry: _named(entry, meant), text)
     return _returned(_SAME.sub("", named) if meant else text, [rates[name] for name in order])
+
+
+def with_short_names(text: str, variant: Variant, spellings: Spellings) -> str:
+    """Return a program with theta, beta for th, be, if it lists its coordinates so, all in the order of the task."""
+    names = [one.name for one in variant.coordinates]
+    if not any(len(name) > len("phi") for name in names):
+        return text
+    for found in islice(re.finditer(rf"(?<![\w.])(?:[^\W\d]\w*[ \t]*,[ \t]*){{{len(names) - 1}}}[^\W\d]\w*", text), _MOST_LISTS):
+        pairs = zip(re.findall(r"\w+", found[0]), names, strict=True)
+        short = {one: name for one, name in pairs if one != name}
+        if short and all(
+            len(one) > 1 and name.startswith(one.lower()) and spellings.angle(one) in {None, name} for one, name in short.items()
+        ):
+            for one, name in short.items():
+                text = re.sub(rf"(?<![\w.]){one}(?!\w)", name, text)
+            break
+    return text
 
 
 def _of_whole_vectors(text: str) -> str:
@@ -140,10 +157,13 @@ def _taken(text: str, vector: str, spellings: Spellings) -> dict[int, str]:
     found: dict[int, str] = {}
     ends, equals = r"\s*(?:[;,}#%]|//|$)", r"\s*(?::\s*\w+\s*)?(?::?=|<-)\s*"
     for match in re.finditer(rf"(?m)(?<![\w.])([^\W\d]\w{{0,20}}){equals}{entry}{ends}", text):
-        if name := spellings.canonical(match[1]):
+        if name := spellings.angle(match[1]):
             found.setdefault(int(match[2]), name)
     for match in re.finditer(rf"(?m)(?<![\w.]){entry}{equals}([^\W\d]\w{{0,20}}){ends}", text):
         if (name := spellings.canonical(match[2])) and name not in spellings.data:
+            found.setdefault(int(match[1]), name)
+    for match in re.finditer(rf"(?m)(?<![\w.]){entry}\s*=[^=;\n]*;?[ \t]*(?:/\*|//|%|#|!)[ \t]*(\w+)[ \t]*(?:\*/)?$", text):
+        if name := spellings.canonical(match[2]):  # out[0] = …; /* w */
             found.setdefault(int(match[1]), name)
     return found
 
