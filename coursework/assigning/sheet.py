@@ -51,6 +51,7 @@ def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plai
         "hand_in": [_told(variant, text) for text in _parts(handout, words, rubric)],
         "files": [_told(variant, text) for text in _files(handout, words, rubric)],
         "digits": lettered(variant, _digits(handout, words)),
+        "enlarge": words("title.enlarge"),
     }  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coursework.commands.line.screen import in_language, tell, tell_own_file
+from coursework.desk.inside import is_name, refused_name
 from coursework.scene.model.variant_text import variant_text
 from coursework.scene.quantities import ACCELERATIONS, ANALOGS, CHECKS, GRAPH_CHECK, INVARIANTS, PLOTS, POINTS, TABLE, Quantity
 from coursework.system.files.whole_files import write_bytes
@@ -42,8 +43,8 @@ def new_variant(
     if set_values and original is None:
         raise InputError(say("fault.C045"))
     stem = name.removesuffix(".toml")
-    if not re.fullmatch(r"[\w-]{1,60}", stem):
-        raise InputError(say("fault.C025", name=name))
+    if not is_name(stem):
+        raise InputError(refused_name(name))
     if stem.lower() in names():
         raise InputError(say("fault.C026", stem=stem))
     target = Path(f"{stem}.toml")

@@ -72,10 +72,13 @@ def find(path_or_name: str | Path | int) -> Path:
     # An editor on Windows may append ".txt" to the name, and the file manager hides it.
     if path.name and _is_file(doubled := ended.with_name(f"{ended.name}.txt")):
         raise InputError(say("fault.C013", ended=ended, doubled=doubled, name=ended.name))
-    if is_name and not path.is_dir():
+    if re.fullmatch(r"[\w-]{1,60}(\.toml)?", text) and not path.is_dir():
         if ended.is_symlink():  # it leads nowhere: reading tells why
             return ended
-        hint = closest(text.lower(), [*names(), *(file.stem for file in sorted(Path().glob("*.toml")))])
+        known = [*names(), *(file.stem for file in sorted(Path().glob("*.toml")))]
+        stem = ended.stem.lower()
+        number = re.search(r"\d*$", stem)  # variant31 is 31
+        hint = closest(number[0] if number and number[0] in known else stem, known)
         raise InputError(say("fault.C014", text=text, ended=ended, hint=hint))
     return path
 

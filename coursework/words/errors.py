@@ -110,7 +110,7 @@ class InputError(CourseworkError, ValueError):
     >>> coursework.solve("31", step=-0.02)
     Traceback (most recent call last):
         ...
-    coursework.words.errors.InputError: C008 the step must be greater than 0, found -0.02 s.
+    coursework.words.errors.InputError: C008 the step must be a finite time greater than 0, found -0.02 s.
     """
 
 

@@ -59,8 +59,14 @@ class Phrases:
             return load_phrases().beside(key, number)
         if not isinstance(forms, dict) or not isinstance(number, (int, float)):
             return key
-        form = PLURALS[self.template("plural")](abs(int(number))) if number == int(number) else "other"
+        form = self.form_for(abs(int(number))) if number == int(number) else "other"
         return f"{key}.{form if form in forms else 'other'}"
+
+    def form_for(self, number: int) -> str:
+        """Return the form of a noun beside a whole number.  Raises `InputError` if the words file names a rule that is none."""
+        if (rule := self.template("plural")) not in PLURALS:
+            raise InputError(say("fault.L004", language=self.language, rule=rule, known=tuple(PLURALS)))
+        return PLURALS[rule](number)
 
     def template(self, key: str) -> str:
         """Return a sentence with its gaps, in English if this language lacks it.  Raises `KeyError` for an unknown key."""
@@ -78,6 +84,8 @@ class Phrases:
         try:
             filled = _Counting(self).vformat(template, (), values) if _NOUN in template else template.format(**values)
             return closed_up(filled)
+        except InputError:
+            raise
         except (KeyError, IndexError, ValueError, AttributeError) as error:
             known = ", ".join(f"{{{name}}}" for name in values) or "–"
             raise InputError(say("fault.L001", language=self.language, key=key, error=str(error), known=known)) from error
@@ -177,13 +185,7 @@ class _Counting(Formatter):
         forms = dict(zip(("one", "few", "many", "other"), nouns.split("|"), strict=False))
         written = "".join(text.replace(self._phrases.template("decimal"), ".").split())
         whole, _, part = written.partition(".")
-        form = (
-            "many"
-            if not whole.isdigit()
-            else "other"
-            if part.strip("0")
-            else PLURALS[self._phrases.template("plural")](int(whole))
-        )
+        form = "many" if not whole.isdigit() else "other" if part.strip("0") else self._phrases.form_for(int(whole))
         return f"{text} {forms.get(form, forms['few'])}"
 
 

@@ -13,6 +13,8 @@ _SHEET = re.compile(r"(?<=<style>).*?(?=</style>)", re.DOTALL)
 _SCRIPT = re.compile(r"<script.*?</script>", re.DOTALL)
 _NAME = re.compile(r"[\w-]+")
 _RULE = re.compile(r"([^{};]+)\{([^{}]*)\}")
+_NESTED = re.compile(r"(?<=[{}])[^{};,]*:has\(\.([\w-]+)\)\s*\{(?:[^{}]|\{[^{}]*\})*\}")  # rules about what holds a class
+_PAGE = re.compile(r"@page (\w+)\s*\{[^{}]*\}")
 _EMPTY = re.compile(r"@media[^{}]*\{\s*\}")
 _VARIABLE = re.compile(r"(--[\w-]+):[^;{}]*;")
 _COMMA = re.compile(r"([(),])")
@@ -56,7 +58,9 @@ def fitted(page: str) -> str:
         selectors = [one for one in _listed(rule[1]) if one.lstrip().startswith("@") or concerns(one)]
         return f"{','.join(selectors)}{{{rule[2]}}}" if selectors else ""
 
-    fit = _EMPTY.sub("", _RULE.sub(kept, sheet[0]))
+    held = _NESTED.sub(lambda rule: rule[0] if rule[1] in found["name"] else "", sheet[0])
+    fit = _EMPTY.sub("", _RULE.sub(kept, held))
+    fit = _PAGE.sub(lambda one: one[0] if re.search(rf"page:\s*{one[1]}\b", fit) else "", fit)
     fit = _VARIABLE.sub(lambda one: one[0] if f"var({one[1]}" in fit or f"var({one[1]}" in rest else "", fit)
     return page[: sheet.start()] + fit + page[sheet.end() :]
 

@@ -87,7 +87,9 @@ const forces = {
     const lines = drives.map((column, k) => say("force_drive", {
       name: label(names_[k + 1]).replace("_", ""), value: shown(found[column], 4), own: shown(other[column], 4), unit: data.unit_words[names_[k + 1]],
     }));
-    for (const { name, size } of first) lines.push(say("force_largest", { name: name.replace("_", ""), value: shown(size, 4) }));
+    const low = /** @type {(digit: string) => string} */ ((digit) => String.fromCharCode(0x2080 + Number(digit))); // R₀₃
+    for (const { name, size } of first)
+      lines.push(say("force_largest", { name: name.replace("_", "").replace(/\d/g, low), value: shown(size, 4) }));
     write(byId("live-drive"), lines.join(" "));
     tell("live-energy", say("force_energy", { value: shown(energy, 4), own: shown(there, 4) }), String(there));
     const off = there - energy, part = Math.abs(off) > 0.05 * this.scale;

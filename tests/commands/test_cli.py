@@ -111,10 +111,10 @@ WRONG = {
         ["run", "31", "--step", "abc"],
         'a step in seconds, such as 0.02, or a part of the file’s step, such as h/4, was expected, found "abc".',
     ),
-    "step zero": (["run", "31", "--step", "0"], "the step must be greater than 0, found 0 s."),
-    "step negative": (["run", "31", "--step", "-1"], "the step must be greater than 0, found -1 s."),
-    "step nan": (["run", "31", "--step", "nan"], "the step must be greater than 0, found nan s."),
-    "step infinite": (["run", "31", "--step", "inf"], "the step must be greater than 0, found inf s."),
+    "step zero": (["run", "31", "--step", "0"], "the step must be a finite time greater than 0, found 0 s."),
+    "step negative": (["run", "31", "--step", "-1"], "the step must be a finite time greater than 0, found -1 s."),
+    "step nan": (["run", "31", "--step", "nan"], "the step must be a finite time greater than 0, found nan s."),
+    "step infinite": (["run", "31", "--step", "inf"], "the step must be a finite time greater than 0, found inf s."),
     "too many rows": (["run", "31", "--step", "4.8e-10"], "1e+09 rows are asked for; at most 200000 are computed."),
     "end before step": (["run", "31", "--end", "0.001"], "the end (0.001 s) must be at least one step (0.02 s)."),
     "end nan": (["run", "31", "--end", "nan"], "the end must be a number of seconds, found nan."),
@@ -157,7 +157,10 @@ WRONG = {
         '"V102" is a variant of the catalogue, and a file of that name would stand for it in this folder.',
     ),
     "copy of nothing": (["new", "mine", "--from", "v10"], 'there is no variant "v10" in the catalogue'),
-    "new name": (["new", "a/b"], '"a/b" cannot be the name of a variant: letters, digits, _ and - only.'),
+    "new name": (["new", "a/b"], '"a/b" cannot be the name of a file here: one word of letters, digits, _ and -, at most 60,'),
+    "new device": (["new", "con"], '"con" cannot be the name of a file here'),
+    "ending": (["run", "31.toml"], 'no file "31.toml" in this folder. Did you mean "31"?'),
+    "word before the number": (["run", "вариант31"], 'no file "вариант31.toml" in this folder. Did you mean "31"?'),
 }
 
 

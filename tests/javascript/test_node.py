@@ -16,4 +16,4 @@ def test_what_needs_no_browser() -> None:
     surroundings = os.environ | {"PYTHON": sys.executable}
     told = subprocess.run(["node", "--test"], cwd=Path(__file__).parent, env=surroundings, capture_output=True, text=True)
     assert told.returncode == 0, told.stdout
-    assert "\n# pass 14\n" in told.stdout
+    assert "\n# pass 15\n" in told.stdout

@@ -36,6 +36,20 @@ def test_a_words_file_is_refused_at_its_line(tmp_path: Path, text: str, line: in
         load_phrases("de")
 
 
+def test_a_rule_of_forms_that_is_none_is_told(tmp_path: Path) -> None:
+    """Both ways to a form ask for it: a sentence with forms, and a noun in a gap."""
+    (tmp_path / "words.de.toml").write_text(
+        'plural = "one-two"\n[x]\na.one = "a"\nb = "{n:g;Zeile|Zeilen|Zeilen}"\n', encoding="utf-8"
+    )
+    with templates_of(tmp_path):
+        phrases = load_phrases("de")
+        for said in (lambda: phrases.said("x.a", number=2), lambda: phrases.said("x.b", n=2)):
+            with pytest.raises(
+                InputError, match=r'L004 words\.de\.toml, plural: "one-two" is no rule .* one-other, one-few-many'
+            ):
+                said()
+
+
 def test_two_letters_in_the_other_order_are_the_closest_name() -> None:
     assert closest("--setp", ["--set", "--step"]) == ' Did you mean "--step"?'
     assert closest("ws", ["s", "q", "wt"]) == closest("w", ["s"]) == ""  # no slip of a letter: s is another quantity

@@ -20,6 +20,8 @@ BODY = '<main lang="en" id="top"><p class="one two"><svg stroke="#111"></svg></m
         (":lang(zh) p{a:b}:lang(en) p{a:b}", ":lang(en) p{a:b}"),
         ("@media print{.three{a:b}}@media print{.two{a:b}}", "@media print{.two{a:b}}"),
         ("@page{size:A4;@bottom-center{content:counter(page)}}", "@page{size:A4;@bottom-center{content:counter(page)}}"),
+        ("p{page:wide}@page wide{a:b}@page tall{a:b}", "p{page:wide}@page wide{a:b}"),
+        ("p{a:b}p:has(.one){a:b;>b{a:b}}p:has(.three){a:b;>p{a:b}}p{a:b}", "p{a:b}p:has(.one){a:b;}p{a:b}"),
         (":root{--x:red;--y:var(--z);--z:blue;}p{color:var(--x)}", ":root{--x:red;--z:blue;}p{color:var(--x)}"),
     ],
 )

@@ -16,6 +16,7 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, closest, either, say
 
+DASHES = "‐‑‒–—−-"
 VARIABLE = "COURSEWORK_LANGUAGE"
 _NO_VALUE = "does not take a value"
 _TOO_MANY = re.compile(r"Got unexpected extra arguments? \((.*)\)\Z", re.DOTALL)
@@ -34,6 +35,10 @@ def tell_misuse(error: click.ClickException, words: Sequence[str]) -> None:
 
 def fault_of(error: click.ClickException) -> Sentence:
     """Return the sentence for a kind of misuse; for a rare kind it contains click's own message."""
+    if isinstance(error, click.NoSuchOption) and not error.option_name.startswith("-"):
+        return say("fault.C100", name=error.option_name, meant="--" + error.option_name.lstrip(DASHES))
+    if isinstance(error, click.NoSuchOption) and _is_of_a_command(error):
+        return say("fault.C101", name=error.option_name)
     if isinstance(error, click.NoSuchOption):
         hint = closest(error.option_name, [name for name in error.possibilities or () if name != "--help"])
         return say("fault.C051", name=error.option_name, hint=hint)
@@ -57,6 +62,15 @@ def fault_of(error: click.ClickException) -> Sentence:
     if too_many := _TOO_MANY.match(error.format_message()):
         return say("fault.C060", found=too_many[1])
     return say("fault.C058", reason=error.format_message())
+
+
+def _is_of_a_command(error: click.NoSuchOption) -> bool:
+    """Return whether an option that stands before the command is one of some command."""
+    group = error.ctx.command if error.ctx is not None else None
+    if error.ctx is None or not isinstance(group, click.Group):
+        return False
+    commands = [group.get_command(error.ctx, name) for name in group.list_commands(error.ctx)]
+    return any(error.option_name in option.opts for command in commands if command for option in command.params)
 
 
 def _name(error: click.BadParameter) -> str:

@@ -8,6 +8,7 @@ Exit status: 0 all passed; 1 a check failed or the motion stopped; 2 the input i
 
 from __future__ import annotations
 
+import re
 import sys
 from typing import Any, NoReturn
 
@@ -17,6 +18,7 @@ from coursework.system.processes.one_thread import keep_to_one_thread
 from coursework.system.standard_streams import patient_streams
 from coursework.words.errors import CourseworkError
 
+_DASHED = re.compile("[‐‑‒–—−]-?[a-z]+(-[a-z]+)*(=|$)")  # a word processor has put dashes for the hyphens of --step
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
 
 
@@ -33,6 +35,13 @@ class Program(click.Group):
                 click.echo(output.lost, err=True)
                 status = max(status, WRONG_INPUT)
         sys.exit(status)
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Return what stands behind the options of the group; a word that only looks like an option is misuse, not a file."""
+        for word in args:
+            if _DASHED.match(word):
+                raise click.NoSuchOption(word.partition("=")[0], ctx=ctx)
+        return super().parse_args(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run a command; on an interrupt print one sentence."""

@@ -21,11 +21,12 @@ from coursework.system.files.lock import held, refuse_link
 from coursework.system.files.whole_files import refused, write_bytes
 from coursework.system.frozen import frozen
 from coursework.words.data_folders import folder as folder_of_reports
+from coursework.words.reasons import reason_of
 from coursework.words.sentences import say
 
 SUFFIX = ".toml"
 DELETED = ".deleted"
-NOT_THERE, NO_NAME, CONFLICT = 404, 403, 409
+NOT_THERE, NO_NAME, NOT_READ, CONFLICT = 404, 403, 403, 409
 PATIENCE = 5.0  # s to wait for another desk that is writing into the folder
 LEFT_OVER = 60.0  # s after which an unfinished file counts as left over by a killed process
 MOST_FILES = 2000
@@ -58,11 +59,13 @@ class Folder:
         return os.access(self.path, os.W_OK)
 
     def read(self, name: str, below: str = "") -> bytes | None:
-        """Return the bytes of NAME.toml, None if there is none.  Raises `Refused` for an invalid name or a file too large."""
+        """Return the bytes of NAME.toml, None if there is none.  Raises `Refused` if it may or can not be read."""
         if not is_name(name):
             raise Refused(NO_NAME, refused_name(name))
-        with refused(self._file(name)):
+        try:
             content = read_inside(self.path / below if below else self.path, name + SUFFIX, MOST_BYTES)
+        except OSError as error:
+            raise Refused(NOT_READ, say("desk.not_read", name=name + SUFFIX, reason=reason_of(error))) from error
         if content is not None and len(content) > MOST_BYTES:
             raise Refused(TOO_LARGE, say("desk.too_large", most=MOST_BYTES))
         return content

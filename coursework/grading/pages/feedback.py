@@ -172,7 +172,8 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases, *, is_explained: bo
     ]
     digits = max(len(f"{t:.6g}".partition(".")[2]) for t in key.t.tolist())
     times = [words.number(t, f".{digits}f") for t in key.t.tolist()]
-    shown = [shown_column([column.texts[row] for row in chosen]) if column else [""] * len(chosen) for column in columns]
+    decimal = words.template("decimal")
+    shown = [shown_column([column.texts[row] for row in chosen], decimal) if column else [""] * len(chosen) for column in columns]
     uncounted = np.zeros_like(cells.wrong)
     if is_explained and shut(marked) and marked.points.uncounted is not None:  # a sign with a reason above
         uncounted = marked.points.uncounted
@@ -189,7 +190,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases, *, is_explained: bo
                 # Six digits show what is wrong with a cell; the first wrong cell has its whole text as title.
                 whole = clean(column.texts[row], LONGEST_CELL) if column and is_first else ""
                 sign, mark = _SHUT if uncounted[row, place] else _SIGNS[cells.marks[row, place]]
-                title = whole if whole.replace("-", "−") != text.rstrip() else ""
+                title = whole if whole.replace("-", "−").replace(",", ".") != text.rstrip().replace(",", ".") else ""
                 entries.append((text, title, sign, mark, is_first))
             rows.append({"number": row + 1, "t": times[row], "cells": entries})
         blocks.append({"heads": [(heads[place], units[place]) for place in places.tolist()], "rows": rows})

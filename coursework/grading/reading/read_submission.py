@@ -35,6 +35,7 @@ from coursework.grading.reading.files.kinds import (
     PICTURES,
     is_html,
     is_ignored,
+    is_link,
     is_named_as_table,
     is_record,
     kind_of_parts,
@@ -103,6 +104,8 @@ class _Found:
         """Read one file and return its kinds, () if nothing was found in it.  Raises `Refused`."""
         if kind := real_kind(file.content):
             raise _other_kind(kind)
+        if is_link(file.content):
+            raise unreadable("link", name=file.name)
         if file.trouble:
             raise Refused(Trouble("unreadable", file.trouble.key.rpartition(".")[2], file.trouble))
         if document := document_of_bytes(file.content, self.expected.grid):

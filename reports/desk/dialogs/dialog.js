@@ -1,6 +1,7 @@
 // Dialogs: made when they are opened, closed by Escape, by their cross and by a click beside them.
 
 import { button, cross, make } from "../elements.js";
+import { isName } from "../names.js";
 import { say } from "../words.js";
 
 /**
@@ -87,5 +88,5 @@ export function confirmed(title, sentence, verb) {
   });
 }
 
-/** What may be a name: letters, digits, _ and -. @param {string} name */
-export const refusedName = (name) => (/^[\p{L}\p{N}_-]{1,60}$/u.test(name) ? "" : say("name_wrong"));
+/** @param {string} name */
+export const refusedName = (name) => (isName(name) ? "" : say("name_wrong"));

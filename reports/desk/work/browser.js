@@ -1,5 +1,6 @@
 // Texts in the store of this browser: on `serve` all work of a person is here and nowhere else.
 
+import { isName } from "../names.js";
 import { say } from "../words.js";
 import { keep, kept, keptNames } from "./store.js";
 import { unzipped, zipped } from "./zip.js";
@@ -77,10 +78,11 @@ export const browserWorks = () => ({
       skipped = [];
     for (const [path, text] of Object.entries(await unzipped(file))) {
       const name = path.replace(/^.*\//, ""),
-        work = /^([\p{L}\p{N}_-]{1,60})\.toml$/u.exec(name)?.[1];
+        stem = /^(.*)\.toml$/u.exec(name)?.[1],
+        work = stem && isName(stem) ? stem : null;
       const key = work ? WORK + work : /\.(?:csv|txt)$/i.test(name) ? TABLE + name : null,
         there = key && kept(key);
-      if (!key) skipped.push({ name, sentence: say("no_work") });
+      if (!key) skipped.push({ name, sentence: say(stem === undefined ? "no_work" : "name_wrong") });
       else if (typeof there === "string" && there !== text)
         skipped.push({ name, sentence: say("name_taken", { name: work ?? name }) });
       else put(key, text), written.push(name);

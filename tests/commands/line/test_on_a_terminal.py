@@ -36,7 +36,7 @@ def test_a_run_fits_one_screen_and_says_the_point_first(terminal):
     )
     assert "≈ Closeness to the motion: Computed right, but not close to the exact motion." in text
     assert not CODE.search(text)
-    assert text.count("Take --step h/18 (0.00111111 s), or --scheme rk4 at the old step (0.005 %).") == 1
+    assert text.count("Take --step h/18 (0.00111 s), or --scheme rk4 at the old step (0.005 %).") == 1
     assert lines[-2:] == [
         "Written to coursework-31: table.csv, run.json", "Every check with its number: the same command with --verbose.",
     ]  # fmt: skip

@@ -106,6 +106,8 @@ def test_what_is_no_file_or_cannot_be_read_costs_only_itself(client, tmp_path):
         (tmp_path / name).symlink_to(name)
     (tmp_path / "folder.toml").mkdir()
     assert client.get("/api/file/folder").status_code == 404
+    answer = client.get("/api/file/loop")
+    assert answer.status_code == 403 and answer.json()["sentence"].startswith("loop.toml cannot be opened: "), answer.text
     assert [each["name"] for each in client.get("/api/files").json()] == ["mine"]
     assert zipfile.ZipFile(io.BytesIO(client.get("/api/zip").content)).namelist() == ["mine.toml"]
 

@@ -198,6 +198,9 @@ def test_kinds_by_content() -> None:
         ("table.numbers", archive({"Index/Document.iwa": b"x"}), "other_kind"),
         ("table.xmcd", b'<?xml version="1.0"?><worksheet xmlns="http://schemas.mathsoft.com/worksheet30">', "other_kind"),
         ("scan.pdf", b"%PDF-1.5", "other_kind"), ("table.csv", "Таблиця на аркуші".encode(), "no_table"),
+        ("a.url", b"[InternetShortcut]\r\nURL=https://docs.example/\r\n", "link"), ("a.txt", b"https://docs.example/1", "link"),
+        ("a.gsheet", b'{"url":"https://docs.example/1","doc_id":"1"}', "link"), ("a.lnk", b"L\0\0\0\1\x14\2\0\0", "link"),
+        ("a.webloc", b'<?xml version="1.0"?><plist><dict><key>URL</key><string>x</string></dict></plist>', "link"),
     ],
 )  # fmt: skip
 def test_what_stands_in_for_a_table_is_unreadable_with_advice(name: str, content: bytes, code: str) -> None:

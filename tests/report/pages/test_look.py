@@ -131,6 +131,13 @@ def test_a_drawing_too_small_to_be_read_on_a_phone_is_seen_whole_and_enlarged_wh
     page.goto(places["key"].as_uri())
     assert page.evaluate("document.querySelector('.drawing svg').getBoundingClientRect().width") <= 390
     assert min(high for *_, high in page.evaluate(SEEN_WORDS, ".drawing svg")) >= 9.5
+    names = "[...document.querySelectorAll('.formula .name')].map((one) => one.getBoundingClientRect().height)"
+    assert len(page.evaluate(names)) >= 4 and max(page.evaluate(names)) < 40, "a number is on one line"
+    page.goto(places["sheet"].as_uri())
+    assert page.evaluate("document.querySelector('.drawing svg').getBoundingClientRect().width") <= 390
+    page.locator(".drawing > div").click()
+    assert page.evaluate("document.querySelector('.drawing svg').getBoundingClientRect().width") > 390
+    page.evaluate("document.activeElement.blur()")
     page.goto(places["accuracy"].as_uri())
     words = page.evaluate(SEEN_WORDS, ".drawing svg")
     assert [(one[0], two[0]) for one, two in combinations(words, 2) if meet(one, two)] == []

@@ -87,12 +87,15 @@ def test_words_that_lie_on_each_other_are_seen() -> None:
         assert crossed(document.tobytes()) == [("largest", "last")]
 
 
-def test_heads_of_long_names_part_between_their_words() -> None:
+def test_long_names_part_between_their_words_in_heads_and_cells() -> None:
     longer = (
         ("phi1", "angleOfTheCrank"),
         ("phi2", "angleOfTheConnectingRod"),
         ("phi3", "angleOfTheRockerBehind"),
         ("w3", "rateOfTheRockerBehind"),
+        ('"n"', '"speedOfTheCrankOfThisFourBar"'),
+        ("n = ", "speedOfTheCrankOfThisFourBar = "),
+        ("pi/n", "pi/speedOfTheCrankOfThisFourBar"),
     )
     run = solve(parse_variant(mechanism("four-bar", *longer)), quantities=["table", "analogs"])
     assert crossed(paper_of(model_of(run))) == []

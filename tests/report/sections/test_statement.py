@@ -39,7 +39,7 @@ def test_the_answer_stands_on_the_first_page(real: ModuleType) -> None:
     told = " ".join(real.text_of(item) for item in shown["result"]["items"]).replace("\u00a0", " ")
     assert "Row 4, t = 0.06 s: ω1 = 0.21984 rad/s, ω2 = 0.11362 rad/s, ω3 = 4.3916 rad/s, ω4 = −7.9410 rad/s." in told
     assert "φ1 −0.0828 rad, φ2 −0.0369 rad, φ3 0.0468 rad" in told
-    assert "Take h = 0.00111111 s, or the scheme Runge-Kutta 4 at the old step (0.005 %)." in told
+    assert "Take h ≈ 0.00111 s, or the scheme Runge-Kutta 4 at the old step (0.005 %)." in told
     assert "argest error" not in told, "the verdict above has it"
     why = real.text_of(next(part for part in real.parts(real.full(), "results") if part["kind"] == "paragraph")).replace(
         "\u00a0", " "

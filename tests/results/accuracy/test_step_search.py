@@ -49,7 +49,7 @@ def test_what_would_take_minutes_is_refused_with_the_time(scene):
         choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, 1e-7)
 
 
-@pytest.mark.parametrize("wish", [0.0, -1.0, float("nan"), 1e-14, 0.99e-10])
+@pytest.mark.parametrize("wish", [0.0, -1.0, float("nan"), float("inf"), 1e-14, 0.99e-10])
 def test_wishes_below_round_off_are_refused(scene, wish):
     with pytest.raises(InputError, match="round-off decides"):
         choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, wish)

@@ -35,7 +35,7 @@ def test_run_31_says_in_its_first_line_that_phi1_is_off_by_70_percent(tmp_path, 
     assert (accuracy["column"], accuracy["row"], accuracy["verdict"], accuracy["unit"]) == ("phi1", 20, "COARSE", "of the scale")
     assert accuracy["value"] == pytest.approx(0.70, abs=0.005)
     assert accuracy["step"] == 0.02 / 18
-    assert accuracy["sentence"].endswith("Take --step h/18 (0.00111111 s), or --scheme rk4 at the old step (0.005 %).")
+    assert accuracy["sentence"].endswith("Take --step h/18 (0.00111 s), or --scheme rk4 at the old step (0.005 %).")
     again = CliRunner().invoke(main, ["run", "31", "--step", "h/18", "--strict", "--format", "csv"])
     assert again.exit_code == 0, again.output
 

@@ -78,7 +78,9 @@ _FORTRAN = re.compile(r"(?im)^[ \t]*(?:!|(?:subroutine|program|implicit|end|call
 _OF_FORTRAN = re.compile(r"(?:^|(?<=\s))!(?!=).*|^[Cc*](?:\s{2,}.*|\s*$)")
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//|!|/\*|\(\*|--|[Cc](?=\s{2}))+\s*([^=]*=.*?)\s*(?:\*/|\*\))?$")
 _ALIAS = re.compile(r"\s*([^\W\d]\w{0,20})\s*=\s*([^\W\d]\w{0,20})\s*[.]?\s*")
-_TAKEN = re.compile(r"(?m)^[ \t]*(?:\w{1,20}\s*=\s*)?\{[\w\s,]{1,80}\}\s*/\.\s*(?=(?:\w{4,7}\[)?N?Solve\[)")  # {w2, w3} /. Solve[…]
+_TAKEN = re.compile(
+    r"(?m)^[ \t]*(?:\w{1,20}\s*=\s*)?\{[\w\s,]{1,80}\}\s*/\.\s*(?=(?:\w{4,7}\[)?N?Solve\[)"
+)  # {w2, w3} /. Solve[…]
 _CONSTANT = re.compile(r"\b\w{1,12}\s*=\s*(?:const\w*|konst\w*|cte|пост\w*)\b\.?,?")  # as x_P = const, …
 _COLON = re.compile(r"\s*([^\W\d][\w.]{0,12})\s*:\s*(?!=)([^=:]*[*/][^=:]*)")  # v.P:c*ω.3*cos(φ.3)
 _KEYED = re.compile(

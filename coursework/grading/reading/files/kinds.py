@@ -30,6 +30,12 @@ _HTML = re.compile(
 # How `run.json` and `accuracy.json` begin, which `coursework run` and `accuracy` write last, and how they end.
 _RECORD = re.compile(r'\s*\{\s*"variant": ".{0,9999}?"versions": \{"coursework": "', re.DOTALL)
 _ITS_END = re.compile(r'"stamp": "[0-9a-f]+",\s*"files": \{')
+# A file that only leads to the work: of Windows (.url, .lnk), macOS (.webloc), Google's drive (.gdoc), or an address alone.
+_SHORTCUT = b"L\0\0\0\x01\x14\x02\0"
+_LINK = re.compile(
+    r"\s*(?:\[InternetShortcut\]|<\?xml.{0,400}?<key>URL</key>|\{[^{}]{0,99}\"(?:url|doc_id)\": ?\"|https?://\S+\s*\Z)",
+    re.DOTALL | re.IGNORECASE,
+)
 OLD_EXCEL, OLD_WORD = "xls", "doc"
 ARCHIVES = {"RAR", "7z", "gzip"}
 PICTURES = {"JPEG", "PNG", "GIF", "TIFF", "BMP", "HEIC", "WebP", "DjVu"}
@@ -64,6 +70,16 @@ def is_ignored(path: str) -> bool:
 def is_named_as_table(name: str) -> bool:
     """Return whether the ending of a file's name is one of a table."""
     return PurePosixPath(name.replace("\\", "/")).suffix.lower() in TABLE_ENDINGS
+
+
+def is_link(content: bytes) -> bool:
+    """Return whether a file is no work but the address of one.
+
+    >>> [is_link(text) for text in (b"https://disk.example/a b", b"https://disk.example/a", b"[InternetShortcut]")]
+    [False, True, True]
+    """
+    head = content[:2000]
+    return content.startswith(_SHORTCUT) or bool(_LINK.match(head.decode("utf-8-sig", "replace")))
 
 
 def is_html(text: str) -> bool:
