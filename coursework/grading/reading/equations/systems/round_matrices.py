@@ -15,6 +15,7 @@ _BEFORE = re.compile(r"(?:(?:^|[;,])[ \t]*|=[ \t]*|\)?[ \t]*[*·⋅×][ \t]*|\)[
 _BEHIND = re.compile(r"[ \t]*(?:$|[=*·⋅×(;,.]|:=|⁻¹|\^[({]?-1)", re.MULTILINE)
 _GOES_ON = re.compile(r"[-+*/=−·(]\s*$|^\s*[+*/=]", re.MULTILINE)
 _PRODUCT, _COMMA, _GAPS = re.compile(r"\s*[*·⋅×]\s*"), re.compile(","), re.compile(r"\s{2,}|\t")
+_DIFFERENCE, _OF_VECTOR = re.compile(r"^[^,\n]*\n\s*[-−]\s?[^\s,]*\s*(?:\n|$)"), re.compile(r"(?:[)\]][ \t]*[*·⋅×=]?|:=)[ \t]*$")
 _LONGEST, _MOST = 2000, 24
 
 
@@ -34,7 +35,9 @@ def in_square_brackets(text: str) -> str:
         end = closing(text, opening, _LONGEST)
         said = _said(text[opening + 1 : end])
         place = opening + 1
-        if said and _BEFORE.search(text[text.rfind("\n", 0, opening) + 1 : opening]) and _BEHIND.match(text, end + 1):
+        before = text[text.rfind("\n", 0, opening) + 1 : opening]
+        is_sum = _DIFFERENCE.search(text[opening:end]) and not _OF_VECTOR.search(before)  # a*(b\n - c) goes on
+        if said and not is_sum and _BEFORE.search(before) and _BEHIND.match(text, end + 1):
             lines = text.count("\n", opening, end)
             rest, sign, after = text[end + 1 :].partition("\n")  # the next matrix of the product may begin in the rest
             text = f"{text[:opening]}{said}{rest}{sign}{lines * chr(10)}{after}"
