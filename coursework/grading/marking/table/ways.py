@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -116,7 +116,12 @@ class OwnWays:
 
     def holds(self, values: Array) -> Flags:
         """Return which values (n, m + r) are right in any of the ways."""
-        return np.asarray(np.any([way.holds(values) for way in self.tried], axis=0))
+        return np.asarray(near(values, *self._of_all).any(axis=0))
+
+    @cached_property
+    def _of_all(self) -> tuple[Array, Array]:
+        """Return the expected values and the tolerances of all ways, (ways, n, m + r) each."""
+        return np.array([way.expected for way in self.tried]), np.array([way.tolerance for way in self.tried])
 
 
 def own_ways(key: Key, student: StudentTable, coarse: float | None = None) -> OwnWays:

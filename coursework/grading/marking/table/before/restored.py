@@ -32,9 +32,6 @@ _PASSES = 4
 # How often the beginning of a restored part is moved down because no cell speaks for its first rows.
 _BEGINNINGS = 4
 
-# A table that may have been, and what follows from its cells.
-Was = tuple[StudentTable, OwnWays]
-
 
 @frozen
 class Restored:
@@ -57,28 +54,43 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
     m, put = len(key.coordinates), near(student.values, key.table, as_printed(key, student.units))
     sure = ~wrong & ~put & own.holds(student.values)
     search = _Search(key, student, wrong & ~put, wrong | put, sure, own)
-    was, pool = (student, own), [(student, own)]
+    was = search.was(student)
+    pool = [was]
     (_, least), told = search.cheapest(pool), np.zeros_like(wrong)
     for _ in range(_PASSES):
-        pool += search.followed(*was, right & ~told.any(axis=1, keepdims=True))
+        pool = [*dict.fromkeys([*pool, *search.followed(was, right & ~told.any(axis=1, keepdims=True))])]
         last, _ = search.cheapest(pool)
-        pool += search.guessed(*last, told)
+        pool = [*dict.fromkeys([*pool, *search.guessed(last, told)])]
         was, cost = search.cheapest(pool)
         if cost >= least:
             break
-        told, least = told | (_other(was[0], student) & _other(was[0], last[0])), cost
-    (table, ways), _ = search.cheapest(pool, velocities_first=True)
-    held = ways.holds(student.values)
-    made = beside_makers(search.wrong & held, m)
-    costs = (_other(table, student) & ~ways.holds(table.values)).sum(axis=1) + beside_makers(sure & ~held, m).sum(axis=1)
+        told, least = told | (was.other & last.other), cost
+    was, _ = search.cheapest(pool, velocities_first=True)
+    made = beside_makers(search.wrong & was.held, m)
+    costs = was.slips.sum(axis=1) + beside_makers(sure & ~was.held, m).sum(axis=1)
     fitted = made & (np.cumsum(made, axis=1) <= costs[:, None])
     left = np.argwhere(made & ~fitted)[: costs.sum() - fitted.sum()]  # a row may cost more than the cells that are made from it
     fitted[tuple(left.T)] = True
     return Restored(
-        tuple(replace(way, expected=np.where(_made_into(made, m), way.expected, np.nan)) for way in ways.tried),
+        tuple(replace(way, expected=np.where(_made_into(made, m), way.expected, np.nan)) for way in was.ways.tried),
         _made_into(fitted, m),
-        table if _other(table, student).any() else None,
+        was.table if was.other.any() else None,
     )
+
+
+@dataclass(frozen=True, eq=False)
+class _Was:
+    """A table that may have been and the `ways` from its cells; all flags are (n, m + r).
+
+    `held` are the printed cells that these ways make right, `other` its own cells that are not the printed ones, and `slips`
+    those of them that do not follow from its cells either.
+    """
+
+    table: StudentTable
+    ways: OwnWays
+    held: Flags
+    other: Flags
+    slips: Flags
 
 
 @dataclass(frozen=True)
@@ -92,34 +104,43 @@ class _Search:
     sure: Flags
     own: OwnWays
 
-    def made_by(self, table: StudentTable) -> OwnWays:
-        """Return the ways from the cells of a table."""
-        return self.own if table is self.student else own_ways(self.key, table, self.own.coarse)
+    @cached_property
+    def _known(self) -> dict[bytes, _Was]:
+        return {}
 
-    def _costs(self, pool: Sequence[Was], *, velocities_first: bool = False) -> tuple[Counts, Counts]:
+    def was(self, table: StudentTable) -> _Was:
+        """Return a table with the ways from its cells: the same record for the same numbers."""
+        numbers = table.values.tobytes() + table.units.tobytes()
+        if numbers not in self._known:
+            ways = self.own if table is self.student else own_ways(self.key, table, self.own.coarse)
+            other = _other(table, self.student)
+            slips = other & ~ways.holds(table.values) if other.any() else other
+            self._known[numbers] = _Was(table, ways, ways.holds(self.student.values), other, slips)
+        return self._known[numbers]
+
+    def _costs(self, pool: Sequence[_Was], *, velocities_first: bool = False) -> tuple[Counts, Counts]:
         """Return what each row of each table in the `pool` costs: its velocities (k, n), and its coordinates (k, k, n).
 
         Coordinates are made from the row above of the first table, in the row of the second one. Of equally many cells the
         velocities may cost a little more: the gates of the points look at rows with all of them right.
         """
-        m, width, printed = len(self.key.coordinates), self.wrong.shape[1], self.student.values
-        values = np.array([table.values for table, _ in pool])
-        other = (values != printed) & np.isfinite(values)
-        held = np.array([ways.holds(printed) for _, ways in pool])
+        m, width = len(self.key.coordinates), self.wrong.shape[1]
+        values, other, held, slips = (
+            np.array(one) for one in zip(*((was.table.values, was.other, was.held, was.slips) for was in pool), strict=True)
+        )
         broken = (1 + width) * ((self.wrong | self.sure) & ~held) + velocities_first * (self.wrong & ~held)
-        slips = other[:, :, m:] & ~np.array([ways.holds(table.values)[:, m:] for table, ways in pool])
-        here = broken[:, :, m:].sum(axis=2) + (1 + width) * slips.sum(axis=2)
-        digits = np.array([table.units[:, :m] for table, _ in pool])
+        here = broken[:, :, m:].sum(axis=2) + (1 + width) * slips[:, :, m:].sum(axis=2)
+        digits = np.array([was.table.units[:, :m] for was in pool])
         own_digits = HALF * (digits - digits[:, None])  # of the second table's row, not of the first one's
         follows = np.zeros(own_digits.shape, dtype=bool)
         for place in (2, 3):
-            steps = [ways.tried[place] for _, ways in pool]
+            steps = [was.ways.tried[place] for was in pool]
             expected, open_by = (np.array([getattr(one, name)[:, :m] for one in steps]) for name in ("expected", "tolerance"))
             follows |= near(values[None, :, :, :m], expected[:, None], open_by[:, None] + own_digits)
         between = (1 + width) * (broken[:, None, :, :m] > 0).sum(axis=3) + (1 + width) * (other[:, :, :m] & ~follows).sum(axis=3)
         return here, between
 
-    def cheapest(self, pool: Sequence[Was], *, velocities_first: bool = False) -> tuple[Was, int]:
+    def cheapest(self, pool: Sequence[_Was], *, velocities_first: bool = False) -> tuple[_Was, int]:
         """Return the table that takes each row from any in the `pool` and costs least, and its cost; the first ones if equal."""
         rows, (here, between) = self._rows, self._costs(pool, velocities_first=velocities_first)
         cost, taken = here[:, rows[0]] + between[0, :, rows[0]], []
@@ -136,51 +157,50 @@ class _Search:
     def _rows(self) -> list[int]:
         return [int(row) for row in np.flatnonzero(np.isfinite(self.student.values).any(axis=1))]
 
-    def _joined(self, pool: Sequence[Was], chosen: Sequence[int]) -> Was:
+    def _joined(self, pool: Sequence[_Was], chosen: Sequence[int]) -> _Was:
         """Return the table that takes each row that is there from the `chosen` table of the pool."""
         if not any(chosen):
-            return pool[0][0], self.made_by(pool[0][0])
+            return pool[0]
         values, units = self.student.values.copy(), self.student.units.copy()
         for row, place in zip(self._rows, chosen, strict=True):
-            values[row], units[row] = pool[place][0].values[row], pool[place][0].units[row]
-        found = replace(self.student, values=values, units=units)
-        return found, self.made_by(found)
+            values[row], units[row] = pool[place].table.values[row], pool[place].table.units[row]
+        return self.was(replace(self.student, values=values, units=units))
 
-    def followed(self, table: StudentTable, ways: OwnWays, free: Flags) -> Iterator[Was]:
+    def followed(self, was: _Was, free: Flags) -> Iterator[_Was]:
         """Yield a table with `free` cells as its rows make them, then only from the first row on for which any cell speaks."""
-        before = self._of_makers(table, ways)
+        before = self._of_makers(was)
         for _ in range(_BEGINNINGS):
-            found = as_it_was(self.key, table, free, self.own)
+            found = as_it_was(self.key, was.table, free, self.own)
             if found is None:
                 return
-            made = self.made_by(found)
-            yield found, made
-            silent = _silent(np.any(_other(found, table), axis=1), self._of_makers(found, made) < before)
+            made = self.was(found)
+            yield made
+            silent = _silent(np.any(_other(found, was.table), axis=1), self._of_makers(made) < before)
             if not silent.any():
                 return
             free = free & ~silent[:, None]
 
-    def _of_makers(self, table: StudentTable, ways: OwnWays) -> Counts:
+    def _of_makers(self, was: _Was) -> Counts:
         """Return what is lost (n,) in what each row makes: its velocities and the coordinates of the next row."""
-        here, between = self._costs([(table, ways)])
+        here, between = self._costs([was])
         return np.asarray(here[0] + np.append(between[0, 0, 1:], 0))
 
-    def guessed(self, last: StudentTable, ways: OwnWays, told: Flags) -> Iterator[Was]:
+    def guessed(self, last: _Was, told: Flags) -> Iterator[_Was]:
         """Yield guesses of what cells were, beside the table as found, as printed, and with misprints recomputed.
 
         `told` cells speak with what they were, as the printed ones do.
         """
         m, speaking = len(self.key.coordinates), self.wrong | told
-        printed = np.where(told, last.values, self.student.values)
-        bases = [last, replace(self.student, values=printed)]
+        printed = np.where(told, last.table.values, self.student.values)
+        bases = [last.table, replace(self.student, values=printed)]
         misprints = self.wrong & (np.arange(self.wrong.shape[1]) < m) & makers_of_several(self.wrong, m)[:, None]
-        if 0 < misprints.any(axis=1).mean() <= FEW and (above := as_it_was(self.key, last, misprints, ways)):
+        if 0 < misprints.any(axis=1).mean() <= FEW and (above := as_it_was(self.key, last.table, misprints, last.ways)):
             bases.append(above)
-        for base in bases:
-            ways = self.made_by(base)
-            yield base, ways
-            for guess in guesses(self.key, base, ways, speaking & ~ways.holds(printed), self.other, self.other & ~told):
-                yield guess, self.made_by(guess)
+        for base in dict.fromkeys(map(self.was, bases)):
+            yield base
+            silent = ~base.ways.holds(printed)
+            for guess in guesses(self.key, base.table, base.ways, speaking & silent, self.other, self.other & ~told):
+                yield self.was(guess)
 
 
 def _silent(moved: Flags, gains: Flags) -> Flags:

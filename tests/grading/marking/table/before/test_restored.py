@@ -34,11 +34,11 @@ def test_the_cheapest_of_all_tables_joined_from_a_pool_is_found(monkeypatch, see
     wrong, sure = ~own.holds(printed), own.holds(printed) & (chance.random(printed.shape) < 0.5)
     student = StudentTable(printed, units)
     looked = _Search(SIMPLE, student, wrong, wrong, sure, own)
-    pool = [(student, own), *((StudentTable(one, units), ways_of(SIMPLE, one)) for one in tables[1:])]
-    (found, _), cost = looked.cheapest(pool)
+    pool = [looked.was(student), *(looked.was(StudentTable(one, units)) for one in tables[1:])]
+    found, cost = looked.cheapest(pool)
     joined = [np.array([tables[one][row] for row, one in enumerate(chosen)]) for chosen in product(range(3), repeat=5)]
     least = min(counted(one, printed, wrong, sure) for one in joined)
-    assert cost == 4 * least == 4 * counted(found.values, printed, wrong, sure)
+    assert cost == 4 * least == 4 * counted(found.table.values, printed, wrong, sure)
 
 
 def test_of_equally_many_cells_the_print_stays_but_in_the_end_a_velocity_is_explained_first(monkeypatch):
@@ -49,6 +49,20 @@ def test_of_equally_many_cells_the_print_stays_but_in_the_end_a_velocity_is_expl
     own = ways_of(SIMPLE, printed)
     student, was = (StudentTable(one, np.full(one.shape, UNIT)) for one in (printed, other))
     looked = _Search(SIMPLE, student, flags((4, 2)), flags((4, 1)), flags(), own)
-    pool = [(student, own), (was, ways_of(SIMPLE, other))]
-    assert looked.cheapest(pool)[0][0] is student
-    assert looked.cheapest(pool, velocities_first=True)[0][0].values[4, 1] == 4.5
+    pool = [looked.was(student), looked.was(was)]
+    assert looked.cheapest(pool)[0].table is student
+    assert looked.cheapest(pool, velocities_first=True)[0].table.values[4, 1] == 4.5
+
+
+def test_a_table_with_the_same_numbers_is_looked_at_once(monkeypatch):
+    """Equal digits and equal last places: the same record; other last places: another one."""
+    monkeypatch.setattr(search, "own_ways", lambda key, table, coarse: ways_of(key, table.values))
+    units = np.full(STRAIGHT.shape, UNIT)
+    student, same, coarser = (
+        StudentTable(STRAIGHT, units),
+        StudentTable(STRAIGHT.copy(), units),
+        StudentTable(STRAIGHT, 10 * units),
+    )
+    looked = _Search(SIMPLE, student, flags(), flags(), flags(), ways_of(SIMPLE, STRAIGHT))
+    assert looked.was(same) is looked.was(student) is not looked.was(coarser)
+    assert not looked.was(coarser).other.any() and not looked.was(coarser).slips.any()
