@@ -24,7 +24,7 @@ from coursework.grading.collecting.sources import Source, collect_one
 from coursework.grading.marking.late import LATE, OF_FILE, UNKNOWN
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.autograder import autograder_results, created_at
-from coursework.grading.platforms.canvas import read_gradebook
+from coursework.grading.platforms.canvas import Gradebook, read_gradebook
 from coursework.grading.platforms.downloads import canvas_owner
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
@@ -94,13 +94,18 @@ def grade_source(
             _tell(listed, graded, out, written)
             if marking.late:
                 _tell_times([handed_in(opened, place) for place in listed.places])
-            if gradebook and (count := sum(bool(p.file_lists) and record_in(gradebook, p) is None for p in listed.places)):
-                tell(say("screen.not_in_canvas", count=count))
-            if sheet and (locked := [place.id for place in listed.places if place.row and place.row.locked]):
-                who = joined(locked[:MOST_NAMED] + ["…"] * (len(locked) > MOST_NAMED), "join.comma")
-                tell(say("screen.locked", count=len(locked), who=who))
+            _tell_missed(listed, sheet, gradebook)
             journal.rewrite([graded.places[student] for student in sorted(graded.places)])
     return 0
+
+
+def _tell_missed(listed: ClassList, sheet: Worksheet | None, gradebook: Gradebook | None) -> None:
+    """Tell how many students Canvas does not know, and whose grades Moodle does not let change."""
+    if gradebook and (count := sum(bool(p.file_lists) and record_in(gradebook, p) is None for p in listed.places)):
+        tell(say("screen.not_in_canvas", count=count))
+    if sheet and (locked := [place.id for place in listed.places if place.row and place.row.locked]):
+        who = joined(locked[:MOST_NAMED] + ["…"] * (len(locked) > MOST_NAMED), "join.comma")
+        tell(say("screen.locked", count=len(locked), who=who))
 
 
 def _listed(opened: Source, variant: str | None, roster: Path | None, sheet: Worksheet | None) -> ClassList:

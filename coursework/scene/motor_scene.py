@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from coursework.effects.dynamics.dynamics import Dynamics, FreeMotion
+from coursework.effects.dynamics.dynamics import Dynamics
 from coursework.effects.dynamics.dynamics_checks import Evidence, check_dynamics
 from coursework.effects.dynamics.dynamics_lesson import Moved, energy_of_rows, is_heavy, rates_of
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.free_motion import FreeMotion
 from coursework.effects.dynamics.known_rows import COARSER, LOOKS, UNDEFINED, known_rows, up_to_values
 from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.dynamics.regime import Regime, find_regime

@@ -6,7 +6,6 @@ Used by `motion_results.py` and `scene.py`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -14,8 +13,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from coursework.equations.codegen.programs import in_formula
-from coursework.equations.codegen.straight_line import FormulaRefused
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.equations.reduction.blocks import Reduction, angles_in_determinants, reduce
 from coursework.equations.reduction.equations import VelocityEquations
@@ -44,15 +41,12 @@ from coursework.motion.singular.search import Search, search_event
 from coursework.system.arrays import Array
 from coursework.system.on_demand import Ledger, computed
 from coursework.variant.judging.bounds import refuse_unbounded
-from coursework.variant.record.no_value import law_without_value, without_value
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
-from coursework.words.sentences import say
 
 # A periodic motion of many periods is searched for dead points over this many periods only.
 PERIODS_LOOKED_AT = 2.2
 PLACES = 10  # number of intervals between two of the twelve positions of a period
-MOST_LOOKED_AT = 4096  # number of times at which a formula without a value is searched for
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -282,23 +276,7 @@ class WayToMotion:
 
     def charged(self, error: Exception) -> InputError | None:
         """Return the fault of a formula that has no value somewhere on the way, None if every formula has one."""
-        variant, last = self.variant, self.variant.time.end
-        if isinstance(error, FormulaRefused):
-            return InputError([Fault(error.faults[0].message, variant.file, 1)])
-        if isinstance(error, OutsideTable):
-            return InputError([Fault(error.faults[0].message, variant.file, variant.line_of(*variant.path_of(error.name)))])
-        rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
-        between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))
-        fault = law_without_value(variant, (*getattr(error, "times", ()), *rows, *between))
-        kept: Motion | None = vars(self).get("motion")
-        positions: list[tuple[float, Sequence[float]]] = [(0.0, self.start)] if "start" in vars(self) else []
-        positions += [(error.times[0], error.position)] if isinstance(error, NoVelocities) else []
-        if isinstance(error, NotFollowed):
-            positions += [(t, position) for *position, t in error.ahead]
-        if kept is not None and kept.coordinates.shape[1] == len(variant.coordinates):
-            positions += zip(kept.t.tolist(), kept.coordinates.tolist(), strict=True)
-        for t, position in () if fault else positions:
-            fault = fault or without_value(variant, t, dict(zip(variant.columns, position, strict=False)))
-        if not fault and in_formula(error):
-            fault = Fault(say("fault.V527"), variant.file, variant.nearest_line("drive"))
-        return InputError([fault]) if fault else None
+        from coursework.scene.charged import formula_charged
+
+        known = vars(self)
+        return formula_charged(error, self.variant, known.get("start"), known.get("motion"))

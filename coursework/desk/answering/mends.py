@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from difflib import SequenceMatcher
 from typing import Any
 
-from coursework.variant.toml.source import QUOTES
+from coursework.variant.toml.faulty import QUOTES
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 
@@ -108,7 +108,7 @@ def _spelling(fault: Fault, line: str) -> tuple[str, str] | None:
     if fault.code == _COMMA:
         return str(fault.message.values["found"]), str(fault.message.values["advised"])
     if "straight" in advice:
-        return line, re.sub(QUOTES, '"', line)
+        return line, QUOTES.sub('"', line)
     if "greek" in advice:
         key = str(advice["greek"]["key"])
         return key, f'"{key}"'

@@ -14,9 +14,10 @@ import numpy as np
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.layout import lay_out
 from coursework.drawing.check_sheet.sketch import Sketch
+from coursework.drawing.plans.known import Driven
 from coursework.drawing.plans.moving import Kinematics, Moving
 from coursework.drawing.plans.plan_scale import SEEN, PlanScale, scale_of
-from coursework.drawing.plans.polygons import Driven, polygons
+from coursework.drawing.plans.polygons import polygons
 from coursework.drawing.plans.vectors import POLE, VELOCITY, Polygons
 from coursework.system.frozen import frozen
 

@@ -16,8 +16,9 @@ from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.plans.given import DrivenLengths, driven_lengths, given_points
+from coursework.drawing.plans.known import Driven
 from coursework.drawing.plans.moving import Kinematics, kinematics_of
-from coursework.drawing.plans.polygons import Driven, polygons
+from coursework.drawing.plans.polygons import polygons
 from coursework.drawing.plans.vectors import ACCELERATION, UNITS, VELOCITY, Polygons
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism

@@ -1,6 +1,6 @@
 """Motion under forces: rows of a scheme in the free coordinates and their rates, and the motion without a scheme's error.
 
-Enters: `EquationsOfMotion`, the start.  Leaves: `FreeMotion`: times, coordinates, free rates, and why it ended.
+Enters: `EquationsOfMotion`, the start.  Leaves: `FreeMotion`.
 Used by `scene/motor_scene.py`.
 
 Each slope first closes the positions of all other coordinates (Newton), so links keep their length whatever the scheme does.
@@ -11,12 +11,12 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
+from coursework.effects.dynamics.free_motion import FreeMotion
 from coursework.effects.dynamics.why_ended import Open, why_ended
 from coursework.effects.friction.held import Held
 from coursework.motion.integration.adaptive import next_length
@@ -25,7 +25,6 @@ from coursework.motion.integration.order_eight import dormand_prince_8
 from coursework.motion.integration.rates import may_look_until
 from coursework.motion.schemes import SEMI_IMPLICIT, Scheme, Sum
 from coursework.system.arrays import Array
-from coursework.system.frozen import frozen
 
 # Number of Newton corrections; size at which the last one is accepted (relative, or rad): it leaves an error of its square.
 MOST_NEWTON, CLOSED = 12, 1e-8
@@ -37,29 +36,6 @@ _LEAST = 1e-11  # share of the whole time: smaller steps are not taken
 _ALONE = ((0, 1),)  # the first slope alone
 _LOOKS = 1000  # number of times at which it is tested whether friction still holds
 _RUNAWAY = 1e9  # rad, m, rad/s or m/s: larger values are treated as not finite
-
-
-@frozen
-class FreeMotion:
-    """The rows of a motion: `t` (n,) s, all coordinates (n, m), free rates (n, f), and the number of `slopes` evaluated.
-
-    `ended` is "" if it reached its end, else "dead point", "too steep" (the forces), "not finite", "held" or "locked" (by
-    friction at the point `by`), "sensitive" (unknown beyond), "limit position" (of the free coordinates alone), "change point";
-    `at` is the time (s), and `lost` holds time, coordinates and free rates at which something had no value.
-    """
-
-    t: Array
-    coordinates: Array
-    rates: Array
-    slopes: int
-    ended: str = ""
-    at: float = 0.0
-    by: str = ""
-    lost: tuple[float, ...] = ()
-
-    def first(self, rows: int, **ended: Any) -> FreeMotion:
-        """Return the first rows alone; `ended` says why they are the last ones."""
-        return replace(self, t=self.t[:rows], coordinates=self.coordinates[:rows], rates=self.rates[:rows], **ended)
 
 
 @dataclass(slots=True)

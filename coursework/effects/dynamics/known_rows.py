@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.effects.dynamics.dynamics import FreeMotion
+from coursework.effects.dynamics.free_motion import FreeMotion
 from coursework.system.arrays import Array
 from coursework.variant.record.no_value import without_value
 from coursework.variant.record.variant import Variant

@@ -24,7 +24,8 @@ from coursework.grading.marking.table.by_rows import marked, points_of
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned
 from coursework.grading.marking.table.causes.hypotheses import claims
-from coursework.grading.marking.table.causes.misconceptions import Found, explanations, indistinct, looked_for
+from coursework.grading.marking.table.causes.indistinct import indistinct
+from coursework.grading.marking.table.causes.misconceptions import Found, explanations, looked_for
 from coursework.grading.marking.table.causes.printed_otherwise import COLUMN_SLIPPED, EACH_SLIPPED, SLIPPED
 from coursework.grading.marking.table.causes.whole import as_made, fewer_decimals, untold_points
 from coursework.grading.marking.table.cells import Cells

@@ -35,7 +35,6 @@ def class_page(
     """Return the page; `changes` are (id, before, after, reason), `not_on_roster` (name, files)."""
     first, last = (min(facts.first_rows), max(facts.first_rows)) if facts.first_rows else (1, 0)
     named = sorted(facts.misconceptions.items(), key=lambda item: (-len(item[1]), item[0]))
-    variants = sorted(facts.by_variant.items())
     parts = [place for place in range(len(PARTS)) if any(earned[place] is not None for _, _, _, earned, _ in facts.everyone)]
     called, alike = _called(facts), _alike(facts)
     content = {
@@ -73,11 +72,7 @@ def class_page(
             )
             for who, state, score, earned, first in facts.everyone
         ],
-        "variants": [
-            (clean(name), len(scores), shown_points(statistics.fmean(scores), words)) for name, scores in variants[:MOST_LISTED]
-        ]
-        if 1 < len(variants) < len(facts.scores)  # not if every student has another variant
-        else [],
+        "variants": _by_variant(facts, words),
         "changes": [
             (called.get(who, clean(who)), _mark(before, words), _mark(after, words), say(f"class.reason.{why}"))
             for who, before, after, why in changes[:MOST_LISTED]
@@ -85,6 +80,14 @@ def class_page(
         "not_on_roster": [(clean(name), _listed(files)) for name, files in not_on_roster[:MOST_LISTED]],
     }
     return fitted(filled("class.html.j2", say=words.said, language=words.language, **words.throughout(content)))
+
+
+def _by_variant(facts: ClassFacts, words: Phrases) -> list[tuple[str, int, str]]:
+    """Return each variant with the number and mean of its scores; none if all have the same one, or each another."""
+    variants = sorted(facts.by_variant.items())
+    if not 1 < len(variants) < len(facts.scores):
+        return []
+    return [(clean(name), len(scores), shown_points(statistics.fmean(scores), words)) for name, scores in variants[:MOST_LISTED]]
 
 
 def _state(state: str) -> Sentence:

@@ -174,13 +174,14 @@ def printed(text: str, mark: str, strict: bool = False) -> PrintedNumber:
     if match:
         return _read(text, match)
     if angle := _SEXAGESIMAL.fullmatch(plain):
-        return _in_degrees(text, *angle.groups())
+        return _in_degrees(text, angle)
     if _ERROR.fullmatch(plain):
         return no_number(text, "error")
     return no_number(text, "date" if _DATE.fullmatch(plain) else "text")
 
 
-def _in_degrees(text: str, sign: str, degrees: str, minutes: str, seconds: str | None, part: str | None) -> PrintedNumber:
+def _in_degrees(text: str, angle: re.Match[str]) -> PrintedNumber:
+    sign, degrees, minutes, seconds, part = angle.groups()
     place = -_MINUTE if seconds is None else -_SECOND - len(part or "")
     value = int(degrees) + int(minutes) / 60 + float(f"{seconds or 0}.{part or 0}") / 3600
     return PrintedNumber(text, -value if sign == "-" else value, place, len(str(int(value))) - place, "")

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.system.frozen import frozen
-from coursework.variant.formula.alphabet import foreign_letter, spell, spell_path
+from coursework.variant.formula.alphabet import spell, spell_path
 from coursework.variant.toml.positions import KeyPath, Positions, locate
 from coursework.words.errors import Fault, InputError
 from coursework.words.reasons import reason_of
@@ -34,37 +34,6 @@ _NOT_STRUCTURE = re.compile(
 )
 _BRACKET = re.compile(r"[\[\]{}]")
 _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
-# Only faulty files need the following patterns: they are compiled then.
-_OPEN_KEY = r"[ \t]*([\w-]+)[ \t]*="
-_SINGLE = r"[ \t]*\[[ \t]*(constraint|group|quote)[ \t]*\]"  # these sections stand in double brackets
-_STRANGE_NAME = r"[\w-]+[^\w=\[{\"#-][^=\[{\"#]*="  # a name with a prime or a space in it, before its sign
-QUOTES = "[“”„«»‘’]"
-_KEY_EXPECTED = r"Invalid statement|Invalid initial character|Expected '=' after|Expected '\]'"
-# Start of the TOML reader's message -> the last part of the key of the advice.
-_ADVICE = (
-    ("Cannot overwrite", "key_twice"),
-    ("Duplicate inline table key", "key_twice"),
-    ("Cannot mutate", "key_or_section_twice"),
-    ("Cannot redefine", "key_or_section_twice"),
-    ("Illegal character '\\n'", "quote"),
-    ("Unterminated string", "quote"),
-    ("Expected \"'", "single_quote"),
-    ("Illegal character", "unprintable"),
-    ("Found invalid character", "unprintable"),
-    ("Unescaped", "backslash"),
-    ("Escaped character", "backslash"),
-    ("Invalid hex value", "backslash"),
-    ("Expected '=' after a key", "equals"),
-    ("Expected ']", "bracket"),
-    ("Unclosed array", "open_list"),
-    ("Unclosed inline table", "open_table"),
-    ("Invalid statement", "line"),
-    ("Invalid initial character for a key part", "key"),
-    ("Invalid value", "value"),
-    ("Invalid date", "value"),
-    ("Exceeds the limit", "digits"),
-    ("maximum recursion", "nested"),
-)
 
 
 @frozen
@@ -172,13 +141,16 @@ def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -
         column = error.start - (content.rfind(b"\n", 0, error.start) + 1) + 1
         message = say("fault.V007", content=content[error.start])
         raise InputError([Fault(message, file, line, column)]) from error
-    if line := _too_deep(text):
+    structure = _structure(text)
+    if line := _too_deep(structure):
         nested = say("fault.V008", parts=_MAX_KEY_PARTS, nesting=_MAX_NESTING)
         raise InputError([Fault(nested, file, line)])
     try:
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
-        raise InputError(_with_other_keys(explained(str(error), text, file), text)) from error
+        from coursework.variant.toml.faulty import explained
+
+        raise InputError(explained(str(error), text, structure, file)) from error
     source = Source(file, folder, data, locate(text))
     # Hexadecimal digits make integers of any size, which Python neither prints nor converts to float.
     if huge := [*_huge(data, ())]:
@@ -200,10 +172,10 @@ def _structure(text: str) -> list[str]:
     return _NOT_STRUCTURE.sub(lambda match: "q" + "\n" * match[0].count("\n"), text).split("\n")
 
 
-def _too_deep(text: str) -> int:
+def _too_deep(structure: list[str]) -> int:
     """Return the first line whose keys or brackets are nested too deeply, 0 if there is none.  Each letter is read once."""
     depth = 0
-    for number, line in enumerate(_structure(text), start=1):
+    for number, line in enumerate(structure, start=1):
         for bracket in _BRACKET.findall(line):
             depth += 1 if bracket in "[{" else -1
             if depth > _MAX_NESTING:
@@ -211,91 +183,3 @@ def _too_deep(text: str) -> int:
         if _MANY_PARTS.search(line):
             return number
     return 0
-
-
-def explained(message: str, text: str, file: str) -> Fault:
-    """Return the fault at the place that the reader's message names, or at the end of the text if it names none."""
-    match = re.search(r"^(.*?) \(at (?:line (\d+), column (\d+)|end of document)\)", message, re.DOTALL)
-    lines, reason = text.split("\n"), match[1] if match else message
-    last = len(text.rstrip("\n").split("\n")) if match else 0
-    line, column = (int(match[2]), int(match[3])) if match and match[2] else (last, 0)
-    line, single = _in_single_brackets(reason, text, line)
-    if reason.startswith("Unclosed array") and line and not lines[line - 1][: max(column - 1, 0)].strip():
-        above = enumerate(lines[: line - bool(column)], start=1)  # at the end of the text no column is named
-        line = max((number for number, one in above if one.strip() and one.lstrip()[0] != "#"), default=line)
-        column = len(lines[line - 1].rstrip()) + 1
-    found = lines[line - 1].strip() if 0 < line <= len(lines) else ""
-    strange = _strange(lines[line - 1], column - 1) if found and column and re.match(_KEY_EXPECTED, reason) else None
-    advice = single or strange or _of_key(reason, lines[line - 1], column - 1) or _advice(reason, found)
-    return Fault(_told(advice, found), file, line, column)
-
-
-def _in_single_brackets(reason: str, text: str, line: int) -> tuple[int, str | None]:
-    """Return the line of a section in single brackets that stands in double ones elsewhere, and the advice; else `line`, None."""
-    lines, begun = text.split("\n"), []
-    here = lines[line - 1] if 0 < line <= len(lines) else ""
-    if reason.startswith("Cannot declare"):
-        begun = [(line, re.match(_SINGLE, here))]
-    elif reason.startswith("Cannot overwrite") and re.match(_SINGLE, here.replace("[[", "[").replace("]]", "]")):
-        begun = [(number, re.match(_SINGLE, one)) for number, one in enumerate(_structure(text), start=1)]
-    return next(((number, say("fault.toml.double", name=one[1])) for number, one in begun if one), (line, None))
-
-
-def _told(advice: str, found: str) -> Sentence:
-    return say("fault.V009", advice=advice, found=found[:60]) if found else say("fault.V010", advice=advice)
-
-
-def _strange(line: str, at: int) -> str | None:
-    """Return the advice about a key with a foreign letter at offset `at` of a line, None for any other fault."""
-    key = next((word[0] for word in re.finditer(r"[\w-]+", line) if word.start() <= at < word.end()), "")
-    if strange := foreign_letter(key):
-        return say("fault.toml.letter", number=strange[0] + 1, strange=strange[1])
-    return None if key.isascii() else say("fault.toml.greek", key=key)
-
-
-def _of_key(reason: str, line: str, at: int) -> str | None:
-    """Return the advice about what stands at offset `at` of a line in place of a key; None for any other fault."""
-    if reason.startswith("Expected '=' after") and re.match(_STRANGE_NAME, line.strip()) and at < line.find("="):
-        return say("fault.toml.key")
-    if reason.startswith("Invalid initial character") and "{" in line[:at]:
-        if line[:at].rstrip().endswith(","):
-            return say("fault.toml.last_comma") if line[at : at + 1] == "}" else None
-        return say("fault.toml.open_table") if not line[at:].strip() else None
-    return None
-
-
-def _with_other_keys(first: Fault, text: str) -> list[Fault]:
-    """Return a fault; if it is a key with foreign letters, also the faults of all such keys in later lines."""
-    lines_left = enumerate(_structure(text), start=1)
-    keys = {line: key for line, one in lines_left if (key := re.match(_OPEN_KEY, one)) and not key[1].isascii()}
-    if first.line not in keys:
-        return [first]
-    lines, found = text.split("\n"), [first]
-    for line, key in keys.items():
-        if line > first.line and (advice := _strange(lines[line - 1], key.start(1))):
-            found.append(Fault(_told(advice, lines[line - 1].strip()), first.file, line, key.start(1) + 1))
-    return found
-
-
-def _advice(reason: str, found: str) -> str:
-    if twice := re.match(r"Cannot declare \((.*?),?\) twice", reason):
-        return say("fault.toml.section_twice", name=twice[1].replace("'", "").replace(", ", "."))
-    if "\r" in found:
-        return say("fault.toml.line_ends")
-    if re.search(QUOTES, found) and not reason.startswith("Cannot"):
-        return say("fault.toml.straight")
-    if reason.startswith("Expected newline"):
-        return _after_a_value(found)
-    for begin, key in _ADVICE:
-        if reason.startswith(begin):
-            return say(f"fault.toml.{key}")
-    return reason[:1].lower() + reason[1:]  # of a later Python, whose reader says it otherwise
-
-
-def _after_a_value(found: str) -> str:
-    value = found.partition("=")[2].strip()
-    if re.match(r"[-+]?\d+,\d", value):
-        return say("fault.toml.point")
-    if unit := re.match(r"([-+]?[\d.]+\s*[A-Za-z°/][\w/^]*)", value):
-        return say("fault.toml.unit", value=unit[1])
-    return say("fault.toml.after_text" if value[:1] in {'"', "'"} else "fault.toml.after")

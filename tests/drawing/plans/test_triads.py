@@ -16,8 +16,9 @@ from coursework.drawing.check_sheet.instant_centres import Centre
 from coursework.drawing.check_sheet.layout import CROSS, Layout, lay_out
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.plans.given import given_points
+from coursework.drawing.plans.known import Driven
 from coursework.drawing.plans.moving import kinematics_of
-from coursework.drawing.plans.polygons import Driven, polygons
+from coursework.drawing.plans.polygons import polygons
 from coursework.drawing.plans.special_points import FAR, Leg, special_name, special_points
 from coursework.drawing.plans.vectors import ACCELERATION, POLE, VELOCITY, Line, Polygons
 from coursework.mechanism.structure import read_structure

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.effects.dynamics.dynamics import FreeMotion
+from coursework.effects.dynamics.free_motion import FreeMotion
 from coursework.effects.dynamics.known_rows import LOST, known_rows
 
 

@@ -1,4 +1,4 @@
-"""Folders and downloads: whose file is whose, what is never opened, and names that no system misreads."""
+"""Folders and downloads: whose file is whose, and what is never opened."""
 
 from __future__ import annotations
 
@@ -12,8 +12,6 @@ import pytest
 
 from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.collecting.sources import Source, _walk, collect_files, collect_one, files_below
-from coursework.grading.platforms.escapes import shown, text_cell
-from coursework.grading.platforms.names import file_stem
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.submission import Note, Submission
 from coursework.words.errors import InputError
@@ -258,41 +256,6 @@ def test_a_source_that_is_none_is_refused(tmp_path: Path) -> None:
     for collected, code in ((lambda: collect_one(path), "G004"), (lambda: collect_files([path]), "G005")):
         with pytest.raises(InputError, match=f"{code} .*nowhere"):
             collected()
-
-
-@pytest.mark.parametrize(
-    ("student", "is_itself"),
-    [
-        ("ivanov", True), ("a.b@c-d_1", True), ("x" * 64, True), ("x" * 65, False), ("../../x", False), ("/etc/passwd", False),
-        ("a/b", False), (".", False), ("..", False), ("ivanov.", False), ("CON", False), ("con.txt", False), ("COM1", False),
-        ("lpt9.csv", False), ("COMA", True), ("a\nb", False), ("a\u202eb", False), ("a\u200bb", False), ("", False),
-        ("Іван", False),
-        ("x" * 300, False), ("\ud800", False),
-        ("-x", False), ("_x", False),
-    ],
-)  # fmt: skip
-def test_names_of_files_made_from_ids(student: str, is_itself: bool) -> None:
-    stem = file_stem(student)
-    assert (stem == student) is is_itself
-    if not is_itself:
-        assert stem.startswith("x-")
-        assert len(stem) == 18
-
-
-FORMULAS = [
-    "=1+1", "+cmd|'/c calc'!A0", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "\n=1", "\0=1", "＝1", "＋1", "－1", "＠1", "  =1", '"=1',
-    "' =1",
-]  # fmt: skip
-
-
-@pytest.mark.parametrize("text", FORMULAS)
-def test_no_text_becomes_a_formula(text: str) -> None:
-    assert text_cell(text) == "'" + text
-
-
-def test_harmless_text_stays_and_hidden_letters_show() -> None:
-    assert text_cell("Іван О'Ніл =") == "Іван О'Ніл ="
-    assert shown("a\u202eb\u200bc\x07\n") == "a⟨U+202E⟩b⟨U+200B⟩c⟨U+0007⟩\n"
 
 
 @pytest.mark.parametrize(("deep", "is_read"), [(5, True), (6, False)])

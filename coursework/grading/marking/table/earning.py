@@ -30,7 +30,6 @@ from coursework.grading.marking.table.causes.printed_otherwise import COLUMN_SLI
 from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.explained import Fit
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
-from coursework.grading.marking.table.starts import OwnStart
 from coursework.grading.marking.table.untold import ramp
 from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
@@ -62,22 +61,12 @@ def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found
     by_cells = Earned(points.share, "cells", points.share, 0.0, 1.0, "", points.shut)
     if stands_still(key, cells):
         return by_cells
-    rules = [
-        by_cells,
-        *_by_start(key, rubric, cells, points, found.from_own_start, others),
-        *_by_explanation(key, rubric, points, found),
-    ]
-    return max(rules, key=lambda earned: earned.share)
-
-
-def _by_start(
-    key: Key, rubric: Rubric, cells: Cells, points: TablePoints, own: OwnStart | None, others: Mapping[str, Array]
-) -> Iterator[Earned]:
-    """Yield what a faultless table from another start earns; nothing if the start is that of another variant."""
-    if own is not None and not any(_is_row(key, cells, table) for table in others.values()):
+    rules, own = [by_cells], found.from_own_start
+    if own is not None and not any(_is_row(key, cells, table) for table in others.values()):  # else the start is another's
         explained = table_points(key, own.cells, rubric.carried).share
         worth = rubric.start_floor if len(own.names) < 2 else rubric.start_floor_several
-        yield _earned("start", points, explained, worth, own.cause)
+        rules.append(_earned("start", points, explained, worth, own.cause))
+    return max([*rules, *_by_explanation(key, rubric, points, found)], key=lambda earned: earned.share)
 
 
 def _is_row(key: Key, cells: Cells, table: Array) -> bool:

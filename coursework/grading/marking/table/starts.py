@@ -1,6 +1,7 @@
 """A table that begins elsewhere than the task says: compared with Euler's table from the student's own start values.
 
-Enters: marked cells.  Leaves: the same cells marked against that table.  Used by `earning.py`, `misconceptions.py`, `claims.py`.
+Enters: marked cells.  Leaves: the same cells marked against that table.
+Used by `misconceptions.py`, `claims.py` and `step_lengths.py`.
 """
 
 from __future__ import annotations

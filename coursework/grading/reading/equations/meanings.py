@@ -8,16 +8,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
+from itertools import combinations
 
 from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.expected import Expected
 from coursework.mechanism.mechanism import build
 from coursework.variant.dimensions.exponents import LENGTH
 from coursework.variant.formula.reader import MAX_NODES
-from coursework.variant.formula.tree import Formula, constant, evaluate_any, mapped, named, number, terms, with_names
+from coursework.variant.formula.tree import Formula, constant, mapped, named, number, terms, with_names, with_points
 from coursework.variant.record.places import measures
 from coursework.variant.record.variant import Variant
 
@@ -82,27 +82,13 @@ def _lengths(variant: Variant, starts: tuple[tuple[str, float], ...]) -> Meaning
             sides = part.args[:1] if part.op == "@" else [side for side in part.args if constant(side) != 0]
             if len(sides) == 1 and sides[0].op != "neg":
                 offer(base, name, sides[0])
-    for first, second, distance in _distances(variant, points, starts):
+    placed = with_points({"t": 0.0, **variant.values, **dict(starts)}, points.items())  # in the first row of the table
+    for first, second in combinations([name for name in points if name in placed], 2):
+        distance = abs(placed[first] - placed[second])
         alike = [given.name for given in variant.given if given.si == "m" and abs(given.value - distance) <= _SAME * distance]
-        if len(alike) == 1:
+        if distance and len(alike) == 1:
             offer(first, second, named(alike[0]))
     return found
-
-
-def _distances(
-    variant: Variant, points: Mapping[str, Formula], starts: tuple[tuple[str, float], ...]
-) -> Iterator[tuple[str, str, float]]:
-    """Yield two names and the distance (m) for each pair of points in the first row of the table."""
-    values: dict[str, complex] = {"t": 0.0, **variant.values, **dict(starts)}
-    placed: dict[str, complex] = {}
-    for name, formula in points.items():
-        with suppress(ArithmeticError, ValueError, KeyError):
-            placed[name] = values[name] = evaluate_any(formula, values)
-    names = list(placed)
-    for place, first in enumerate(names):
-        for second in names[place + 1 :]:
-            if distance := abs(placed[first] - placed[second]):
-                yield first, second, distance
 
 
 def put_in(tree: Formula, meanings: Mapping[str, Formula]) -> Formula | None:

@@ -159,7 +159,7 @@ def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns
     """Add the time, and the row numbers before it, to `places` if the first free columns are theirs but have no heads."""
     if TIME in places or not free or (layout.has_heads and layout.heads[free[0]].text):
         return
-    spare = len(free) - columns if not any(name not in {INDEX} for name in places) else 1
+    spare = len(free) - columns if places.keys() <= {INDEX} else 1
     first = numbers_in(layout, free[0])
     if INDEX not in places and spare >= 2 and _counts(first) and _rises(layout, free[1]):
         places[INDEX] = Place(free[0], "position")

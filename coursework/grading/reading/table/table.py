@@ -133,11 +133,10 @@ def _strange(column: TableColumn, layout: Layout) -> int:
 
 def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Sequence[TableColumn]) -> OwnTimes:
     """Return all rows of a table with its own time step, with the units and turns found for its columns."""
-    columns = {}
-    units = {column.name: column for column in grid.columns}
+    columns, of_task = {}, {column.name: column for column in grid.columns}
     for column in read:
         cells = [layout.body[row][places.places[column.name].at] for row in rows.own]
-        factor, beside = factor_of(units[column.name], column.unit), column.turns[0] if column.turns else 0
+        factor, beside = factor_of(of_task[column.name], column.unit), column.turns[0] if column.turns else 0
         whole = [cell.value * factor for cell in cells]
         jumps = turns_of_jumps(whole) if len({*column.turns}) > 1 else [0] * len(whole)
         values = tuple(value - 2 * math.pi * (beside + turns) for value, turns in zip(whole, jumps, strict=True))

@@ -39,7 +39,7 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
     def settle(unit: str) -> None:
         alike = [column for column in there if column.unit == unit]
         usual = Counter(known for column in alike if (known := found[column.name]))
-        most = usual.most_common(1)[0][0] if usual else _together(alike, values) or _first(unit)
+        most = usual.most_common(1)[0][0] if usual else _together(alike, values) or next(iter(PRINTED[unit]))
         found.update({column.name: most for column in alike if not found[column.name]})
 
     def moved_with(column: GridColumn, factor: float = 1.0) -> tuple[list[float], list[float]]:
@@ -72,10 +72,6 @@ def units_of_columns(grid: Grid, heads: Mapping[str, str], values: Mapping[str, 
     if turning:
         settle("1/s")
     return {name: unit or "" for name, unit in found.items()}
-
-
-def _first(unit: str) -> str:
-    return next(iter(PRINTED[unit]))
 
 
 def _together(columns: Sequence[GridColumn], values: Mapping[str, Sequence[float]]) -> str | None:

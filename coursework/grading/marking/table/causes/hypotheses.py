@@ -92,7 +92,7 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
     trapezoid = printed.claim("trapezoid", printed.steps(h / 2 * (rates + following), h / 2 * (units + units_after)))
     backward = printed.claim("backward", printed.steps(h * following, h * units_after))
     for claim, new in ((trapezoid, 0.5), (backward, 1.0)):
-        yield replace(claim, table=printed.marched(velocities_at, partial(_implicit, printed.key, m, new)))
+        yield replace(claim, table=printed.marched(velocities_at, partial(_implicit, printed.key, new)))
     before, units_before = shifted(rates, 1), np.nan_to_num(shifted(units, 1))
     for code, weight in (("row_before", 1.0), ("two_rows", -0.5)):
         used = rates + weight * (before - rates)
@@ -145,9 +145,10 @@ def _of_angles_above(key: Key) -> Array:
     return march(key, key.table[0, : len(key.coordinates)], velocities_at)
 
 
-def _implicit(key: Key, m: int, new: float, t: Array, q: Array, w: Array) -> Array:
+def _implicit(key: Key, new: float, t: Array, q: Array, w: Array) -> Array:
     """Return increments (n, m) with the part `new` of the next row's velocities; NaN if the iteration does not converge."""
-    h, found = key.step, key.step * w[:, :m]
+    h, m = key.step, q.shape[1]
+    found = h * w[:, :m]
     for _ in range(_REPEATED):
         before = found
         found = h * ((1 - new) * w[:, :m] + new * key.velocities_at(t + h, q + before)[:, :m])
@@ -185,15 +186,15 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             claim = printed.claim(
                 f"rounded_omega_{decimals}", printed.steps(h * np.round(printed.w, decimals), np.zeros_like(units))
             )
-            yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_rounded, h, m, decimals)))
+            yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_rounded, h, decimals)))
     lacking = _of_degrees(printed.key)
     for code, each in ((DEGREE_STEPS, lacking), (STEPS_IN_DEGREES, 1 / lacking)):
         if (each != 1).any():
             claim = printed.claim(code, printed.steps(h * each * printed.w, h * each * units))
-            yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_longer, h * each, m)))
+            yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_longer, h * each)))
     for part in parts_of_step(printed):
         step = printed.steps(part * h * printed.w, part * h * units)
-        longer = partial(_longer, part * h, m)
+        longer = partial(_longer, part * h)
         claims = [printed.claim("other_step", step)]
         made: list[Velocities] = [printed.key.velocities_at, partial(_of_times, printed.key, part, 0.0)]
         at = printed.stacked(made[1])
@@ -212,7 +213,7 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
 
 def _in_small_steps(printed: TableUnderTest, times: int) -> Claim:
     """Return the claim that each row was made in several Euler steps."""
-    several = partial(small_steps, printed.key, printed.m, times)
+    several = partial(small_steps, printed.key, times)
     at_once = printed.stacked(several)
     claim = printed.claim(OTHER_STEP, printed.steps(at_once(printed.q), printed.spread(at_once)))
     return replace(claim, table=printed.marched(printed.key.velocities_at, several))
@@ -228,14 +229,14 @@ def _of_times(key: Key, part: float, ahead: float, t: Array, q: Array) -> Array:
     return key.velocities_at(np.asarray(part * t + ahead), q)
 
 
-def _longer(step: float | Array, m: int, t: Array, q: Array, w: Array) -> Array:
+def _longer(step: float | Array, t: Array, q: Array, w: Array) -> Array:
     """Return the increments (n, m) of Euler steps of the length `step`, s."""
-    return step * w[:, :m]
+    return step * w[:, : q.shape[1]]
 
 
-def _rounded(h: float, m: int, decimals: int, t: Array, q: Array, w: Array) -> Array:
+def _rounded(h: float, decimals: int, t: Array, q: Array, w: Array) -> Array:
     """Return the increments (n, m) of steps with velocities rounded to so many decimals."""
-    return h * np.round(w[:, :m], decimals)
+    return h * np.round(w[:, : q.shape[1]], decimals)
 
 
 def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Claim]:
@@ -272,7 +273,7 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
                 each = h * _of_degrees(key)
                 steps = printed.steps(each * printed.w, each * printed.w_units[:, :m])
                 claim = printed.claim(code, steps, printed.velocities(misread, spread), angles)
-                yield replace(claim, table=printed.marched(velocities, partial(_longer, each, m)))
+                yield replace(claim, table=printed.marched(velocities, partial(_longer, each)))
     for place, name in enumerate(key.velocities):
         alone = np.where(np.arange(m + len(key.velocities)) == m + place, 1.0, np.nan)
         claim = printed.claim(f"{SIGN}{name}", None, (-found * alone[m:], tolerance))

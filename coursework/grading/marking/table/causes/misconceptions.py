@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP, claims
+from coursework.grading.marking.table.causes.hypotheses import OTHER_STEP
 from coursework.grading.marking.table.causes.misread_key import MisreadKey
 from coursework.grading.marking.table.causes.odd_rows import displaced_rows
 from coursework.grading.marking.table.causes.other_data import may_be
@@ -28,18 +28,15 @@ from coursework.grading.marking.table.points import stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.untold import FINEST, untold_cells
 from coursework.grading.marking.table.ways import KEY, OwnRows, StudentTable, near
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Flags
 from coursework.system.frozen import frozen
 
 # A cause is named from the share NAMED on, if it explains BETTER more than Euler's rules; one that is worse by TIE is a tie.
 NAMED, BETTER, TIE = 0.93, 0.02, 0.005
 # A table with at most so many wrong cells, or this part of its cells, has slips, not a misconception.
 FEWEST, FEWEST_SHARE = 2, 0.02
-# If Euler's rules explain this part of a hypothesis's own table, the printed digits cannot tell the two apart.
-ALIKE = 0.98
 # For so many of the hypotheses that explain most the whole table is computed.
 _CLOSER, _READ_OFF = 3, 2
-_ROUND_OFF = 1e-9
 ROWS_SHIFTED, ORIGIN, ROUNDED_OMEGA = "rows_shifted", "origin_", "rounded_omega_"
 
 
@@ -106,80 +103,123 @@ def explanations(
     """
     if stands_still(key, cells):
         return Found()
-    explained, spoken = euler_cells(key, cells)
-    euler_share = share_of(explained, spoken)
-    gates = Explained(key, cells)
-    euler_fit = gates.share(explained, as_it_is=True)
     began = own_start(key, cells)
-    elsewhere = began is not None or begins_elsewhere(key, cells)
-    by_key = np.asarray(cells.marks == KEY)
-    # In a steady drive, rows in wrong places still follow Euler's rules; in a table made anew, what stood right stays right.
-    stands, as_handed_in = (share_of(one & spoken, spoken) for one in (by_key, explained | by_key))
-    key_share = stands if elsewhere else euler_share
-    named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
-    fits: dict[tuple[str, bool], Fit] = {}
-    held: dict[str, tuple[int, Claim, Flags]] = {}
-    read_off: set[str] = set()
-    most_told: tuple[float, bool] = (explained | by_key).sum() + BETTER * spoken.sum(), False
-    teller: tuple[Claim, Flags] | None = None
+    weighed = _Weighed(key, cells, hidden, elsewhere=began is not None or begins_elsewhere(key, cells))
     for claim in told:
-        if claim.code in hidden and not claim.code.startswith(ROUNDED_OMEGA):
-            continue
-        put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
-        share, against = share_of(holds, says), key_share if claim.is_whole else euler_share
-        if claim.student is not None and not claim.code.startswith(ORIGIN):
-            against = stands if claim.code == ROWS_SHIFTED else max(against, as_handed_in)
-        known = named.get(claim.code)
-        is_told = claim.code != OWN and claim.code not in hidden
-        if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and is_told:
-            named[claim.code] = share, against, claim.names
-            read_off |= {claim.code} if claim.is_read_off else set()
-        own_gates = gates if put_right is cells else Explained(key, put_right)
-        fit = own_gates.share(holds)
-        place = claim.code, claim.student is not None
-        if place not in fits or fit > fits[place].share:
-            fits[place] = Fit(claim.code, fit, claim.names, in_print=place[1])
-        count = int((holds | by_key).sum())
-        if (count, not claim.is_read_off) > most_told and claim.code not in hidden:
-            most_told, teller = (count, not claim.is_read_off), (claim, holds)
-        # Causes that leave something unexplained are examined again below.
-        if claim.student is None and count < spoken.sum() and (claim.code not in held or count > held[claim.code][0]):
-            held[claim.code] = count, claim, holds
-    for code, claim, holds in _closer(held):
-        holds = holds | (_by_its_own_rules(key, cells, claim) if claim.velocities_at else _as_it_was(key, cells, claim))
-        fit = gates.share(holds, table=claim.table() if claim.table else None)
-        if fit > fits[code, False].share:
-            fits[code, False] = replace(fits[code, False], share=fit, names=claim.names)
-    untold = _untold(key, cells, *teller) if teller else np.zeros_like(by_key)
-    least = min(euler_fit, table_points(key, cells).share)
-    fits = {
-        place: replace(fit, beyond_euler=fit.share > euler_fit + BETTER or fit.code.startswith((ROWS_SHIFTED, ORIGIN)))
-        for place, fit in fits.items()
-        if fit.share > least + BETTER or fit.code.startswith((ROWS_SHIFTED, ORIGIN))
-    }
+        if claim.code not in hidden or claim.code.startswith(ROUNDED_OMEGA):
+            weighed.hear(claim)
+    weighed.look_closer()
+    untold = _untold(key, cells, *weighed.teller) if weighed.teller else np.zeros_like(cells.wrong)
+    fits = weighed.better_fits()
     if (own := cells.student.own) and (fitting := _other_step(key, cells, own)):
         share, fit = fitting
         if share >= NAMED:
-            # The table's own times prove the step, even if its digits do not; if its rows leave out steps of the task, other
-            # rules explain only the velocities.
-            named = {code: one for code, one in named.items() if one[0] > share + TIE or code == OTHER_STEP}
-            named[OTHER_STEP] = max(share, named.get(OTHER_STEP, (0.0,))[0]), euler_share, (told_step(own.step),)
+            weighed.name_step(share, told_step(own.step))
             untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
-        if fit > euler_fit + BETTER:
+        if fit > weighed.euler_fit + BETTER:
             fits[OTHER_STEP, True] = Fit(OTHER_STEP, fit)  # beside what the rows as handed in say of it
-    if began and (share := share_of(*euler_cells(key, began.cells))) >= NAMED and share > key_share + BETTER:
-        named[began.cause] = share, key_share, began.names
-    found = tuple(fits.values())
-    if not named:
-        return Found(None, found, began, untold)
-    best = max(share for share, _, _ in named.values())
-    tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
-    tied = [code for code in tied if may_be(key, code, named[code][2])] or tied
-    tied = [code for code in tied if code not in read_off and is_one_thing(code, named[code][2])] or tied
-    if equations is not None and equations.wrong:  # what stands in the equations, too, is likelier than what does not
-        tied.sort(key=lambda code: not code.startswith("equation_"))
-    share, against, names = named[tied[0]]
-    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, began, untold)
+    if began and (share := share_of(*euler_cells(key, began.cells))) >= NAMED and share > weighed.key_share + BETTER:
+        weighed.named[began.cause] = Misconception(began.cause, share, weighed.key_share, (), began.names)
+    return Found(weighed.likeliest(equations), tuple(fits.values()), began, untold)
+
+
+class _Weighed:
+    """What claims explain of a table, weighed against what Euler's rules and the key do; it may begin `elsewhere`."""
+
+    def __init__(self, key: Key, cells: Cells, hidden: Container[str], *, elsewhere: bool) -> None:
+        self.key, self.cells, self.hidden, self.gates = key, cells, hidden, Explained(key, cells)
+        self.explained, self.spoken = euler_cells(key, cells)
+        self.by_key = np.asarray(cells.marks == KEY)
+        self.euler_share, self.euler_fit = share_of(self.explained, self.spoken), self.gates.share(self.explained, as_it_is=True)
+        right = self.explained | self.by_key
+        # In a steady drive, rows in wrong places still follow Euler's rules; in a table made anew, what stood right stays right.
+        self.stands, self.as_handed_in = (share_of(one & self.spoken, self.spoken) for one in (self.by_key, right))
+        self.key_share = self.stands if elsewhere else self.euler_share
+        self.named: dict[str, Misconception] = {}
+        self.read_off: set[str] = set()
+        self.fits: dict[tuple[str, bool], Fit] = {}
+        self.held: dict[str, tuple[int, Claim, Flags]] = {}
+        self.most_told: tuple[float, bool] = right.sum() + BETTER * self.spoken.sum(), False
+        self.teller: tuple[Claim, Flags] | None = None  # the claim that explains most cells, and which ones
+
+    def hear(self, claim: Claim) -> None:
+        """Keep what a claim explains."""
+        code = claim.code
+        put_right, holds, says = self._claimed(claim)
+        share, against = share_of(holds, says), self.key_share if claim.is_whole else self.euler_share
+        if claim.student is not None and not code.startswith(ORIGIN):
+            against = self.stands if code == ROWS_SHIFTED else max(against, self.as_handed_in)
+        is_better = share >= NAMED and share > against + BETTER and (code not in self.named or share > self.named[code].share)
+        if is_better and code != OWN and code not in self.hidden:
+            self.named[code] = Misconception(code, share, against, (), claim.names)
+            self.read_off |= {code} if claim.is_read_off else set()
+        gates = self.gates if put_right is self.cells else Explained(self.key, put_right)
+        self._fit(Fit(code, gates.share(holds), claim.names, in_print=claim.student is not None))
+        count = int((holds | self.by_key).sum())
+        if (count, not claim.is_read_off) > self.most_told and code not in self.hidden:
+            self.most_told, self.teller = (count, not claim.is_read_off), (claim, holds)
+        # Causes that leave something unexplained are examined again.
+        if claim.student is None and count < self.spoken.sum() and (code not in self.held or count > self.held[code][0]):
+            self.held[code] = count, claim, holds
+
+    def look_closer(self) -> None:
+        """Hold the likeliest claims against the whole table."""
+        key, cells = self.key, self.cells
+        for code, claim, holds in _closer(self.held):
+            as_it_was = _by_its_own_rules if claim.velocities_at else _as_it_was
+            fit = self.gates.share(holds | as_it_was(key, cells, claim), table=claim.table() if claim.table else None)
+            self._fit(Fit(code, fit, claim.names))
+
+    def better_fits(self) -> dict[tuple[str, bool], Fit]:
+        """Return the fits that explain more than the cells alone or Euler's rules do."""
+        least = min(self.euler_fit, table_points(self.key, self.cells).share)
+        found = {}
+        for place, fit in self.fits.items():
+            is_whole = fit.code.startswith((ROWS_SHIFTED, ORIGIN))
+            if is_whole or fit.share > least + BETTER:
+                found[place] = replace(fit, beyond_euler=is_whole or fit.share > self.euler_fit + BETTER)
+        return found
+
+    def name_step(self, share: float, step: str) -> None:
+        """Name the step that the table's own times prove, even if its digits do not.
+
+        If its rows leave out steps of the task, other rules explain only the velocities.
+        """
+        self.named = {code: one for code, one in self.named.items() if one.share > share + TIE or code == OTHER_STEP}
+        share = max(share, self.named[OTHER_STEP].share) if OTHER_STEP in self.named else share
+        self.named[OTHER_STEP] = Misconception(OTHER_STEP, share, self.euler_share, (), (step,))
+
+    def likeliest(self, equations: EquationMarks | None) -> Misconception | None:
+        """Return the cause that explains most, with its ties; None if there is none."""
+        named = self.named
+        best = max((one.share for one in named.values()), default=0.0)
+        tied = [code for code, one in named.items() if one.share >= best - TIE]
+        tied = [code for code in tied if may_be(self.key, code, named[code].names)] or tied
+        tied = [code for code in tied if code not in self.read_off and is_one_thing(code, named[code].names)] or tied
+        if equations is not None and equations.wrong:  # what stands in the equations, too, is likelier than what does not
+            tied.sort(key=lambda code: not code.startswith("equation_"))
+        return replace(named[tied[0]], ties=tuple(tied[1:])) if tied else None
+
+    def _fit(self, fit: Fit) -> None:
+        place = fit.code, fit.in_print
+        if place not in self.fits or fit.share > self.fits[place].share:
+            self.fits[place] = fit
+
+    def _claimed(self, claim: Claim) -> tuple[Cells, Flags, Flags]:
+        """Return the cells that a claim speaks about, and flags: which of them it explains, and about which it says anything.
+
+        In columns that it leaves alone, Euler's rules hold.
+        """
+        if claim.student is not None:
+            put_right = mark_cells(self.key, claim.student)
+            follows, speaks = euler_cells(self.key, put_right)
+            return put_right, follows | (speaks & (put_right.marks == KEY)), speaks
+        holds = near(self.cells.student.values, claim.expected, claim.tolerance)
+        says = np.isfinite(claim.expected) & self.spoken
+        holds &= says
+        of_euler = np.isnan(claim.expected).all(axis=0)
+        says[:, of_euler], holds[:, of_euler] = self.spoken[:, of_euler], self.explained[:, of_euler]
+        return self.cells, holds, says
 
 
 def _closer(held: Mapping[str, tuple[int, Claim, Flags]]) -> list[tuple[str, Claim, Flags]]:
@@ -256,45 +296,3 @@ def _other_step(key: Key, cells: Cells, own: OwnRows) -> tuple[float, float] | N
     right, says = euler_cells(found.key, found.cells)
     right |= found.put_right & says
     return share_of(right, says), found.filled * Explained(found.key, found.cells).share(right)
-
-
-def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = None) -> tuple[str, ...]:
-    """Return the hypotheses that columns printed with `units` (m + r,) cannot tell from Euler's rules; NaN: no such column.
-
-    Each hypothesis is applied to the right table; if it expects values within Euler's tolerance, its own table would pass as
-    right.  A hypothesis that expects nothing different from Euler's rules is left out.
-    """
-    right = mark_cells(key, StudentTable(key.table, np.broadcast_to(units, key.table.shape)))
-    allowed = np.fmax.reduce([way.tolerance for way in right.ways])
-    nothing = _ROUND_OFF * np.maximum(1.0, key.ranges)
-    spoken = ~right.missing
-    found: dict[str, float] = {}
-    differs: set[str] = set()
-    for claim in claims(TableUnderTest(key, right.student, closely=False), confusions or {}, {}):
-        if claim.student is not None:
-            differs.add(claim.code)
-            alike = share_of(*euler_cells(key, mark_cells(key, claim.student)))
-        else:
-            apart = np.abs(claim.expected - key.table)
-            if np.any(apart > nothing):
-                differs.add(claim.code)
-            alike = 1.0 - share_of((apart > allowed) & spoken, spoken)
-        found[claim.code] = min(alike, found.get(claim.code, 1.0))
-    return tuple(code for code, alike in found.items() if alike >= ALIKE and code in differs)
-
-
-def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Flags) -> tuple[Cells, Flags, Flags]:
-    """Return the cells that a claim speaks about, and flags: which of them it explains, and about which it says anything.
-
-    `explained` and `spoken` are the same flags for Euler's rules, which hold in columns that the claim leaves alone.
-    """
-    if claim.student is not None:
-        put_right = mark_cells(key, claim.student)
-        follows, speaks = euler_cells(key, put_right)
-        return put_right, follows | (speaks & (put_right.marks == KEY)), speaks
-    holds = near(cells.student.values, claim.expected, claim.tolerance)
-    says = np.isfinite(claim.expected) & spoken
-    holds &= says
-    of_euler = np.isnan(claim.expected).all(axis=0)
-    says[:, of_euler], holds[:, of_euler] = spoken[:, of_euler], explained[:, of_euler]
-    return cells, holds, says

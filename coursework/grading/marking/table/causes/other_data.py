@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import cycle, product
+from itertools import combinations, cycle, product
 
 import numpy as np
 
@@ -48,8 +48,7 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     ]
     tried += [
         (f"swap_{first.name}_{second.name}", {first.name: second.value, second.name: first.value})
-        for index, first in enumerate(given)
-        for second in given[index + 1 :]
+        for first, second in combinations(given, 2)
         if first.si == second.si and first.value != second.value
     ]
     tried += [(f"confusion_{name}", {name: value}) for name, value in confusions.items()]

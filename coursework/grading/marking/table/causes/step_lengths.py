@@ -52,9 +52,9 @@ def parts_of_step(printed: TableUnderTest) -> list[float]:
     return parts
 
 
-def small_steps(key: Key, m: int, times: int, t: Array, q: Array, w: Array | None = None) -> Array:
+def small_steps(key: Key, times: int, t: Array, q: Array, w: Array | None = None) -> Array:
     """Return the increments (n, m) of rows made in several Euler steps each (`times`) instead of one."""
-    h, moved = key.step / times, q
+    h, m, moved = key.step / times, q.shape[1], q
     for place in range(times):
         moved = moved + h * key.velocities_at(t + place * h, moved)[:, :m]
     return moved - q
@@ -81,7 +81,7 @@ def steps_a_row(printed: TableUnderTest) -> int:
         return 0
     errors = [once[felt]]
     for times in _COMPUTED:
-        made = march(key, key.table[0, :m], key.velocities_at, partial(small_steps, key, m, times))
+        made = march(key, key.table[0, :m], key.velocities_at, partial(small_steps, key, times))
         errors.append((made[:rows, :m] - exact)[felt])
     tried = np.arange(max(2, int((1 - _ABOUT) / part)), min(int((1 + _ABOUT) / part) + 2, _MOST + 1))
     lengths = 1.0 / np.array([1, *_COMPUTED])

@@ -63,7 +63,7 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
     meant: dict[str, dict[int, str]] = {}
     for vector, used in uses.items():
         indices = {int(entry[4]) for entry in used}
-        by_use = _by_use(text, vector, used, order, rates, variant)
+        by_use = _by_use(text, vector, used, order, variant)
         is_own = is_zero_based or not all(spellings.angle(f"{vector}{index}") for index in indices)
         # f(1) may be an angle whose Greek letter got lost, unless the program assigns the right sides of its system to f.
         is_own = is_own or (vector in {"f", "F"} and [*by_use] == [rates[name] for name in order])
@@ -168,14 +168,13 @@ def _taken(text: str, vector: str, spellings: Spellings) -> dict[int, str]:
     return found
 
 
-def _by_use(
-    text: str, vector: str, used: Sequence[re.Match[str]], order: Sequence[str], rates: dict[str, str], variant: Variant
-) -> Sequence[str]:
+def _by_use(text: str, vector: str, used: Sequence[re.Match[str]], order: Sequence[str], variant: Variant) -> Sequence[str]:
     """Return the names in a vector by its use: coordinates if sin or cos takes it, rates if formulas are assigned to it …"""
     if re.search(rf"(?:sin|cos)\s*\(\s*[-+\w.*\s]{{0,20}}{re.escape(vector)} ?[\[(]", text, re.IGNORECASE):
         return order
     assigned = {int(entry[4]): made[1] for entry in used if (made := re.match(r"\s*:?=([^=\n][^\n]*)", text[entry.end() :]))}
     if assigned:
+        rates = {one.name: one.rate for one in variant.coordinates}
         speeds = [rates[name] for name in order]
         if len(assigned) > len(speeds):  # all velocities in one vector, not only those that are integrated
             speeds += [name for name in variant.velocities if name not in speeds]

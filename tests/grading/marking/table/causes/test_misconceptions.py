@@ -11,7 +11,8 @@ import coursework
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.hypotheses import claims
-from coursework.grading.marking.table.causes.misconceptions import _closer, indistinct, looked_for
+from coursework.grading.marking.table.causes.indistinct import indistinct
+from coursework.grading.marking.table.causes.misconceptions import _closer, looked_for
 from coursework.grading.marking.table.causes.other_data import may_be
 from coursework.grading.marking.table.cells import mark_cells
 from coursework.grading.marking.table.explained import Explained, euler_cells
