@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from coursework.grading.reading.files.xlsx import _shared, _SheetReader
+from coursework.grading.reading.limits import Room
 
 TEXTS = (
     "<sst><si><t>t</t></si><si><r><t>phi</t></r><r><t>1</t></r></si>"
@@ -28,7 +29,7 @@ def test_a_workbook_without_shared_texts_has_none() -> None:
 
 @pytest.mark.parametrize("column", [1, 2])
 def test_a_cell_is_its_value_without_the_formula_before_it(column: int) -> None:
-    reader = _SheetReader(9, 9)
+    reader = _SheetReader(Room(9, 9))
     for _ in range(column):
         reader.begin("c", {})
         reader.text(" ")
