@@ -37,6 +37,13 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.hookimpl(tryfirst=True)
+def pytest_unconfigure() -> None:
+    """Look through all that was kept for garbage once: pytest would do so twice, and the end of the process once more."""
+    gc.collect()
+    gc.freeze()
+
+
+@pytest.hookimpl(tryfirst=True)
 def pytest_pycollect_makeitem(collector: Any, obj: object) -> list[Any] | None:
     """Make no items of a long test that is not asked: a third of all, in each of the processes.
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from xml.etree import ElementTree
 
+import numpy as np
 from matplotlib import font_manager
 from matplotlib.ft2font import FT2Font
 
@@ -129,14 +130,17 @@ def names(svg: str, key: str) -> set[str]:
     return {node.attrib[key] for node in ElementTree.fromstring(svg).iter() if key in node.attrib}
 
 
-def along(line: Line, count: int = 240) -> list[complex]:
+def along(line: Line, count: int = 240) -> np.ndarray:
     """Return places on a line, so near each other that no word passes between them."""
-    return [line.a + (line.b - line.a) * k / count for k in range(count + 1)]
+    return line.a + (line.b - line.a) * np.arange(count + 1) / count
 
 
 def beside(word: Word, line: Line) -> float:
     """Return how far a word is from a line (mm)."""
-    return min(apart(word, place) for place in along(line))
+    (left, top, right, bottom), places = word.box, along(line)
+    across = np.maximum(np.maximum(left - places.real, places.real - right), 0.0)
+    down = np.maximum(np.maximum(top - places.imag, places.imag - bottom), 0.0)
+    return float(np.hypot(across, down).min())
 
 
 def led(svg: str, word: Word, own: list[Line]) -> bool:
@@ -153,7 +157,7 @@ def crossed(svg: str, *keys: str) -> list[tuple[str, str]]:
 
 def covers(line: Line, other: Line) -> bool:
     """Return whether two lines lie on one another: what stands beside one stands beside both."""
-    return sum(min(abs(a - b) for b in along(other)) < 0.5 for a in along(line, 20)) > 1
+    return int((np.abs(along(line, 20)[:, None] - along(other)).min(axis=1) < 0.5).sum()) > 1
 
 
 def astray(svg: str, word: Word, own: list[Line], others: list[Line]) -> list[str]:
