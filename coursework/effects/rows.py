@@ -33,7 +33,7 @@ class Rows:
     """The values of every row (n,).
 
     `values` holds those of formulas by level, `turning` the angular velocities and accelerations by rate, `slopes` the
-    derivatives of the centres by the coordinates (n,) complex.
+    derivatives of the centres by the coordinates (n,) complex, `spanned` those from end to end of a body whose rate has no name.
     """
 
     motion: Motion
@@ -41,6 +41,7 @@ class Rows:
     values: Mapping[Wanted, Any]
     turning: Mapping[str, tuple[Array, Array]]
     slopes: Mapping[tuple[str, str], Complex]
+    spanned: Mapping[tuple[str, str], Complex]
 
     @property
     def count(self) -> int:
@@ -93,6 +94,13 @@ class Rows:
         way, rate, second = (self.vector(body.span[1], level) - self.vector(body.span[0], level) for level in (0, 1, 2))
         omega = (np.conj(way) * rate).imag / np.abs(way) ** 2
         return omega, (np.conj(way) * second).imag / np.abs(way) ** 2
+
+    def turned_by(self, body: Body, coordinate: str) -> Array:
+        """Return how far (n,) a body whose rate has no name turns for a unit of a coordinate, by the line between its ends."""
+        if body.span is None or (body.name, coordinate) not in self.spanned:
+            return np.zeros(self.count)
+        way = self.vector(body.span[1]) - self.vector(body.span[0])
+        return np.asarray((np.conj(way) * self.spanned[body.name, coordinate]).imag / np.abs(way) ** 2)
 
     def velocity(self, body: Body, at: Complex) -> Complex:
         """Return the velocity (n,) complex m/s of the point of a body that is at the place `at`."""
@@ -171,17 +179,19 @@ class Program:
     def rows(self, equations: VelocityEquations, motion: Motion, second: Array) -> Rows:
         """Return the values for a motion's rows with their accelerations (n, k)."""
         compiled = compile_rows(equations, self.expressions, 2)
-        columns = iter(compiled(motion.t, motion.coordinates, motion.velocities, second).T)
+        found = compiled(motion.t, motion.coordinates, motion.velocities, second)
+        # A drive that starts infinitely fast, as a root does, has no forces there: not a number, rather than warnings all along.
+        columns = iter(np.where(np.isfinite(found), found, np.nan).T)
         values = {
             one: next(columns) + 1j * next(columns) if one[1] else next(columns) for one in self.wanted
         }  # fmt: skip
         turning = {rate: (next(columns), next(columns)) for rate in _rates(self.scheme)}
-        slopes = {
-            (body.name, c.name): next(columns) + 1j * next(columns)
-            for body in self.scheme.bodies
-            for c in equations.variant.coordinates
+        coordinates = [c.name for c in equations.variant.coordinates]
+        slopes = {(body.name, name): next(columns) + 1j * next(columns) for body in self.scheme.bodies for name in coordinates}
+        spanned = {
+            (body.name, name): next(columns) + 1j * next(columns) for body, _ in _spans(self.scheme) for name in coordinates
         }
-        return Rows(motion, self.scheme, values, turning, slopes)
+        return Rows(motion, self.scheme, values, turning, slopes, spanned)
 
 
 def compile_program(equations: VelocityEquations, scheme: ForceScheme) -> Program:
@@ -203,7 +213,19 @@ def compile_program(equations: VelocityEquations, scheme: ForceScheme) -> Progra
     for body in scheme.bodies:
         centre = symbols.vector(body.centre)
         found += [symbols.partial(part, symbol(c.name)) for c in equations.variant.coordinates for part in centre]
+    for _, span in _spans(scheme):
+        first, last = (symbols.vector(end) for end in span)
+        found += [
+            symbols.partial(there - here, symbol(c.name))
+            for c in equations.variant.coordinates
+            for here, there in zip(first, last, strict=True)
+        ]
     return Program(scheme, wanted, tuple(found))
+
+
+def _spans(scheme: ForceScheme) -> list[tuple[Body, tuple[Formula, Formula]]]:
+    """Return the bodies whose rate has no name, each with the two ends that show how it turns."""
+    return [(one, one.span) for one in scheme.bodies if not one.rate and one.span is not None and one.span[0] != one.span[1]]
 
 
 def _rates(scheme: ForceScheme) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.drawing.force_plans.lever import levers_of
 from coursework.effects.dynamics import dynamics_checks
 from coursework.effects.effects import _springs
 from coursework.effects.kinetostatics.checks import check_forces
@@ -90,7 +91,9 @@ def test_a_redundant_support_gives_what_is_unique_and_nothing_else():
             pair = key.partition(" ")[0]
             assert found.beside[f"{pair}.across"][0] == pytest.approx(value / 2, rel=1e-9), pair
             assert found.beside[f"{pair}.angle"][0] == pytest.approx(np.deg2rad(150), abs=1e-9)
-    told = {one.code: one for one in check_forces(found, found)}["FORCE-CONDITION"]
+    checks = {one.code: one for one in check_forces(found, found)}
+    assert checks["POWER"].verdict == "PASS"  # the drive is unique, and it alone gives power
+    told = checks["FORCE-CONDITION"]
     assert told.verdict == "SKIP" and "13 unknown forces and 12 equations" in str(told.sentence)
 
 
@@ -121,6 +124,14 @@ def test_a_rod_whose_rate_has_no_name_turns_as_its_ends_do():
     assert found.column("M")[0] == pytest.approx((4 + 12) * 9.81 * 2 / 10)
     assert found.by_power is None  # a motion of the drive alone does not say how the rod turns
     assert {one.code: one.verdict for one in check_forces(found, None)}["VIRTUAL-POWER"] == "SKIP"
+
+
+def test_a_rod_whose_rate_has_no_name_has_its_power_and_its_place_on_the_lever():
+    held = '[closure]\nholds = ["(s3 - r1*cos(theta1))^2 + (r1*sin(theta1))^2 - r2^2"]\n'
+    found = of_text(UNNAMED + held)
+    assert found.by_power[:, 0] == pytest.approx(found.column("M"), abs=1e-12 * found.reactions.largest)
+    (lever,) = levers_of(found, 5)
+    assert lever.read == pytest.approx(lever.computed, rel=0.01)  # arms are read to half a millimetre
 
 
 def test_the_drive_of_a_forearm_stands_on_the_upper_arm():

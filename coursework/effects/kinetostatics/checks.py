@@ -120,17 +120,19 @@ def _balance(own: ForceAnalysis, exact: ForceAnalysis | None, blows: Sequence[fl
     """Return whether the power given is the change of the energy; at the times (s) of `blows` the drive jumps."""
     of = exact or own
     t = of.rows.motion.t
-    if len(t) < NODES or not np.isfinite(of.reactions.rows).all():
+    if len(t) < NODES:
         return skipped(say("check.POWER.skip"))
     energy = of.energy
     step = float(t[1] - t[0])
     changed = five_point_derivative(energy.kinetic + energy.potential, step)
     given = energy.drive + energy.loads + energy.friction + energy.dampers
+    known = np.isfinite(given)  # where a law begins like a root of the time, the first row has no acceleration and no drive
     moved = five_point_derivative(energy.kinetic, step)
-    scale = float(max(np.abs(values).max() for values in (given, energy.drive, changed, moved)))
+    scale = float(max(np.abs(values[known]).max(initial=0.0) for values in (given, energy.drive, changed, moved)))
     if not scale:
-        return skipped(say("check.forces.none"))
-    off = (np.abs(given - changed) / scale)[2:-2]  # the one-sided formulas at the ends are far less accurate
+        return skipped(say("check.forces.none" if known.any() else "check.POWER.skip"))
+    # The one-sided formulas at the ends are far less accurate.
+    off = np.where(known, np.abs(given - changed) / scale, -1.0)[2:-2]
     for time in breaks(of.equations.variant):  # a change of formula makes a kink in the energy: five rows across it give no slope
         # A row on a kink ends five good ones; one on a jump has the energy behind it and ends none before it.
         off[np.abs(t[2:-2] - time) < 2 * step * (1 + (AT_ROW if time in blows else -AT_ROW))] = -1.0

@@ -64,13 +64,17 @@ def twists(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array
         found[:, index, 0], found[:, index, 1] = np.real(way), np.imag(way)
         if body.rate in place:
             found[:, index, 2] = place[body.rate]
+        elif not body.rate:
+            found[:, index, 2] = sum(
+                rows.turned_by(body, c.name)[:, None] * place[c.rate] for c in equations.variant.coordinates if c.rate in place
+            )
     return found
 
 
 def drive_by_power(rows: Rows, equations: VelocityEquations, wrench: Array) -> Array | None:
     """Return the drives (n, drives) needed against wrenches (n, bodies, 3); None if the geometry does not determine them."""
     velocities = unit_motions(rows, equations)
-    if velocities is None or any(not body.rate and body.span and np.any(rows.omega(body)) for body in rows.scheme.bodies):
+    if velocities is None:
         return None
     moves = twists(rows, equations, velocities)
     needed = -np.einsum("nbi,nbik->nk", wrench, moves)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations, product
 
 import numpy as np
 
@@ -23,7 +24,8 @@ from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event
 from coursework.system.arrays import Array
 from coursework.variant.formula.made import as_read
-from coursework.variant.record.entries import Link
+from coursework.variant.formula.tree import evaluate
+from coursework.variant.record.entries import Link, reached
 from coursework.variant.record.held import unit_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -60,6 +62,8 @@ def explain(
     holds = block.meaning
     if block.condition is not None:
         holds = meaning_of(block.condition, equations.variant, block.unknowns, coordinates)
+        if holds == say("determinant.zero", formula=as_read(vanishing(block.condition, equations.variant, coordinates))):
+            holds = dyad_straight(equations, block.unknowns, event.time, event.position.tolist()) or holds
         if holds == say("determinant.never"):  # nor is it, but as a slide runs away it becomes as small as anything
             holds = say("determinant.zero", formula=as_read(block.condition))
     elif (met := lines_meet(equations, block.unknowns, event.time, event.position.tolist())) is not None:
@@ -169,14 +173,21 @@ def lines_meet(equations: VelocityEquations, unknowns: Sequence[str], time: floa
     """Return that the lines of three rods of a plate meet at a `position` (m,), None if they do not or there is no such plate.
 
     The plate can then turn a little about that point, or be moved across the lines if they are parallel, while the other ends of
-    the rods stand still: the dead point of a class III group.
+    the rods stand still: the dead point of a class III group.  A guide for a point of the plate stands for a rod across it.
     """
+    variant, vectors = equations.variant, equations.symbols.vectors
     links = [link for link in equations.variant.links if link.rate in unknowns]
     for plate in (link for link in links if len(link.held) >= _RODS):
         rods = [link for link in links if len(link.held) == 2 and len({*link.held} & {*plate.held}) == 1]
-        if len(rods) != _RODS:
+        held = {name for rod in rods for name in rod.held}
+        rails = [(at.name, way) for at, way in variant.frame.rails if at.name in {*plate.held} - held][: _RODS - 2]
+        if len(rods) + len(rails) != _RODS:
             continue
         ends = np.array([_ends(rod, plate, equations, time, position) for rod in rods])
+        for name, way in rails:
+            angle = evaluate(way, variant.values)
+            at = np.array(compile_values(equations, vectors[name])[0](time, *position), dtype=float)
+            ends = np.concatenate([ends, [[at, at + np.array((-math.sin(angle), math.cos(angle)))]]])
         lines = ends[:, 1] - ends[:, 0]
         lines = lines / np.linalg.norm(lines, axis=1)[:, None]
         arms = ends[:, 0] - ends[0, 0]
@@ -184,8 +195,31 @@ def lines_meet(equations: VelocityEquations, unknowns: Sequence[str], time: floa
         if abs(np.linalg.det(np.column_stack([lines, _cross(arms, lines) / size]))) > _MEET:
             continue
         turned = max(abs(_cross(one, other)) for one in lines for other in lines)
-        key = "determinant.rods_meet" if turned > _MEET else "determinant.rods_parallel"
-        return say(key, rods=tuple(rod.name for rod in rods), plate=plate.name)
+        key = f"determinant.{'guide' if rails else 'rods'}_{'meet' if turned > _MEET else 'parallel'}"
+        return say(key, rods=tuple(rod.name for rod in rods), plate=plate.name, **({"point": rails[0][0]} if rails else {}))
+    return None
+
+
+def dyad_straight(
+    equations: VelocityEquations, unknowns: Sequence[str], time: float, position: Sequence[float]
+) -> Sentence | None:
+    """Return that two links lie on one line at a `position` (m,) whose joint moves with the `unknowns` and whose ends do not.
+
+    It needs no angles: in a linkage whose points move by x and y the determinant is a sum that nobody recognises.
+    """
+    variant, vectors = equations.variant, equations.symbols.vectors
+    moved = {one.name for one in variant.coordinates if one.rate in unknowns}
+    places = dict(variant.points)
+    loose = {name for name in vectors if moved & {name, *reached([name], places)}}
+    for first, second in combinations(variant.links, 2):
+        for joint in sorted({*first.held} & {*second.held} & loose):
+            for here, there in product(*([name for name in link.held if name not in loose] for link in (first, second))):
+                parts = [part for name in (joint, here, there) for part in vectors[name]]
+                at, *ends = np.array(compile_values(equations, parts)[0](time, *position), dtype=float).reshape(3, 2)
+                lines = [end - at for end in ends]
+                if abs(_cross(*lines)) < _MEET * math.prod(np.linalg.norm(line) for line in lines):
+                    named = (say("determinant.link", name=link.name) for link in (first, second))
+                    return say("determinant.one_line", first=next(named), second=next(named))
     return None
 
 

@@ -10,6 +10,7 @@ import coursework
 from coursework.effects.kinetostatics import checks
 from coursework.effects.kinetostatics.checks import _accuracy, _agreement, _balance, _condition, _contact, _friction
 from coursework.effects.kinetostatics.kinetostatics import _across, solve
+from tests.effects.massed import of_text
 from tests.mechanisms.library import mechanism
 
 NAN = math.nan
@@ -42,12 +43,11 @@ def moved(power, count=9, spoilt=None, pieces=()):
         kinetic=t**2 / 2, potential=2.0 * t, drive=t + 2.0 + power(t), loads=np.full(count, 3.0), friction=np.full(count, -1.0),
         dampers=np.full(count, -2.0),
     )  # fmt: skip
-    rows = np.zeros((count, 1))
     if spoilt is not None:
-        rows[spoilt] = NAN
+        energy.drive[spoilt] = NAN
     variant = SimpleNamespace(laws=[SimpleNamespace(pieces=[(time, None) for time in pieces])])
     return SimpleNamespace(
-        rows=SimpleNamespace(motion=SimpleNamespace(t=t)), energy=energy, reactions=SimpleNamespace(rows=rows),
+        rows=SimpleNamespace(motion=SimpleNamespace(t=t)), energy=energy,
         equations=SimpleNamespace(variant=variant),
     )  # fmt: skip
 
@@ -65,7 +65,9 @@ def test_power_given_is_the_change_of_energy_to_a_thousandth_of_the_largest():
         _balance(moved(one(1, 9.0)), None).verdict == "PASS" == _balance(moved(one(7, 0.1)), None).verdict
     )  # at the ends nothing is read
     assert [_balance(moved(one(4, 0.0), count), None).verdict for count in (4, 5)] == ["SKIP", "PASS"]
-    assert _balance(moved(one(4, 0.0), spoilt=3), None).verdict == "SKIP"
+    assert _balance(moved(one(4, 0.0), spoilt=3), None).verdict == "PASS"  # a row without a drive says nothing of the others
+    assert _balance(moved(one(4, 9.0), spoilt=4), None).verdict == "PASS"
+    assert {_balance(moved(one(2, 0.0), 5, rows), None).verdict for rows in (2, slice(None))} == {"SKIP"}
     assert _balance(moved(one(4, 9.0)), moved(one(4, 0.0))).verdict == "PASS"  # the exact rows are looked at
     still = moved(lambda t: -t - 2.0)
     still.energy.kinetic, still.energy.potential = np.zeros(9), np.zeros(9)
@@ -254,3 +256,11 @@ def test_a_force_of_which_one_component_is_known_is_told_along_it_upwards_or_to_
     for turned in (1, -1):
         value, angle = _across(turned * along, np.array([[5.0 * turned]]), np.array([True]), 0)
         assert (value[0], math.degrees(angle[0])) == pytest.approx((5.0, degrees))
+
+
+def test_a_row_without_an_acceleration_does_not_hide_the_power_of_the_others():
+    """The crank starts as the root of the time does: infinitely fast, so row 1 has no force, and all others have."""
+    found = of_text(mechanism("example-1-forces", w1="w0*sqrt(t*w0)"))
+    assert np.isnan(found.reactions.rows[0]).any() and np.isfinite(found.reactions.rows[1:]).all()
+    (power,) = [one for one in checks.check_forces(found, found) if one.code == "POWER"]
+    assert power.verdict in {"PASS", "COARSE"} and power.row > 3

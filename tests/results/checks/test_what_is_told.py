@@ -47,6 +47,10 @@ def test_what_is_open_is_told_by_what_leaves_its_place():
     assert "G.y is" in str(pivot.sentence) and "with this step the pivot G moves" in str(pivot.sentence)
     slider = found(mechanism("slider-crank-with-slide-velocity", step="0.05 s"), "DRIFT")
     assert "C.y is" in str(slider.sentence) and "with this step C leaves its guide" in str(slider.sentence)
+    rod = ("(xC - xB)^2 + (yC - yB)^2 - r2^2", "(C.x - xB)^2 + (C.y - yB)^2 - r2^2")  # a length, though one point stands in it
+    assert "the links no longer meet" in str(
+        found(mechanism("four-bar-by-squared-lengths", rod, step="0.03 s", end="0.06 s"), "DRIFT").sentence
+    )
 
 
 def test_the_length_that_nothing_keeps_is_told_with_the_line_that_keeps_it():

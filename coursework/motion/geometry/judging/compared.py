@@ -11,8 +11,10 @@ import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME
+from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.closure import WAITING, Closure
 from coursework.motion.geometry.drives.drive import breaks, drive_values
+from coursework.motion.schemes import PRECISE
 from coursework.system.arrays import Array
 from coursework.words.errors import InputError
 
@@ -29,6 +31,13 @@ def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Ar
     """
     times, positions = closure.configurations
     depends = _depends_on_time(equations)
+    if not closure.complete and closure.loose:  # a loop without a position equation is closed at the start alone
+        times, positions = times[:1], positions[:1]
+        later = np.zeros(0) if depends else _with_drives_on(equations, times)
+        times = np.concatenate([times, later])
+        if not depends:
+            positions = np.concatenate([positions, *_moved(equations, positions[0], times[-1])])
+        return np.repeat(times, len(positions)), np.tile(positions, (len(times), 1))
     if not depends and len(closure.driven) + sum(map(bool, closure.drives)) > 1:
         times, positions = (np.concatenate(pair) for pair in zip((times, positions), _stirred(closure), strict=True))
     later = _with_drives_on(equations, times)
@@ -39,6 +48,30 @@ def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Ar
     else:
         then, there = np.repeat(later, len(times)), np.tile(positions, (len(later), 1))
     return np.concatenate([times, then]), np.concatenate([positions, there])
+
+
+def _moved(equations: VelocityEquations, start: Array, time: float) -> list[Array]:
+    """Return a position (1, m) a little further than the start by all equations together, none where they have no value.
+
+    At a start of zero a sine hides the sign before it.  Eight steps leave no error that could be seen.
+    """
+    variant = equations.variant
+    laws = [law.name for law in variant.drive]
+    system = compile_system(equations, [*equations.equations, *equations.from_closure, *equations.bound])
+
+    def rates(_: float, q: Array) -> Array:
+        matrix, right, _rest = system.matrices(np.array([time]), q[None])
+        found = dict(zip(equations.unknowns, np.linalg.pinv(matrix[0]) @ right[0], strict=True))
+        found |= dict(zip(laws, drive_values(equations, laws, np.array([time]))[0], strict=True))
+        return np.array([found[one.rate] for one in variant.coordinates])
+
+    with suppress(np.linalg.LinAlgError, ArithmeticError, ValueError, KeyError):
+        fastest = float(np.max(np.abs(rates(time, start))))
+        q, step = start, _STIRRED / 8 / fastest if fastest else 0.0
+        for _ in range(8):
+            q = PRECISE.step(rates, time, q, step)
+        return [q[None]] if np.isfinite(q).all() and fastest else []
+    return []
 
 
 def _stirred(closure: Closure) -> tuple[Array, Array]:

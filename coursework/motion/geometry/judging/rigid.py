@@ -74,9 +74,8 @@ def require_hinges_at_rest(equations: VelocityEquations, closure: Closure) -> No
     variant = equations.variant
     if {("closure", "holds"), ("closure", "driven")} & variant.lines.keys() or not variant.holds:
         return
-    hinges = variant.frame.hinges
-    for hinge in (name for name in hinges if _may_move(name, variant)):
-        frame = replace(variant.frame, hinges=tuple(name for name in hinges if name != hinge))
+    for hinge in (name for name in variant.frame.hinges if _may_move(name, variant)):
+        frame = replace(variant.frame, hinges=tuple(name for name in variant.frame.hinges if name != hinge))
         with suppress(InputError):
             bare = with_implied_closure(replace(variant, driven=None, also_driven=(), holds=(), frame=frame))
             others = differentiate(build(bare))
@@ -144,8 +143,8 @@ def _seen(equations: VelocityEquations, closure: Closure) -> _Seen:
     parts = np.array([np.broadcast_to(np.asarray(part, dtype=float), times.shape) for part in found])
     tracks = {name: parts[2 * place] + 1j * parts[2 * place + 1] for place, name in enumerate(vectors)}
     growing = [positions[:, place] for place, one in enumerate(variant.coordinates) if one.unit == "m"]
-    places = dict(variant.points)
-    loose = frozenset(name for name in tracks if variant.frame.rails and closure.loose & reached([name], places))
+    free = closure.loose if variant.frame.rails or len(closure.names) < len(closure.free) else frozenset()
+    loose = frozenset(name for name in tracks if free and free & reached([name], dict(variant.points)))
     return _Seen(variant, times, tracks, growing, closure.scale, loose)
 
 
@@ -169,14 +168,15 @@ class _Seen:
         bars = {link.name: link.points for link in self.variant.links}
         for link in self.variant.links:
             points = [*link.points, *([link.wheel] if link.wheel else [])]
-            pairs = [pair for pair in combinations(points, 2) if not self.keeps(*pair)]
+            # Where a loop has no position equation, its written equations close it, and the positions here know nothing of it.
+            pairs = [pair for pair in combinations(points, 2) if not (self.keeps(*pair) or self.loose.intersection(pair))]
             pairs = [pair for pair in pairs if not (self._grows(*pair) and self._straight(points, *pair))]
             if pairs:
-                yield self._fault(
-                    ("links", link.name), self._not_rigid(link, *max(pairs, key=lambda pair: np.ptp(self.apart(*pair))))
-                )
+                widest = max(pairs, key=lambda pair: np.ptp(self.apart(*pair)))
+                yield self._fault(("links", link.name), self._not_rigid(link, *widest))
                 continue
-            offs = [[self._off(point, *pair) for pair in combinations(bars.get(link.slides or "", ()), 2)] for point in points]
+            along = [pair for pair in combinations(bars.get(link.slides or "", ()), 2) if not self.loose.intersection(pair)]
+            offs = [[self._off(point, *pair) for pair in along if point not in self.loose] for point in points]
             lost = next((place for place, off in enumerate(offs) if off and not any(map(self._keeps, off))), None)
             if lost is not None:
                 known = {"link": link.name, "point": points[lost], "bar": link.slides, **self._between(offs[lost][0])}
@@ -192,7 +192,7 @@ class _Seen:
         """Yield a fault for each hinge of the frame that moves."""
         for place, name in enumerate(self.variant.frame.hinges):
             away = np.abs(self.tracks[name] - self.tracks[name][0])
-            if not self._keeps(away):
+            if not self._keeps(away) and name not in self.loose:
                 known = {"point": name, "away": float(np.max(away)), "time": float(self.times[int(np.argmax(away))])}
                 yield self._fault(("frame", "hinges", place), say("fault.V319", **known))
 

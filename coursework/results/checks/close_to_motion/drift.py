@@ -80,9 +80,10 @@ def _leaves(evidence: Evidence, equation: int) -> tuple[str, str]:
     if driven:
         return "coarse_driven", driven[0]
     held = variant.holds[place] if (place := equation - len(positions) + len(variant.holds)) >= 0 else None
-    points = {name for name, _ in variant.points}.intersection(held.names() if held else ())
-    if len(points) != 1:
-        return "coarse", ""
+    names = set(held.names()) if held else set()
+    points = names.intersection(name for name, _ in variant.points)
+    if len(points) != 1 or names.intersection(one.name for one in variant.coordinates):
+        return "coarse", ""  # with a coordinate beside the point it is a length, a loop or a wheel that rolls
     (point,) = points
     return "coarse_pivot" if point in variant.frame.hinges else "coarse_guided", point
 

@@ -207,3 +207,16 @@ def test_one_of_two_drives_that_waits_is_judged_also_where_positions_depend_on_t
 
 def test_a_drive_without_a_value_later_on_leaves_the_equations_judged_at_the_start():
     assert len(confirmed(TWO_ARMS.replace('"0.4"', '"0.4/(1 - t)^2"'))) == 2
+
+
+def test_a_loop_that_only_equations_close_is_judged_where_it_closes():
+    """The second loop has no position equation: away from the start its links are not where its equations take them."""
+    closed = (0.0, 0.6406099593716998, 1.4389218848213268, 0.03749007509521021, 1.4338576119563597)  # rad, by two triangles
+    starts = {f"phi{place}": f'{{ start = "{at} rad", rate = "w{place}" }}' for place, at in enumerate(closed, start=1)}
+    held = '["(B - D - r3 @ phi3).x", "(B - D - r3 @ phi3).y"]'
+    text = mechanism("windshield-wiper", holds=held, **starts)
+    assert confirmed(text) == ("1", "2")  # nothing is contradicted, nor told to bend
+    # The sign before the sine of a start of zero; one in the loop that nothing holds.
+    for right, wrong in (("-r1*w1*sin(phi1) - r2", "r1*w1*sin(phi1) - r2"), ("+ r5*w5*sin(phi5)", "- r5*w5*sin(phi5)")):
+        with pytest.raises(coursework.InputError, match=r"V302 .*equation 1 contradicts|V303 .*: 3 .*; 4 "):
+            confirmed(text.replace(right, wrong))
