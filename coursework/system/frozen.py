@@ -16,6 +16,7 @@ from typing import Any, NoReturn, TypeVar, dataclass_transform
 
 Kind = TypeVar("Kind")
 _NONE = ("ClassVar", "InitVar", "KW_ONLY")  # annotations with these words may declare something that is not a field
+_HASH = "the hash"  # no name of a field
 _FEW = 16  # objects of a class before its `__init__` is compiled: compiling costs what twenty objects save
 
 
@@ -34,8 +35,11 @@ def single(kind: type[Kind]) -> type[Kind]:
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def caching(kind: type[Kind]) -> type[Kind]:
-    """Return the frozen data class of `kind` without slots, so that its objects can store cached properties."""
-    return _made(kind, {"__setattr__": _refuse, "__delattr__": _refuse}, slots=False)
+    """Return the frozen data class of `kind` without slots, so that its objects can store cached properties and their hash."""
+    made: Any = _made(kind, {"__setattr__": _refuse, "__delattr__": _refuse, "__getstate__": _without_hash}, slots=False)
+    made.__hash__ = _once(made.__hash__)
+    result: type[Kind] = made
+    return result
 
 
 @dataclass_transform(field_specifiers=(field,))
@@ -143,6 +147,22 @@ def _compared(names: tuple[str, ...]) -> tuple[Callable[[Any, Any], Any], Callab
         lambda one, other: key(one) == key(other) if other.__class__ is one.__class__ else NotImplemented,
         lambda one: hash(key(one)),
     )
+
+
+def _once(number: Callable[[Any], int]) -> Callable[[Any], int]:
+    """Return the function that hashes an object once: a variant is the key of many caches, and all its formulas count."""
+
+    def hashed(one: Any) -> int:
+        kept: dict[str, Any] = one.__dict__
+        if _HASH not in kept:
+            kept[_HASH] = number(one)
+        return int(kept[_HASH])
+
+    return hashed
+
+
+def _without_hash(self: Any) -> dict[str, Any]:
+    return {name: value for name, value in self.__dict__.items() if name != _HASH}  # another process hashes texts otherwise
 
 
 @recursive_repr()

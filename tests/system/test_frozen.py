@@ -181,3 +181,25 @@ def test_the_first_objects_of_a_class_are_made_as_all_later_ones(decorate):
     assert early == [outcomes(kind)] * 2
     one, other = kind(1.0), kind(2.0)
     assert one.listed is not other.listed
+
+
+class Counted:
+    """Counts how often it is hashed."""
+
+    asked = 0
+
+    def __hash__(self):
+        self.asked += 1
+        return 7
+
+
+@caching
+class Holder:
+    one: Counted
+
+
+def test_an_object_that_caches_is_hashed_once_and_again_in_another_process():
+    holder = Holder(Counted())
+    assert hash(holder) == hash(holder) == hash((holder.one,)) and holder.one.asked == 2
+    there = pickle.loads(pickle.dumps(holder))
+    assert hash(there) == hash(holder) and there.one.asked == 3
