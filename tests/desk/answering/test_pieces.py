@@ -52,7 +52,13 @@ def test_from_an_empty_text_to_a_chain_of_every_kind(client):
 
 @pytest.mark.parametrize(
     ("kind", "on", "word"),
-    [("RRR", ["Q"], "Q"), ("XYZ", [], "XYZ"), ("PRP", ["B"], "PRP"), ("RRR", [], "RRR"), ("RRR", ["A"], "A не движется")],
+    [
+        ("RRR", ["B", "Q", "Z"], "Q"),
+        ("XYZ", [], "XYZ"),
+        ("PRP", ["B"], "PRP"),
+        ("RRR", [], "RRR"),
+        ("RRR", ["A"], "A не движется"),
+    ],
 )
 def test_what_cannot_be_had_says_why_and_changes_nothing(client, kind, on, word):
     text = put(client, "", "crank")["text"]

@@ -1,13 +1,15 @@
-"""How wide the columns of a table are in a note, and how large its letters."""
+"""How wide the columns of a table are in a note, how large its letters, and how large drawings and graphs."""
 
 from __future__ import annotations
 
 import re
+from types import SimpleNamespace
+from typing import Any, cast
 
 import pytest
 
-from coursework.report.text.parts import Column, Table
-from coursework.takeaway.note.blocks import _widths
+from coursework.report.text.parts import Column, Figure, Panel, Panels, Table
+from coursework.takeaway.note.blocks import Blocks, _widths
 from coursework.takeaway.note.styles import HOUSES, House, word_styles
 from coursework.takeaway.note.writer import MANY, _sized_tables
 
@@ -48,3 +50,50 @@ def test_text_in_word_is_set_as_the_standards_ask_and_only_headings_are_in_the_o
     assert re.findall(r'w:line="(\d+)"', text) == [str(lines)]
     assert re.findall(r'w:firstLine="(\d+)"', text) == [str(indent)]
     assert f'w:sz w:val="{size}"' in text
+
+
+def sizes(blocks: object) -> list[tuple[float, float]]:
+    """The sizes of the pictures in blocks, which stand there as text in place of the pictures themselves."""
+    found = re.findall(r"size (\d+(?:\.\d+)?) (\d+(?:\.\d+)?)", str(blocks))
+    return [(float(width), float(height)) for width, height in found]
+
+
+@pytest.fixture
+def blocks() -> Any:
+    """Blocks on a page 100 mm wide, in a format that turns what it is given."""
+    dialect = SimpleNamespace(
+        picture=lambda place, alt, size: {"t": f"size {size[0]:g} {size[1]:g}"},
+        caption=lambda kind, label, mark, said: [{"t": kind, "c": ["".join(label), mark]}],
+        turned=lambda made: [{"t": "turned"}, *made],
+    )
+    return Blocks(cast("Any", dialect), {}, str, 100.0)
+
+
+@pytest.mark.parametrize(
+    ("width", "exact", "size", "style", "turned"),
+    [
+        (80.0, False, (80, 40), "Figure", False), (100.0, False, (100, 40), "Figure", False),
+        (200.0, False, (100, 20), "Figure", False),
+        (104.0, True, (104, 40), "Wide Figure", False), (106.0, True, (106, 40), "Wide Figure", True),
+        (80.0, True, (80, 40), "Figure", False),
+    ],
+)  # fmt: skip
+def test_a_drawing_is_shrunk_to_the_page_but_one_true_to_scale_is_turned(blocks, width, exact, size, style, turned) -> None:
+    """It may reach 5 mm into the margin before it is turned."""
+    made = blocks.of(Figure("svg", width, 40.0, "alt", [{"t": "a caption"}], exact, "Fig. 7 "))
+    assert sizes(made) == [size]
+    assert f"'{style}'" in str(made) and ({"t": "turned"} in made) is turned
+    assert {"t": "figure", "c": ["Fig. 7  ", "figure_7"]} in made
+
+
+@pytest.mark.parametrize(
+    ("width", "size", "rows"), [(40.0, 40, [2, 2, 1]), (49.0, 48, [2, 2, 1]), (50.0, 48, [2, 2, 1]), (51.0, 51, [1] * 5),
+    (120.0, 98, [1] * 5)]
+)  # fmt: skip
+def test_small_graphs_stand_side_by_side_with_a_millimetre_on_either_side(blocks, width, size, rows) -> None:
+    panels = Panels("id", width, width / 2, [], [Panel("w1", "svg", "alt")] * 5, [{"t": "a caption"}], "Fig. 3\u3000")
+    made = blocks.of(panels)
+    assert sizes(made) == [(size, size / 2)] * 5
+    (_, *shown), *_ = [one["c"][1] for one in made if one["t"] == "Div"]
+    assert [len(one["c"]) for one in shown] == rows
+    assert {"t": "figure", "c": ["Fig. 3\u3000", "figure_3"]} in made

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from coursework.grading.reading.equations.names_in_text import Spellings
-from coursework.grading.reading.equations.repair import is_name, sides_of
+from coursework.grading.reading.equations.repair import is_name, is_product, sides_of
 
 NAMES = Spellings(
     frozenset({"a", "m", "l1", "l2", "phi1", "phi3", "w3", "t", "pi", "ab"}), {"omega3": "w3", "φ3": "phi3"}, {}, frozenset({"a"})
@@ -77,3 +77,41 @@ def test_a_word_is_a_name_or_is_glued_from_names(word: str, is_one: bool) -> Non
 @pytest.mark.parametrize(("word", "side"), [("aab", "aab"), ("abb", "abb"), ("aac", "a * a * c"), ("aabc", "aabc")])
 def test_a_word_that_can_be_taken_apart_in_two_ways_is_left_whole(word: str, side: str) -> None:
     assert sides_of(word, Spellings(frozenset({"a", "b", "c", "ab"}), {}, {})).texts[0] == side
+
+
+# A task with an angle b beside a length L and a rate wb; V is short for its only speed.
+TURNING = Spellings(
+    frozenset({"L", "w", "wb", "b", "p", "t", "phi", "alpha", "vr", "r", "speed", "nmxy", "nmxyz"}),
+    {"v": "speed", "r": "r"}, {"phi": "w", "q": "w3"},
+    angles=frozenset({"b", "phi", "alpha"}),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "side"), [
+    # no angle is a factor; names as the task has them go before other spellings, and a word in capitals is a name of its own
+    ("Lwb", "L * wb"), ("Lwp", "L * w * p"), ("vrcosphi", "vr * cos(phi)"), ("vp", "speed * p"), ("VR", "VR"),
+    ("Vsinphi", "speed * sin(phi)"),
+    # an angle that is added belongs to the argument, pt as well, and nothing else does
+    ("sin pt", "sin(p * t)"), ("sin p w", "sin(p) * w"), ("sin phi t", "sin(phi) * t"), ("sin phi + p*t", "sin(phi + p * t)"),
+    ("sin phi + alpha", "sin(phi + alpha)"), ("sin phi - 2alpha + w", "sin(phi - 2 * alpha) + w"),
+    ("sin phi + alpha - b + w", "sin(phi + alpha - b) + w"), ("sin phi + alpha*w", "sin(phi) + alpha * w"),
+    ("sin phi + alpha cos phi", "sin(phi) + alpha * cos(phi)"), ("sin phi + w", "sin(phi) + w"), ("sin^", "sin^"),
+    # an index apart joins its name, unless what stands before it is a name already, or it is longer than an index
+    ("sp eed", "sp * eed"), ("nm xy", "nmxy"), ("nm xyz", "nm * xyz"), ("r w", "r * w"), ("w b", "w * b"),
+])  # fmt: skip
+def test_words_and_arguments_of_a_task_with_angles(text: str, side: str) -> None:
+    assert sides_of(text, TURNING).texts[0] == side
+
+
+@pytest.mark.parametrize(("word", "is_one"), [
+    ("r3w3", True), ("rw3", True), ("rphi", False), ("rw", False), ("rsinphi", True), ("w3", False), ("sin", False),
+])  # fmt: skip
+def test_a_product_has_a_function_or_a_speed_with_a_number(word: str, is_one: bool) -> None:
+    names = Spellings(frozenset({"r", "r3", "w", "w3", "phi"}), {}, {"phi": "w", "phi3": "w3"})
+    assert is_product(word, names) is is_one
+
+
+def test_a_word_with_a_capital_is_a_chain_of_names_that_are_written_so() -> None:
+    assert is_name("Am", Spellings(frozenset({"A", "m"}), {}, {})) and not is_name(
+        "Am", Spellings(frozenset({"a", "m"}), {"a": "a"}, {})
+    )
