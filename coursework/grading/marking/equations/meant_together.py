@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from coursework.grading.reading.equations.labels import without_labels
-from coursework.grading.reading.equations.line_kinds import dash_apart
+from coursework.grading.reading.equations.list_marks import dash_apart
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.words.errors import Fault
 from coursework.words.sentences import say

@@ -14,6 +14,7 @@ from coursework.grading.reading.documents.office.builder import add_lines
 from coursework.grading.reading.equations.notation.latex import ENVIRONMENT, LINE_END, matrices_in_one_piece, with_formulas_joined
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.notation.signs import relates_two_sides
+from coursework.grading.reading.equations.systems.parts import legend_of_cells
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
 from coursework.words.sentence import Sentence
@@ -23,6 +24,7 @@ _DISPLAYED, _INLINE = re.compile(r"\$\$([^$]{1,4000})\$\$"), re.compile(r"(?<![\
 _MARKUP = re.compile(r"^[ \t]*(?:(?:#{1,6}[ \t]+|>[ \t]?|[*+][ \t]+(?=\S))+)?(?:\*\*)?|\*\*[ \t]*$|`{1,3}\w{0,20}$|`")
 # A dash before a formula is the mark of a list, and so is that of the other items; before a formula's text it may be a minus.
 _ITEM, _LIST_OF_FORMULAS = re.compile(r"^([ \t]*)-[ \t]+", re.MULTILINE), re.compile(r"^[ \t]*-[ \t]+\$", re.MULTILINE)
+_IN_TEX = re.compile(r"\\[(\[]([^$=]{1,300}=[^$]{1,600}?)\\[)\]]")  # \(a = b\)
 _ESCAPED = re.compile(r"\\(?=[*_#|<>\[\]()+-])")
 _CELL = re.compile(r"(?<!\\)\|")
 _MOST_COLUMNS = 1000
@@ -57,7 +59,10 @@ def add_markdown(document: Document, text: str, place: Callable[[int], Sentence]
             while end < len(lines) and "|" in lines[end]:
                 end += 1
             document.add_table(map(_cells, [lines[at], *lines[at + 2 : end]]), place(at + 1))
-            kept += [line if relates_two_sides(line) else "" for line in lines[at:end]]
+            kept += [
+                line if relates_two_sides(line) else legend_of_cells([cell.text for cell in _cells(line)]) if row > 1 else ""
+                for row, line in enumerate(lines[at:end])
+            ]
             at = end
         else:
             kept.append(lines[at])
@@ -91,7 +96,7 @@ def _add_plain(document: Document, text: str, first: int, place: Callable[[int],
         if is_code or not ("\\" in line or "$" in line or relates_two_sides(line)):
             document.add_line(line, place(number))
             continue
-        bare = with_formulas_joined(_MARKUP.sub("", line))
+        bare = with_formulas_joined(_IN_TEX.sub(r"$\1$", _MARKUP.sub("", line)))
         pieces: list[tuple[str, bool]] = []
         end = 0
         for found in _INLINE.finditer(bare):

@@ -24,7 +24,7 @@ from coursework.grading.reading.documents.pdf.pdf import document_of_pdf, is_pdf
 from coursework.grading.reading.equations.equations import Names, names_for, names_of
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.names_in_text import BUILT_IN
-from coursework.grading.reading.equations.notation.signs import relates_two_sides
+from coursework.grading.reading.equations.notation.signs import ARROW, relates_two_sides
 from coursework.grading.reading.expected import Expected, Grid
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.cells import Sheet
@@ -152,7 +152,14 @@ def _tried(lines: Sequence[DocumentLine], is_program: bool) -> Iterator[str]:
         begun = depth + line.text.count("\\begin")
         goes_on = _CONTINUES.match(line.text) or (_OPERATION.search(line.text) and _GOES_ON.search(line.text))
         of_program = is_program and (_OPERATION.search(line.text) or _OF_PROGRAM.match(line.text))
-        is_one = line.is_formula or goes_on or of_program or _SAID.search(line.text) or relates_two_sides(line.text)
+        is_one = (
+            line.is_formula
+            or goes_on
+            or of_program
+            or _SAID.search(line.text)
+            or relates_two_sides(line.text)
+            or ARROW in line.text
+        )
         yield line.text.replace("\n", " ") if begun > 0 or is_one else ""  # a cell of LaTeX may have several lines
         depth = max(0, begun - line.text.count("\\end"))
 

@@ -18,7 +18,7 @@ from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellin
 from coursework.grading.reading.equations.notation.degrees import with_angles_in_degrees
 from coursework.grading.reading.equations.notation.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_units, plain
-from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
+from coursework.grading.reading.equations.repair import Sides, is_name, is_value, sides_of
 from coursework.grading.reading.equations.unnamed import without_a_name
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
@@ -170,7 +170,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
 def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
     """Return the equations that a chain of sides a = b = c means: each side equals the last readable one.  A fault if none.
 
-    A non-zero number at the end of a longer chain is the value in some row and is dropped.  If a side cannot be read, the
+    Non-zero numbers at the end of a longer chain are the value in some row and are dropped.  If a side cannot be read, the
     readings are loose, unless that side is one name, which labels the sum: V_Cy = … = 0; if it has a sine, there are none.
     """
     texts = sides.texts
@@ -181,7 +181,7 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
         return [EquationReading(read, " = ".join(texts), guessed=not sides.is_whole)]
     kept = [text for text in texts if not isinstance(_strict(f"{text} = 0", names), Fault)]
     is_loose = any(text not in kept for text in texts if not OWN_NAME.fullmatch(text.strip()))
-    while len(kept) > 2 and _NUMBER.fullmatch(kept[-1]) and float(kept[-1].replace(" ", "")):
+    while len(kept) > 2 and is_value(kept[-1]):
         kept.pop()
     is_lost = any(TURNED.search(text) for text in texts if text not in kept)  # a formula of the line would be passed over
     if is_lost or len(kept) < 2 or all(OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):

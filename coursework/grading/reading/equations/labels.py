@@ -27,11 +27,11 @@ _LABEL = re.compile(
 _LABEL_AT_END = re.compile(
     r"(?:\s|(?<=[,;])|(?<![.…])(?=[.…]{3}))(?:[-–—.…]+\s*)?(?:[(\[/<]"
     rf"(?:(?i:{_WORD}[\s.№]*)?\d{{1,3}}(?:[.,]\d{{1,3}})?['a-zа-я]?|\*{{1,3}}|[IVX]{{1,5}})[)\]/>]"
-    rf"|(?i:{_WORD})[\s.№]*\(?\d{{1,3}}\)?|(?:—|--)\s?\d{{1,3}})\s*$"
+    rf"|(?i:{_WORD})[\s.№]*\(?\d{{1,3}}\)?|(?:—|--)\s?\d{{1,3}}|\((?:[ivx]{{2,5}}|(?<=[-–—.…]{{2}}\s\()[ivx])\)|[\u2460-\u249b\u2776-\u2793])\s*$"
 )
 _VANISHES = re.compile(r"(=\s*0(?:[.,]0+)?)(?!\w|[.,]\d)(?!\s*[-+*/^])")
-_UNIT_AT_END = re.compile(r"[,;]?\s{0,9}(?:\[([^\[\]]{1,12})\]|\(([^()]{1,12})\)|(?:,|(?<=[\w)])\s)\s*(\S{1,8}))\s*$")
-_TO_BE_DONE = re.compile(r"\s\|\s*[-+*/:]\s*[\w.,()*]{1,20}\s*$")  # an operation on both sides: "= 0 | *2"
+_UNIT_AT_END = re.compile(r"[,;]?\s{0,9}(?:\[([^\[\]]{1,12})\]|\(([^()]{1,12})\)|(?:,|(?<=[\w)])\s)\s*(\S{1,8}))\s*[.,;]?\s*$")
+_TO_BE_DONE = re.compile(r"\s(?:\|\s*[-+*/:]|/\s*[*:])\s*[-\w.,()*]{1,20}\s*$")  # an operation on both sides: "= 0 | *2"
 _SAYS_SO = re.compile(
     r"\s*(?:\b(?:holds?|is\s+(?:true|valid|satisfied)|gilt|ist\s+erfüllt|выполняется|справедливо|виконується|est\s+vérifiée)\b|成立)"
     r"[^=]{0,60}$",
@@ -46,14 +46,20 @@ _COUNTED = re.compile(
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
 _SAID_IN_WORDS = re.compile(r"(?:\s(?:--?|[–—!'\"])|\s?;)\s*((?:[^\W\d_]+[\s,.]+)+[^\W\d_]+)[.;]?\s*$")
 _SAID = re.compile(
-    r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(for|at|when|if|because|since|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
+    r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(for|at|when|if|because|since|and|und|et|which|где|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
 )
+_VERB = re.compile(r"(?<=\))\s([^\W\d_]{4,20})\.\s*$")  # "= a*w1*cos(phi) olur."
+_NOTED = re.compile(r"\s\[([^\W\d_]{2,20})[.\s][^\[\]=*/+]{1,40}\]\s*$")  # "= u   [eq. of x]"
+_ONLY_WORDS = re.compile(r"[^=*/+()]{0,60}")  # behind an arrow: "= u → x axis"
+_LEADER = re.compile(r"\s(?:\.{3,9}|…)\s*[^\W\d_]{3,20}[^=*/+]{0,60}$")  # "= u ... from the yoke"
+_ASIAN = "\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af"
+_ASIAN_BEHIND = re.compile(rf"(?<![{_ASIAN}])[{_ASIAN}][{_ASIAN}\s.,;:]*$")  # "= u 이다."
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
-_ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)[.,;]?\s*$")
+_ASIDE_AT_END = re.compile(r"(?:\s|(?=\([^()=]{0,39}[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]))\(([^()=]{1,80})\)[.,;]?\s*$")
 _POINT_AT_END = re.compile(r"(?<=\S)\s+\([A-Z]\)[.,;]?\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
-_CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")
+_CHINESE = re.compile(rf"[{_ASIAN}][:,]?\s*")
 _NUMBER_BEHIND = re.compile(r"\s+\d")  # a number after a blank: "at point P 2*r3*w3"; no factor is followed by one
 _GLUED = re.compile(r".(?:sin|cos)$")  # names written together with a function: vCcos φ2 is no word
 _AXES = ("x", "y", "z", "ox", "oy")
@@ -144,6 +150,11 @@ def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
     return is_axis or not word.isupper() or len(word) > _SHORT
 
 
+def _is_aside(words: list[str], is_name: Callable[[str], bool]) -> bool:
+    """Return whether words in parentheses behind an equation are a remark, "(x axis)", and no factor."""
+    return not is_name(words[0]) or any(len(word) > 2 and not is_name(word) for word in words)
+
+
 def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
     """Return whether parentheses hold a number of the task sheet or words, not a part of the equation."""
     return aside.strip().isdigit() or any(_is_prose(word, is_name, 1) for word in re.findall(r"[^\W\d_]\w*", aside))
@@ -162,6 +173,10 @@ def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], a
     word = found[1]
     if after > 0 and len(word) == 1 and word.isupper():
         return among or _NUMBER_BEHIND.match(text, found.end()) is not None
+    if among and following is not None and len(word) == 1 and word.isupper() and len(following[1]) >= _LONG:
+        return True  # "B noktasının hızı", of the point B
+    if among and after > 0 and following is not None and len(word) == 1 and len(following[1]) >= _LONG:
+        return True  # "Viteza a bratului"
     return among and (word.casefold() in _PREPOSITIONS or len(word) >= _LONG)
 
 
@@ -175,9 +190,18 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     """Return an equation without the remark or unit behind it, such as "= 0, since C keeps its height"."""
     if found := _VANISHES.search(text):
         return text[: found.end()] if not relates_two_sides(text[found.end() :]) else text
-    text = _SAYS_SO.sub("", _TO_BE_DONE.sub("", text))
+    text = _ASIAN_BEHIND.sub("", _SAYS_SO.sub("", _TO_BE_DONE.sub("", text)))
+    if (verb := _VERB.search(text)) and "=" in text[: verb.start()] and not is_name(verb[1]):
+        text = text[: verb.start()]
+    if (noted := _NOTED.search(text)) and "=" in text[: noted.start()] and not is_name(noted[1]) and not unit_of(noted[1]):
+        text = text[: noted.start()]
+    head, arrow, tail = text.partition(ARROW)
+    if arrow and "=" in head and _ONLY_WORDS.fullmatch(tail):
+        return _ended(head.rstrip(), is_name)
+    if (leader := _LEADER.search(text)) and "=" in text[: leader.start()]:
+        return _ended(text[: leader.start()], is_name)
     aside = _ASIDE_AT_END.search(text)
-    if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and not is_name(said[0]):
+    if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and _is_aside(said, is_name):
         return _ended(text[: aside.start()], is_name)
     if (behind := _SAID_IN_WORDS.search(text, text.rfind("=") + 1)) and _is_said_in_words(behind[1], is_name):
         return text[: behind.start()]

@@ -13,14 +13,15 @@ from dataclasses import replace
 from coursework.grading.reading.equations.equations import Names
 from coursework.grading.reading.equations.names_in_text import Spellings, plain_name
 from coursework.grading.reading.equations.notation.latex import without_latex
-from coursework.grading.reading.equations.notation.signs import plain_signs
+from coursework.grading.reading.equations.notation.signs import ARROW, plain_signs
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.reader import FUNCTION_WORDS
 
 _NAME = r"([^\W\d]\w{0,12})"
 _SAME = re.compile(
-    rf"(?:(?:[^\W\d_]{{3,20}}\b|[-–•*])[\s:,(]*){{0,6}}{_NAME}\s*(?:=|⇒)\s*{_NAME}(?:\s+\([^=()*/]{{3,40}}\)|\s*(?:[.,;)][^=]{{0,120}})?)"
+    rf"(?:(?:[^\W\d_]{{3,20}}\b|[-–•*])[\s:,(]*){{0,6}}{_NAME}\s*(?:=|⇒)\s*{_NAME}(?:\s+\([^=()*/]{{3,40}}\)|\s*(?:[.,;)](?!\w)[^=]{{0,120}})?)"
 )
+_ROW = re.compile(rf"\s*{_NAME}\s*{ARROW}\s*{_NAME}\s*")
 _ANGLES = r"(?:angles?|углы|угол|кути|кут|Winkel|angles|ángulos)"
 _LISTED = re.compile(
     rf"((?:{_NAME},\s*){{1,9}}{_NAME})\s*[-–:,]?\s[^=*+/]{{0,40}}\b{_ANGLES}\b[^=*+/\d]{{0,40}}\b((?:\d,\s*){{1,9}}\d)\b.*", re.I
@@ -30,6 +31,10 @@ _OF_LINK = re.compile(
     r"(?:link|bar|rod|звен|ланк|Glied|Stab|barre|barra|构件|杆)[^\W\d]*\s*№?\s*(\d)\)?(?:\s*[.,;]\s*|$)",
     re.I,
 )
+_OMEGA = ("w", "om", "omega")
+_AND = re.compile(r"\s(?:and|und|y|et|e|i|и|та|ve|dan)\s")
+_LIST = rf"(?:{_NAME[1:-1]},\s?){{1,6}}{_NAME[1:-1]}(?:\s(?:and|und|y|et|e|i|и|та|ve|dan)\s{_NAME[1:-1]})?"
+_BOTH_LISTED = re.compile(rf"(?:[^\W\d_]{{3,20}}\s)?({_LIST})\s(?:[^\W\d_]{{2,20}}\s){{1,4}}({_LIST})\.?")
 _GREEK = ("alpha", "beta", "gamma", "delta", "theta", "psi", "chi", "eta", "zeta", "xi", "epsilon", "eps", "phi")
 _MOST_CHARACTERS = 300
 
@@ -41,6 +46,11 @@ def with_legend(lines: Sequence[tuple[int, str]], names: Names) -> tuple[Names, 
     for number, line in lines:
         found = [*_pairs(line, names.spellings, {*names.expected.variant.sought})]
         called |= {plain_name(name): meant for name, meant in found if plain_name(name) not in called}
+        # and the rate of the angle β that is ψ is ω_β
+        rates = {f"{sign}{plain_name(name)}": names.spellings.rates.get(meant) for name, meant in found for sign in _OMEGA}
+        called |= {name: rate for name, rate in rates.items() if rate and names.spellings.canonical(name) is None}
+        if not found and (data := _of_datum(line, names.spellings)):
+            line = data
         rest += [] if found else [(number, line)]
     if not called:
         return names, rest
@@ -50,6 +60,13 @@ def with_legend(lines: Sequence[tuple[int, str]], names: Names) -> tuple[Names, 
     return replace(
         names, spellings=spellings, before=replace(names, spellings=beside) if before.known & {*called} else None
     ), rest
+
+
+def _of_datum(line: str, spellings: Spellings) -> str:
+    """Return "a = L1" for "a ⇒ L1", the row of a table that gives a datum the name of the student; "" for any other line."""
+    same = _ROW.fullmatch(plain_signs(without_latex(line))) if ARROW in line else None
+    is_datum = same is not None and spellings.canonical(same[2]) in spellings.data and spellings.canonical(same[1]) is None
+    return f"{same[1]} = {same[2]}" if same and is_datum else ""
 
 
 def _pairs(line: str, spellings: Spellings, velocities: Set[str]) -> Iterator[tuple[str, str]]:
@@ -64,6 +81,9 @@ def _pairs(line: str, spellings: Spellings, velocities: Set[str]) -> Iterator[tu
                 yield name, meant
                 return
     else:
+        if both := [found for part in text.split(";") if (found := _BOTH_LISTED.fullmatch(part.strip()))]:
+            yield from (pair for found in both for pair in _of_lists(found, spellings, velocities))
+            return
         listed, of_links = _LISTED.fullmatch(text), _OF_LINK.findall(text)
         own, numbers = (re.findall(r"\w+", listed[1]), re.findall(r"\d", listed[4])) if listed else ([], [])
         if of_links and not _OF_LINK.sub("", text):
@@ -72,6 +92,15 @@ def _pairs(line: str, spellings: Spellings, velocities: Set[str]) -> Iterator[tu
         angles = [spellings.angle(f"phi{number}") for number in numbers]
         pairs = [(name, angle) for name, angle in zip(own, angles, strict=False) if angle in spellings.rates and angle]
         yield from pairs if len(own) == len(numbers) == len(pairs) and all(_is_free(one, spellings) for one in own) else ()
+
+
+def _of_lists(found: re.Match[str], spellings: Spellings, velocities: Set[str]) -> list[tuple[str, str]]:
+    """Return the pairs of "a, b and c are the angles phi1, phi2 and phi3", if each name there is free for what it shall mean."""
+    own, theirs = (re.findall(r"[^\W\d]\w*", _AND.sub(",", said)) for said in found.groups())
+    meant = [spellings.angle(one) for one in theirs]
+    pairs = [(name, one) for name, one in zip(own, meant, strict=False) if one in {*velocities, *spellings.rates} and one]
+    new = [(name, one) for name, one in pairs if spellings.canonical(name) != one]
+    return new if len(own) == len(theirs) and all(_is_free(name, spellings) for name, _ in new) else []
 
 
 def _is_free(name: str, spellings: Spellings) -> bool:

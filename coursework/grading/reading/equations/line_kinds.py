@@ -1,16 +1,16 @@
 """The kind of a line of text: a definition of the student, a datum, an equation without a sign, part of an equation …
 
-Enters: lines, `Names`.  Leaves: the answers to such questions; nothing is marked here.  Used by `lines.py`.
+Enters: lines, `Names`.  Leaves: the answers to such questions; nothing is marked here.
+Used by `lines.py`, `text_lines.py` and `continued_lines.py`.
 """
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Callable, Sequence
-from itertools import pairwise
+from collections.abc import Sequence
 
 from coursework.grading.reading.equations.equations import (
-    DASH,
     OWN_NAME,
     TURNED,
     WORD,
@@ -26,28 +26,28 @@ from coursework.grading.reading.equations.repair import is_name, is_product
 from coursework.grading.reading.files.printed import PAIR
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.unit_names import unit_of
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, evaluate_any
 from coursework.words.errors import Fault
 
 _QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*(?:[^\d\s=*+()]{0,8}(?:[-^]?\d)?|(.{1,12}?))\s*[.,;]?\s*")
 _AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
+_MOST_SIDES, _SAME_VALUE = 4, 1e-9
 _SHORT = 80  # most characters of a name with its number
 _IS_ZERO = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*$")  # in V_Cy = … = 0, which also defines V_Cy
 _POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
-_COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # the number of a line in a list: 1.1, L2
-_LONG_DASH = re.compile(r"\s*[–—]\s+")
-_APART = re.compile(r"^\s*[-–—]\s+")  # a dash with a blank behind it: the mark of an item, or a minus; − is a minus
-_CELL = re.compile(r'^\s*"?(\d{1,3})"?,\s*"?')  # the number of a row and its comma in a file of cells
-_CELL_OF_LETTERS = re.compile(rf"{_CELL.pattern}[^\d\s]")
 _OF_STEP = re.compile(r"[\[({]\s*[ijkn]\s*(?:[-+]\s*1\s*)?[\])}]|,\s*[ijkn]\s*(?:[-+]\s*1\s*)?(?=\})")  # a row, not a datum k
 _OF_POINT = r"\s*[vV]_?\{?(?:(?:[A-Z]\d?'?){1,2}|[aeru]|abs|rel|tr|отн|пер|абс)\}?\s*"
 _OF_POINTS = re.compile(rf"{_OF_POINT}=(?:{_OF_POINT}[-+])+{_OF_POINT}[.,;]?\s*")
-_LINE_NUMBER = re.compile(r"^\s*(\d{1,5})\s+(?=[^\W\d])")
 _TIME = re.compile(r"(?<![^\W\d])d?[th](?!\w)")
 _SAID = re.compile(r"\W*[^\W\d_]{3,}\s+[^\W\d_]{2,}\s")
+_COMPLEX = re.compile(r"\b(?:e\s*\^|exp\b)")
 _SPEED, _NATURAL = re.compile(r"[vV]_?[A-Za-z]{1,3}\d?"), re.compile(r"[^\W\d_]{3,}|[\u4e00-\u9fff]{2,}")
-_SEVERAL_WORDS = 3  # of a sentence
-_STEPS, _SEVERAL_LINES = (5, 10, 100), 2
+_BEFORE_NAME = re.compile(r"^[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]{1,20}(?=[^\W\d])")  # 滑块速度v
+_SEVERAL_WORDS, _SENTENCE = 3, 6  # words in a sentence without a velocity, and in one that may name some
+_NUMBER_SAID = re.compile(
+    r"[\w\s,;:.]*?(?<!\w)(\w{1,20})\s*=\s*-?\d[\d.,]{0,12}(?:\s[^=*+()]{0,30})?$"
+)  # n = 60 rpm, w = 9 1/s all the time
+_MAY_BE_SPEED = re.compile(r"[vwudqωΩ]|om|.*\d", re.IGNORECASE)
 _FEWEST = 4  # an expression has more words than this, so that it is not prose
 
 # Statements of a program that are not equations: it asks, repeats, calls, prints, stops, counts; also the time of a row.
@@ -73,10 +73,22 @@ def definition(text: str, names: Names) -> tuple[str, Formula] | None:
     """Return the name and the formula of a line that defines a name of the student, None for any other line."""
     name, formula = own_name(text, names.spellings)
     formula = _IS_ZERO.sub("", formula)
-    if not name or not formula.strip() or "=" in formula:
+    if not name or not formula.strip() or is_vector_sum(text, names):
         return None
-    read = read_as_one(f"0 = {in_si(formula)}", names)
-    return None if isinstance(read, Fault) else (plain_name(name), read.tree.args[1])
+    read = [read_as_one(f"0 = {in_si(side)}", names) for side in formula.split("=", _MOST_SIDES)]
+    trees = [one.tree.args[1] for one in read if not isinstance(one, Fault)]
+    is_same = len(trees) == len(read) and all(_are_equal(trees[0], tree) for tree in trees[1:])
+    return (plain_name(name), trees[0]) if is_same else None
+
+
+def _are_equal(one: Formula, other: Formula) -> bool:
+    """Return whether two formulas have the same value with some number for each name: D = a*b - c*d = … in two steps."""
+    values = {name: 0.7 + 0.13 * place for place, name in enumerate(sorted({*one.names(), *other.names()}))}
+    try:
+        found = [evaluate_any(tree, values | {"pi": math.pi}) for tree in (one, other)]
+    except (ArithmeticError, ValueError, KeyError):
+        return False
+    return abs(found[0] - found[1]) <= _SAME_VALUE * max(map(abs, found))
 
 
 def no_velocity(text: str, names: Names) -> bool:
@@ -94,7 +106,7 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     plainly = plain_signs(text.replace("$", " "))
     bare = without_words(without_labels(plainly), lambda word: is_name(word, spellings))
     name, sign, formula = bare.partition("=")
-    name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
+    name = _BEFORE_NAME.sub("", re.sub(r"[{}\\]", "", name.strip(" :\t")).rpartition(": ")[2])
     meant = spellings.canonical(name)
     # A letter that differs from a datum or coordinate only in being a capital is the student's name, as nobody solves for those.
     # But S = 0.4 or S = S0 is where a coordinate s starts, and S = 0.4 + u*h its next value.
@@ -155,56 +167,6 @@ def _is_mostly_names(text: str, names: Names) -> bool:
     return len(strange) <= 1 and bool(names_in(text, names.spellings) & {*names.expected.variant.sought}) and len(words) > _FEWEST
 
 
-def sign_of_list(lines: Sequence[str], is_name: Callable[[str], object]) -> re.Pattern[str] | None:
-    """Return the pattern of the marks of lines: a dash, growing numbers and a comma, numbers that count up by one; None if none.
-
-    A dash before some lines only may be a mark or a minus, and is read as both.
-
-    >>> texts = ["- a = b", "- c = d"], ["1.1 a = b", "1.2 c = d"], ["2 a = b", "0.5 c = d"]
-    >>> [bool(sign_of_list(lines, {"r1"}.__contains__)) for lines in texts]
-    [True, True, False]
-    """
-    if len(lines) > 1 and all(DASH.match(without_labels(line)) for line in lines):
-        return DASH
-    if dash := dash_apart(lines):
-        return re.compile(rf"^\s*{dash}\s+")
-    cells = [int(found[1]) for line in lines if (found := _CELL.match(line))]
-    if len(lines) == len(cells) > 1 and cells == sorted({*cells}) and any(map(_CELL_OF_LETTERS.match, lines)):
-        return _CELL
-    begun = [found for line in lines if (found := _COUNT.match(line)) and not (found[1] and is_name(found[1] + found[2]))]
-    numbers = [([found[1], *found[2].split(".")[:-1]], int(found[2].rpartition(".")[2])) for found in begun]
-    steps = [(one[0] == other[0], other[1] - one[1]) for one, other in pairwise(numbers)]
-    if steps and all(step == (True, 1) for step in steps):
-        return _COUNT
-    return _APART if any(_APART.match(without_labels(line)) for line in lines) else None
-
-
-def dash_apart(lines: Sequence[str]) -> str | None:
-    """Return the long dash with a blank that some lines begin with, if it is no minus in any of them; None if there is none.
-
-    >>> dash_apart(["– a - b = 0", "-a = c"]), dash_apart(["– a – b = 0", "a = c"]), dash_apart(["- a = 0"])
-    ('–', None, None)
-    """
-    bare = map(without_labels, lines)
-    begun = [(found[0].strip(), line[found.end() :]) if (found := _LONG_DASH.match(line)) else ("", line) for line in bare]
-    dashes = {dash for dash, _ in begun} - {""}
-    return min(dashes) if len(dashes) == 1 and not any(dashes & {*rest} for _, rest in begun) else None
-
-
-def without_line_numbers(text: str) -> str:
-    r"""Return a program without the numbers of its lines, 10, 20, 30 …, as BASIC has them.
-
-    >>> without_line_numbers("10 V = 1\n20 W = 2\n30 END"), without_line_numbers("2 a = b\n3 c = d\n")
-    ('V = 1\nW = 2\nEND', '2 a = b\n3 c = d\n')
-    """
-    lines = text.split("\n")
-    begun = [_LINE_NUMBER.match(line) for line in lines if line.strip()]
-    numbers = [int(found[1]) for found in begun if found]
-    steps = {after - before for before, after in pairwise(numbers)}
-    is_numbered = len(numbers) == len(begun) > _SEVERAL_LINES and len(steps) == 1 and min(steps) in _STEPS
-    return "\n".join(_LINE_NUMBER.sub("", line) for line in lines) if is_numbered else text
-
-
 def is_step(text: str, names: Names) -> bool:
     """Return whether a line is a step of the scheme, "phi3[k+1] = phi3[k] + h*w3[k]", and so not a velocity equation."""
     left, _, right = _OF_STEP.sub("", text[:EQUATION_CHARACTERS]).partition("=")
@@ -255,13 +217,27 @@ def says_nothing(text: str, names: Names) -> bool:
         return False
     plainly = plain(text, names.spellings)
     strange = [word for word in WORD.findall(plainly) if not names.is_name(word)]
-    if not TURNED.search(plainly):
-        sought = names_in(text, names.spellings) & {*names.expected.variant.sought}
-        return any(map(_SPEED.fullmatch, strange)) or (
-            not sought and len([*filter(_NATURAL.fullmatch, strange)]) >= _SEVERAL_WORDS
-        )
+    named = names_in(text, names.spellings)
+    if (number := _NUMBER_SAID.match(plainly)) and names.spellings.canonical(number[1]) not in names.expected.variant.sought:
+        return True
+    # "On a x = r cos φ": of places alone, in words none of which may be a velocity of the student
+    is_said = any(len(word) > 1 for word in strange) and all(map(str.isalpha, strange))
+    if is_said and not any(map(_MAY_BE_SPEED.match, strange)) and "[" not in text and no_velocity(text, names):
+        return True
+    if not TURNED.search(plainly) and not _COMPLEX.search(plainly):
+        sought = named & {*names.expected.variant.sought}
+        words = len([*filter(_NATURAL.fullmatch, strange)])
+        return any(map(_SPEED.fullmatch, strange)) or words >= (_SENTENCE if sought else _SEVERAL_WORDS)
     left, _, right = plainly.partition("=")
     return no_velocity(left, names) and strange == [right.strip(" .,;")]
+
+
+def is_question(text: str, names: Names) -> bool:
+    """Return whether a line asks the teacher something, "why is w3 = 0 at the dead point?", with one name and a number in it."""
+    if not text.rstrip().endswith(("?", "？")) or TURNED.search(text) or len(text) > EQUATION_CHARACTERS:
+        return False
+    strange = [word for word in WORD.findall(text) if not names.is_name(word)]
+    return len(strange) >= _SEVERAL_WORDS and len(names_in(text, names.spellings)) <= 1
 
 
 def is_datum(text: str, names: Names) -> bool:

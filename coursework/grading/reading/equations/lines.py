@@ -22,6 +22,7 @@ from coursework.grading.reading.equations.equations import (
     names_for,
     names_in,
     names_of,
+    read_as_one,
     read_line,
 )
 from coursework.grading.reading.equations.legends import with_legend
@@ -29,14 +30,15 @@ from coursework.grading.reading.equations.line_kinds import (
     definition,
     is_datum,
     is_equation_without_sign,
+    is_question,
     is_row,
     is_step,
     is_vector_sum,
     no_velocity,
     own_name,
     says_nothing,
-    sign_of_list,
 )
+from coursework.grading.reading.equations.list_marks import sign_of_list
 from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.equations.notation.signs import VANISHED, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.plain_text import plain
@@ -49,12 +51,15 @@ from coursework.grading.reading.student_work import AnswerLine, EquationLine, Re
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.formula.tree import Formula
+from coursework.words.errors import Fault
 
 _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur in equations
 # Of a table, with nothing but numbers.
 _ROW = re.compile(r"^[-+−]?\d[^;\t ,\n]*+(?:[;\t ]|,[^,\n]*+,)[-+−\d.,eE;\t ]*+$", re.MULTILINE)
+_OF_A_POINT = re.compile(r"V[a-z]{1,3}")  # V_a = a·ω1, no product with a datum V although nothing else is said of it
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
 _MEASURED, _CHECKED = re.compile(r"\d[.,]\d\d"), re.compile(r"[=≈]\s*[-+−]?\d+[.,]\d\d+(?:\s+[^\s\d]\S{0,7})?[.,;]?\s*$")
+_AT_ONE_TIME = re.compile(r"[^=]{0,20}\bt\s*=\s*\d[\d.,]*\D")  # for t = 0: ω2 = -2.1
 _STANDS = re.compile(
     r"(?:[^\W\d_]{2,12}[\s:,]+){0,5}[vV]_?\{?[A-Z]?[xy]?\}?\s*=\s*0\s*[.,;]?\s*"
 )  # V_C = 0: why an equation holds
@@ -129,9 +134,11 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
             found.equations += [read] if relates(read, names) else []
         elif not (
             _defines(line, own, names, defined)
+            or (line.count("=") > 1 and not VANISHED.search(line) and definition(line, with_own))
             or is_datum(line, names)
             or is_step(line, names)
             or is_row(line)
+            or is_question(line, names)
             or is_vector_sum(line, names)
         ):
             one = kept(read_line(line, name, number, with_own)) if _is_equation(line, names) else None
@@ -163,8 +170,13 @@ def _sides_apart(line: str, names: Names) -> list[str]:
         len(found) < 2
         or not all(map(TURNED.search, map(plain_signs, sides)))
         or any(one <= other for one in found for other in found if one is not other)
+        or any(isinstance(read_as_one(f"0 = {side}", names), Fault) for side in sides)
     ):
         return [line]
+    if not isinstance(read_as_one(f"0 = {name}", names), Fault) and TURNED.search(plain_signs(name)):
+        own = names_in(name, names.spellings) & sought
+        is_apart = own and not any(own <= other or other <= own for other in found)
+        return [f"{one} = {other}" for one, other in pairwise([name, *sides])] if is_apart else [line]  # the law of sines
     called = WORD.findall(plain(name, names.spellings))
     is_sought = called and names.spellings.canonical(called[-1]) in sought
     return [f"{name} = {side}" for side in sides] if is_sought else [line]
@@ -240,7 +252,9 @@ def _defined(
                 if turn < _PASSES - 1:
                     met.add(plain_name(own_name(line, names.spellings)[0]))
                     continue
-            if (found := definition(line, with_own)) and (words[found[0]] > 1 or no_velocity(line, names)):
+            if (found := definition(line, with_own)) and (
+                words[found[0]] > 1 or _OF_A_POINT.fullmatch(found[0]) or no_velocity(line, names)
+            ):
                 if found[0] in met:
                     labels |= {found[0]} if VANISHED.search(line) else set()
                 else:
@@ -273,7 +287,11 @@ def _is_of_one_row(read: EquationLine, names: Names) -> bool:
     if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is a ratio of velocities
         named -= {one.rate for one in variant.coordinates} - {*variant.sought}
     is_checked = _CHECKED.search(read.text) and not VANISHED.search(read.text)  # r1*w1 = 1.08
-    return bool(named) and bool(is_checked or named <= {*variant.sought}) and _MEASURED.search(read.text) is not None
+    return (
+        bool(named)
+        and bool(is_checked or named <= {*variant.sought})
+        and (_MEASURED.search(read.text) is not None or (len(named) == 1 and _AT_ONE_TIME.match(read.text) is not None))
+    )
 
 
 def relates(read: EquationLine, names: Names) -> bool:

@@ -26,6 +26,7 @@ _BY_POINT = re.compile(r"(?<![\w.])([^\W\d]{1,7})\.(\w{1,4})(?![\w.]|\((?!\s*t\s
 _BEHIND_PRIME = re.compile(r"(?<=\w')\.(?=[^\W\d]|\()")  # in France: θ'.sin θ
 _KEYED = re.compile(r"[^\W\d]\w{0,20}\[\s*['\"](\w{1,20})['\"]\s*\]")  # d["r1"] of Python
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
+_OF_POINT = re.compile(r"([xy])_?\{?([A-Z])\}?")
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
 _PRIME = r"\s*['′’](?:\s*[\[(]\s*t\s*[\])])?"
 _DERIVATIVES = (
@@ -71,6 +72,7 @@ _OF_ROW = re.compile(r"(?<![\w.])([^\W\d]\w*(?:\[\s*\d{1,2}\s*\])?)(?:\s?\[\s*[i
 _ARC = re.compile(r"(?<!\w)[a𝑎](sin|cos|tan)")
 _LAMBDA = re.compile(r"(^\s*|=\s*)lambda\b[\w\s,]{0,60}:(?!.*=)|(=\s*)@\s*\([\w\s,]{0,60}\)")  # in Python, in MATLAB
 _METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() in Rust
+_BEHIND_GREEK = re.compile(r"(?<=[α-ωϕ])(?=(?:sin|cos|sen|tan|tg)(?![a-z]))")  # l·ω_ψsinψ
 _BROADCAST = re.compile(r"\b(sin|cos|tan|sqrt)\.(?=\()")  # sin.(phi3) in Julia
 _BARS = re.compile(r"\|\s*([^\W\d]\w{0,5})\s*\|")  # the length of a vector, |r3|
 _DEGREE = r"(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)"
@@ -96,6 +98,7 @@ def plain(text: str, spellings: Spellings) -> str:
     ['w3', '=', 'w3']
     """
     text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
+    text = text if text.isascii() else _BEHIND_GREEK.sub(" ", text)
     if "|" in text:
         text = _BARS.sub(lambda found: found[1] if spellings.canonical(found[1]) in spellings.data else found[0], text)
     text = _BROADCAST.sub(r"\1", text) if ".(" in text else text
@@ -140,7 +143,11 @@ def _with_differentials(text: str, spellings: Spellings) -> str:
 def _pointed(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
     """Return the name before a point with a product sign, or "" if a field follows; leave other points ("i.e. r1") unchanged."""
     before, behind = found[1], found[2]
-    if behind != "(" and not behind.lower().startswith(("sin", "cos", "tan", "sqrt")) and spellings.canonical(behind) is None:
+    if (
+        behind != "("
+        and not behind.lower().startswith(("sin", "sen", "cos", "tan", "sqrt"))
+        and spellings.canonical(behind) is None
+    ):
         return found[0]
     if is_field or (len(before) > 1 and before.isalpha() and spellings.canonical(before) is None):
         return "" if len(before) > 1 or before.isalpha() else found[0]
@@ -266,6 +273,8 @@ def _rate(found: re.Match[str], spellings: Spellings) -> str:
     own = spellings.own.get(plain_name(re.sub("[\u0307']", "", found[1])))
     if own is not None and own.op == "name" and own.name in spellings.rates:  # of the θ1 that the text says is φ1
         return f" {spellings.rates[own.name]} "
+    if (point := _OF_POINT.fullmatch(found[1])) and (rate := spellings.rates.get("".join(point.groups()).lower())):
+        return f" {rate} "  # x_E', where x_E = … stands before
     if "/" in found[0] and spellings.is_own(found[1]):
         return derived(spellings.own[plain_name(found[1])], spellings)
     if "/" in found[0] and name and name not in spellings.data:

@@ -28,6 +28,8 @@ _WORDS = {"ф": "phi", "Ф": "phi", "щ": "w"}
 _ELSEWHERE = {"sen": "sin", **dict.fromkeys(("корень", "корінь", "wurzel", "racine", "raiz", "raíz"), "sqrt")}
 _LONGER = re.compile(r"(?i)(?<![a-z])(cot|tan)(?:g|an|ang)(?![a-z])")  # cotg, cotan, tang: no tangent of a length g
 _DIVIDED = re.compile(r"(?<=[\w)])\s*:\s*(?=[\w(])")
+_NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_WORD = re.compile(r"[^\W\d]\w*")
 _TIMES = re.compile(r"(?<=[\w)])\s+[xх]\s+(?=[\w(])")
 _TOKEN = re.compile(
     r"(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+(?![\w.]))?)|(?P<name>[^\W\d]\w*)|(?P<sign>\S)"
@@ -85,6 +87,13 @@ def is_name(word: str, spellings: Spellings) -> bool:
     return all(piece.kind == "function" or piece.text in spellings.known for piece in pieces)
 
 
+def is_value(text: str) -> bool:
+    """Return whether a side is a number in some row, also one that is still to be worked out, 0.05/(1.1*sin(0.62))."""
+    if _NUMBER.fullmatch(text):
+        return bool(float(text.replace(" ", "")))
+    return not {*_WORD.findall(text)} - {*FUNCTION_WORDS, "pi"}
+
+
 def is_product(word: str, spellings: Spellings) -> bool:
     """Return whether a word is a product without signs, r3ω3sinφ3 or r3ω3, and not a name of the student such as ca."""
     pieces = _spelled("name", word, spellings)
@@ -132,9 +141,10 @@ def _chain(text: str, meaning: Callable[[str], str | None], angles: Set[str]) ->
         for end in range(start + 1, len(text) + 1):
             piece = text[start:end]
             # A digit belongs to the name before it.
-            if end < len(text) and text[end].isdigit():
+            if (end < len(text) and text[end].isdigit()) or "_" in {piece[0], piece[-1]}:  # in lω_ψ no name is ω_
                 continue
-            token = _Token("function", piece.lower()) if piece.lower() in FUNCTION_WORDS else None
+            function = _ELSEWHERE.get(piece.lower(), piece.lower())
+            token = _Token("function", function) if function in FUNCTION_WORDS else None
             if token is None and (known := meaning(piece)):
                 token = _Token("name", known)
             if token:

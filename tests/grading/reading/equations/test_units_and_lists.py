@@ -5,8 +5,8 @@ import pytest
 from coursework.grading.reading.equations.equations import names_for
 from coursework.grading.reading.equations.notation.degrees import with_factors
 from coursework.grading.reading.equations.plain_text import of_units
+from coursework.grading.reading.equations.slashes import parted_at_slashes
 from coursework.grading.reading.equations.systems.parts import parts_of
-from coursework.grading.reading.equations.text_lines import _parted
 from tests.grading.reading.equations.notation.test_notations import PLAIN, marked
 from tests.grading.scenes import expected
 
@@ -146,7 +146,7 @@ def test_equations_may_be_parted_by_slashes_and_a_remark_behind_them_is_none():
 def test_a_slash_parts_equations_where_it_cannot_divide(line, sign):
     """The velocities are w1 to w4, lengths r1 to r3, speeds V1 and VMy."""
     if sign == "/" or "/" not in line:
-        assert _parted(line.replace("¦", sign), names_for(expected())) == line.replace(" ¦", ";")
+        assert parted_at_slashes(line.replace("¦", sign), names_for(expected())) == line.replace(" ¦", ";")
 
 
 @pytest.mark.parametrize(("written", "means"), [

@@ -28,7 +28,7 @@ _PREAMBLE = re.compile(r"\A.*?\\begin\s*\{document\}", re.DOTALL)
 _OPENS, _CLOSES = re.compile(r"\\begin|(?<!\\)\\\["), re.compile(r"\\end|(?<!\\)\\\]")
 _REMARK = re.compile(r"(?<!\\)%.*")
 _DELIMITERS = re.compile(r"\\[\[\]()]|\$\$?")
-_INLINE = re.compile(r"(?<!\\)\\\((.+?)\\\)|(?<![$\\])\$([^$]+)\$(?!\$)")  # a formula within a line of prose
+_INLINE = re.compile(r"(?<!\\)\\\(((?:[^\\]|\\(?![()]))++)\\\)|(?<![$\\])\$([^$]+)\$(?!\$)")  # a formula within a line of prose
 _WORD, _SIGNS_OF_FORMULA = re.compile(r"[^\W\d_]{2,}"), re.compile(r"[=+*^\\]|\s[-−/]\s")
 _DROPPED = re.compile(
     r"\\(?:left|right)\s*(?:\\[{}|]|\.)"

@@ -16,7 +16,7 @@ _CELL = rf"({_PLACE})"
 _REFERENCE = re.compile(rf"(?<![\w.$!'\\]){_PLACE}")
 _NAME = r"(?!(?:in|is|ist|es|at|to|en|an|auf|em|im)\b)([^\W\d][\w{}'\u0307]{0,20}(?: \d)?)"
 _WORDS = r"\W{0,8}(?:[^\W\d_]{2,12}(?:\s\d{1,3})?\s*[:,]?\s+){0,4}\(?"
-_BETWEEN = r"\s*(?:[=:(|,;\t–—-]|\bis\b|\bist\b|\bes\b|→|->)\s*"
+_BETWEEN = r"\s*(?:[=:(|,;\t–—-]|\bis\b|\bist\b|\bes\b|→|->|⇒)\s*"
 _FORMULA = r"[\s|)\"';]*(?::\s*)?=\s*\"?=?\s*([^=]*[-+*/(][^=]*?)[\s|\"]*"
 _FORMULAS = (
     (re.compile(rf"{_WORDS}{_CELL}{_BETWEEN}(?!{_PLACE}){_NAME}{_FORMULA}"), 1, 2),

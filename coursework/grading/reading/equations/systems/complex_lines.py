@@ -17,6 +17,7 @@ _POWER = re.compile(
 _ROUND = re.compile(r"\\(?:mathrm|text|mathit)\s*\{([eij])\}|\b(?:np|numpy|cmath)\.(?=exp)")
 _UNIT = re.compile(r"(?<![\w^.])1?[ij](?![\w(]|\s*\()|(?<![\w^.])1?[ij](?=\s*[*·(])")
 _FACTORED = re.compile(r"\s*[-+]?\s*1?[ij]\s*[*·]?\s*[(\[{](.*)[)\]}](\s*=\s*0[.,;]?\s*)")  # i·(…) = 0
+_NAMED = re.compile(r"^\s*[^\W\d]\w{0,20}\s*=")  # V_E = V_Ex + i·V_Ey = …
 _SIGN = re.compile(r"(?<=[\w)}\]\s])\s*[-+]\s*(?=[^\s])|^\s*[-+]\s*")
 
 
@@ -32,6 +33,7 @@ def real_and_imaginary(line: str) -> list[str]:
         return []
     if (factored := _FACTORED.fullmatch(text)) and -1 not in depths(factored[1]):
         text = factored[1] + factored[2]
+    text = _NAMED.sub("", text) if text.count("=") > 1 else text
     sides = [[_parts(term) for term in _terms(side)] for side in text.split("=")]
     if len(sides) != 2 or any(term is None for side in sides for term in side):
         return []

@@ -82,8 +82,8 @@ _ROUND, _BRACES = str.maketrans("[]", "()"), str.maketrans("{}", "[]")  # of fun
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*(?:{_NAME[1:-1]}\s*,\s*)?[\w.]{{0,20}}\s*\(?\s*\[)")
 _FACTOR = rf"(\[[^=\n]{{1,2000}}\]|{_NAME[1:-1]})"
 _DIVIDED = re.compile(
-    rf"(?m)(?<==)[ \t]*(?:{_FACTOR}[ \t]*\\|inv\({_FACTOR}\)[ \t]*[*@]"
-    rf"|{_FACTOR}[ \t]*(?:\^[ \t]*[({{]?-1[)}}]?|⁻¹)[ \t]*[*·⋅])[ \t]*{_FACTOR}(?:\.?'|\.T)?"
+    rf"(?m)(?<==)[ \t]*(?:{_FACTOR}[ \t]*\\|(?:[A-Za-z]{{1,9}}\.){{0,2}}[iI]nv\({_FACTOR}\)[ \t]*[*@]"
+    rf"|{_FACTOR}[ \t]*(?:\^[ \t]*[({{]?-1[)}}]?|⁻¹)[ \t]*[*·⋅])[ \t]*(?:[\w.]{{1,12}}\((?=\[))?{_FACTOR}(?:\.?'|\.T|\))?"
     r"(?=[ \t]*(?:;|(?:[%#/].*)?$))"
 )
 _SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
@@ -141,7 +141,7 @@ def _with_first_system(whole: str, sought: Sequence[str]) -> str:
     is_listed = not unknowns.isidentifier()
     taken = [] if is_listed else _taken(whole, unknowns, found.end())
     columns = vector(unknowns) if is_listed else vector(named[unknowns][2]) if unknowns in named else []
-    columns = columns or [one[1] for one in taken] or [*sought]
+    columns = columns or [one[1] for one in taken] or _said(whole, unknowns) or [*sought]
     equations = product(named[matrix][2], columns, vector(named[right][2]))
     if not equations:
         return ""
@@ -152,6 +152,12 @@ def _with_first_system(whole: str, sought: Sequence[str]) -> str:
     for begin, end, said in sorted(pieces, reverse=True):
         whole = whole[:begin] + said + "\n" * whole.count("\n", begin, end) + whole[end:]
     return whole
+
+
+def _said(whole: str, unknowns: str) -> list[str]:
+    """Return what a remark says of the entries of a vector, // x(1) = w1, x(2) = w2; in their order."""
+    found = re.findall(rf"(?:[/%#!,;]|--)\s*{re.escape(unknowns)}[\[(](\d{{1,2}})[\])]\s*=\s*([^\W\d]\w{{0,20}})", whole)
+    return [name for _, name in sorted(found)]
 
 
 def _taken(whole: str, unknowns: str, place: int) -> list[re.Match[str]]:

@@ -7,16 +7,19 @@ Used by `lines.py` and `matrices.py`.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from itertools import pairwise
 
 from coursework.grading.reading.equations.notation.latex import with_formulas_joined
-from coursework.grading.reading.equations.notation.signs import ARROWS, depths, relates_two_sides
+from coursework.grading.reading.equations.notation.signs import ARROW, ARROWS, depths, relates_two_sides
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.formula.reader import MAX_DEPTH
 
 _BETWEEN = re.compile(
-    rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s&\s(?!\s*=)|\|\||\s\|\s|\s--\s|/\\|[∧⋀]|\\(?:land|wedge)(?![A-Za-z])|<br\s*/?>|\s(?:and|und|et|y|и|та|і|且|和)\s"
-    r"|\s(?:d['’]où|donc|daher|somit|hence|thus|therefore|откуда|отсюда|звідки|звідси|stąd|skąd|de donde|da cui)\s(?=.{1,30}=)"
+    rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s&\s(?!\s*=)|\|\||\s\|\s|\s--\s|/\\|[∧⋀]|\\(?:land|wedge)(?![A-Za-z])|<br\s*/?>"
+    r"|(?<=[\w)])\.\s(?=[A-ZА-ЯІЇЄΑ-Ω][^\W\d_]{2,20}\s)|\s(?:and|und|et|y|и|та|і|且|和)\s"
+    r"|\se\s(?=\w{1,6}\s*=)|\s(?:d['’]où|donc|oraz|ve|iar|si|ja|και|dan|và|și|mentre|sowie|wobei|daher|somit|hence|thus|therefore|откуда"
+    r"|отсюда|звідки|звідси|stąd|skąd|de donde|da cui)\s(?=.{1,30}=)"
 )
 # Another equation begins after "= 0": nothing multiplies or adds to a zero.
 _VANISHED = re.compile(
@@ -41,9 +44,11 @@ _ENCLOSED = re.compile(r"\s*()\(")
 _SOLVED = re.compile(
     r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+?)(?:,\s*[\[{][\w\s,]+[\]}]|(?:,\s*[^\W\d]\w{0,9})+)\s*[)\]];?"
 )
-_ROW = re.compile(r"\|(.+)\||\"?\d{1,3}\"?\s*;(.+)")  # a row of a table
+_CALLED = re.compile(r"\\?[^\W\d][\w{}\\]{0,20}")
+_ROW = re.compile(r"\|(.+)\||\d{1,3}\s*\|(.+)|\"?\d{1,3}\"?\s*;(.+)")  # a row of a table
 _ALL_ZERO = re.compile(r"(?:[vV]_?[A-Z]\w{0,18}\s*=\s*){2,12}0\s*[.;]?")  # V_Cy = V_Dx = 0
 _LONGEST = 4000
+_LEADS_ON = re.compile(rf"(?<!\s)(?:\s{{0,9}}(?:{ARROWS.pattern})|\s{{1,9}}(?:and|und|et|и|oraz))\s*$")  # to the next piece
 _MOST_ROWS, _MOST_WITHIN = 12, 3  # most rows of a matrix; most brackets around it
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
 
@@ -80,7 +85,7 @@ def parts_of(line: str) -> list[str]:
             relates = relates or before
         spans.append((start, cut, relates))
         start = after
-    return [piece for begin, end, _ in spans if (piece := line[begin:end].strip())] or [line]
+    return [piece for begin, end, _ in spans if (piece := _LEADS_ON.sub("", line[begin:end]).strip())] or [line]
 
 
 def _cuts(line: str) -> list[tuple[int, int]]:
@@ -89,7 +94,9 @@ def _cuts(line: str) -> list[tuple[int, int]]:
     found += [(found.start(1), found.end()) for found in _VANISHED.finditer(line)]
     for place, (sign, depth) in enumerate(zip(line, depths(line), strict=True)):
         is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
-        if sign in ",;，；" and depth <= 0 and not is_decimal and line[place - 1 : place] != "\\":  # \, and \; are blanks in TeX
+        if (
+            sign in ",;，；、" and depth <= 0 and not is_decimal and line[place - 1 : place] != "\\"
+        ):  # \, and \; are blanks in TeX
             found.append((place, place + 1))
     return sorted(found, key=lambda cut: (cut[0], -cut[1]))  # the longer cut first: at "= 0 and", the word is cut away too
 
@@ -178,6 +185,17 @@ def at_commas(row: str) -> list[str]:
     return at_signs(_COMMA, row)
 
 
+def legend_of_cells(cells: Sequence[str]) -> str:
+    """Return "a ⇒ L1" for a row with a name in two cells and nothing else but numbers, which is no equation; "" for any other.
+
+    >>> legend_of_cells(["a", "L1"]), legend_of_cells(["B2", "a", "0.07"]), legend_of_cells(["a", "b", "c"])
+    ('a ⇒ L1', 'B2 ⇒ a', '')
+    """
+    called = [cell for cell in cells if _CALLED.fullmatch(cell)]
+    is_legend = len(called) == 2 and not any(map(str.isalpha, "".join(cell for cell in cells if cell not in called)))
+    return f" {ARROW} ".join(called) if is_legend else ""
+
+
 def of_row(line: str) -> str:
     """Return the equations among the cells of a row with bars, or of a numbered one with semicolons; the line if there are none.
 
@@ -186,5 +204,7 @@ def of_row(line: str) -> str:
     """
     if not (row := _ROW.fullmatch(line)):
         return line
-    cells = [cell.strip(' `"') for cell in (row[1].split("|") if row[1] else row[2].split(";"))]
+    cells = [cell.strip(' `"') for cell in (row[3].split(";") if row[3] else (row[1] or row[2]).split("|"))]
+    if said := legend_of_cells([cell.strip("$") for cell in cells]):
+        return said
     return "; ".join(cell for cell in cells if relates_two_sides(cell.strip("="))) or line

@@ -1,0 +1,113 @@
+"""A line of a program -> its equation: without declarations, the head of its function, "return", arrows to or from a name.
+
+Enters: a line without comments, names.  Leaves: the line.  Used by `text_lines.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from coursework.grading.reading.equations.equations import TURNED
+from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.notation.signs import depths, relates_two_sides
+from coursework.grading.reading.equations.systems.parts import LIST, at_commas
+
+_TYPED = re.compile(
+    r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
+)  # a declaration in Pascal, Rust, Python
+_DECLARED = re.compile(r"^(?:static\s+)?(?:const|let|LET|var|double|float|int)\s+(?=\w{1,40}\s*=)")
+# An equation that is assigned to a name: eq[1] := …, eq||1 := … in Maple, F(1) = … == … in MATLAB.
+_KEPT = re.compile(
+    r">?\s*([^\W\d]\w{0,20})(?:[\[({]\s*|\|\|)(\d{1,3})\s*[\])}]?\s*(?::=\s*(?=[^=]+=)|(=)(?!=)\s*(?=[^=]+==[^=]+$))"
+)
+# A function of a program, and the expression it returns.
+_DEFINED = re.compile(
+    r"\s*(?:def\s+(\w{1,40})\s*\([^()]*\)[^:()]{0,40}:|(?:[a-z]{2,9}\s+){0,2}(?:double|float|function|fn|func)\s+(\w{1,40})\s*\([^()]*\)"
+    r"[^(){}=]{0,20}\{?)\s*(return\b[^}]*)?\}?\s*"
+)
+# A function without a name of its own: w3 = (t, y) => … in JavaScript, w3 <- function(t) … in R.
+_UNNAMED = re.compile(
+    r"^(?:(?:const|let|var)\s+)?(\w{1,40})\s*(?:=|<-)\s*(?:(?:\([\w\s,]*\)|\w{1,20})\s*=>|function\s*\([\w\s,]*\))\s*\{?\s*(?:return\s+)?"
+    r"(?=[^{\[\s][^={}]*[*/])|\s*\}\s*;?\s*$"
+)
+# What a solver of Mathematica finds, {{w3 -> a*b, …}}, and what a calculator stores, a*b→w3.
+_FOUND, _RULE = re.compile(r"\s*\{+\s*\w{1,20}\s*(?:->|→)[^=]*$"), re.compile(r"(?<=[{\s,])(\w{1,20})\s*(?:->|→)")
+_STORED = re.compile(r"([^=→]*[*/][^=→]*?)\s*(?:→|->)\s*([^\W\d]\w{0,8})\s*;?\s*")
+_RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
+_IN_CELLS = re.compile(r"^\s*([^\W\d]\w{0,12})\s*(?:[\[(][^\[\]()=|]{1,12}[\])]\s*)?\|\s*=")  # v [m/s] | =-r*w*SIN(phi)
+_COLON = re.compile(r"\s*([^\W\d][\w.]{0,12})\s*:\s*(?!=)([^=:]*[*/][^=:]*)")  # v.P:c*ω.3*cos(φ.3)
+_KEYED = re.compile(
+    r"^\s*(?:return|[\w.]{1,20}\s*=)\s*\{[\w\s,]*?,?\s*(\w{1,12}\s*:[^{}:]+)\}[;\s]*$"
+)  # return {w2, w3, vP: c*w3*…}
+_NUMBER = re.compile(r"\s*-?\d+\.?\d*\s*")
+_UNPACKED = re.compile(r"\(?[^\W\d]\w{0,20}(?:\s*,\s*[^\W\d]\w{0,20})+\)?\s*:?=")  # a11, a12 = …, …
+
+
+def function_begun(line: str, sought: Sequence[str]) -> tuple[str, str] | None:
+    """Return (name, formula in the same line) of the function that begins in a line, w3 for calc_w3; None if none does."""
+    if (defined := _DEFINED.fullmatch(line)) is None:
+        return None
+    called = defined[1] or defined[2]
+    meant = [one for one in called.split("_") if one in sought]
+    return meant[0] if len(meant) == 1 else called, defined[3] or ""
+
+
+def without_declarations(line: str, spellings: Spellings) -> str:
+    """Return the equation that a line declares, finds, stores or keeps under a name of its own."""
+    if "→" in line or "->" in line:
+        line = _RULE.sub(r"\1 = ", line.strip("{} ").join("{}")) if _FOUND.match(line) else line
+        line = f"{stored[2]} = {stored[1]}" if (stored := _STORED.fullmatch(line)) else line
+    line = _UNNAMED.sub(lambda found: f"{found[1]} = " if found[1] else "", line) if _UNNAMED.match(line) else line
+    line = _DECLARED.sub("", _TYPED.sub(r"\1 =", line))
+    if (under := _KEPT.match(line)) and (under[3] or spellings.angle(under[1] + under[2]) is None):
+        line = line[under.end() :]
+    return _one_by_one(line) if _UNPACKED.match(line) else line
+
+
+def as_value(line: str, function: str, sought: Sequence[str]) -> str:
+    """Return what a line returns as the value of its function, if that is a velocity or has an angle in it."""
+    if not (returned := _RETURNED.match(line)):
+        return line
+    rest = line[returned.end() :]  # a list of residuals is not the value of a name
+    is_value = TURNED.search(rest) or function in sought
+    return f"{function} = {rest}" if function and is_value and not rest.startswith("[") else rest
+
+
+def with_sign(line: str, sought: Sequence[str], spellings: Spellings) -> str:
+    """Return a line of a sought velocity, a colon and its formula, as SMath and the objects of JavaScript have it, with "="."""
+    line = _IN_CELLS.sub(r"\1 =", line)
+    if keyed := _KEYED.search(line):
+        line = keyed[1]
+    found = _COLON.fullmatch(line)
+    meant = spellings.canonical(found[1].replace(".", "")) if found else None
+    return f"{found[1]} = {found[2]}" if found and meant in sought else line
+
+
+def closed(line: str) -> str:
+    """Return a line without the bracket of a list that opens in it and closes in a later line, or that closes in it.
+
+    >>> closed("eqs = {a == b,"), closed("c == d}, {x, y}]"), closed("[a = b]")
+    ('a == b,', 'c == d', 'a = b')
+    """
+    inside = depths(line)
+    if line[:1] == "[" and line[-1:] == "]" and 0 not in inside[:-1] and not re.search(r"[,;]", line):
+        return line[1:-1].strip()  # framed
+    if (begun := LIST.match(line)) and inside[-1] == inside[begun.end() - 1] > 0:
+        return line[begun.end() :].strip()
+    end = inside.index(-1) if -1 in inside else 0
+    return line[:end].strip() if line[end : end + 1] in {"]", "}"} and not relates_two_sides(line[end:]) else line
+
+
+def _one_by_one(line: str) -> str:
+    """Return a line that sets several names at once with a formula for each of them.
+
+    >>> _one_by_one("a, b = 2*c, d*max(e, f)"), _one_by_one("r, l = 0.5, 2"), _one_by_one("phi1, phi2 = y")
+    ('a = 2*c; b = d*max(e, f)', 'r = 0.5; l = 2', 'phi1, phi2 = y')
+    """
+    left, _, right = line.strip(" ;").partition("=")
+    named, values = left.strip("() ").split(","), at_commas(right)
+    is_data = all(map(_NUMBER.fullmatch, values))
+    if len(named) != len(values) or not ("*" in right or is_data) or "=" in right:
+        return line
+    return "; ".join(f"{name.strip()} = {value.strip()}" for name, value in zip(named, values, strict=True))
