@@ -150,9 +150,13 @@ def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
     return is_axis or not word.isupper() or len(word) > _SHORT
 
 
-def _is_aside(words: list[str], is_name: Callable[[str], bool]) -> bool:
-    """Return whether words in parentheses behind an equation are a remark, "(x axis)", and no factor."""
-    return not is_name(words[0]) or any(len(word) > 2 and not is_name(word) for word in words)
+def _is_aside(aside: str, is_name: Callable[[str], bool]) -> bool:
+    """Return whether parentheses behind an equation hold a remark, "(x axis)" or "(r1 is the crank)", and no factor."""
+    words = re.findall(r"[^\W\d]\w*", aside)
+    named = [is_name(word) for word in words]
+    if any(named) and re.search(r"[-+*/^·]", aside):
+        return False
+    return bool(words) and (not named[0] or (not any(named[1:]) and sum(len(word) > 2 for word in words[1:]) > 1))
 
 
 def _is_said(aside: str, is_name: Callable[[str], bool]) -> bool:
@@ -201,7 +205,7 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     if (leader := _LEADER.search(text)) and "=" in text[: leader.start()]:
         return _ended(text[: leader.start()], is_name)
     aside = _ASIDE_AT_END.search(text)
-    if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and _is_aside(said, is_name):
+    if aside and "=" in text[: aside.start()] and _is_aside(aside[1], is_name):
         return _ended(text[: aside.start()], is_name)
     if (behind := _SAID_IN_WORDS.search(text, text.rfind("=") + 1)) and _is_said_in_words(behind[1], is_name):
         return text[: behind.start()]

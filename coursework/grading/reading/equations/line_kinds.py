@@ -227,7 +227,8 @@ def says_nothing(text: str, names: Names) -> bool:
     if not TURNED.search(plainly) and not _COMPLEX.search(plainly):
         sought = named & {*names.expected.variant.sought}
         words = len([*filter(_NATURAL.fullmatch, strange)])
-        return any(map(_SPEED.fullmatch, strange)) or words >= (_SENTENCE if sought else _SEVERAL_WORDS)
+        is_sentence = words >= _SENTENCE and "=" not in plainly if sought else words >= _SEVERAL_WORDS
+        return any(map(_SPEED.fullmatch, strange)) or is_sentence
     left, _, right = plainly.partition("=")
     return no_velocity(left, names) and strange == [right.strip(" .,;")]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from coursework.grading.reading.equations import line_kinds as kinds
+from coursework.grading.reading.equations import list_marks as marks
 from coursework.grading.reading.equations.equations import names_for
 from tests.grading.scenes import expected
 
@@ -110,7 +111,7 @@ def test_the_end_of_a_sum_is_short(names) -> None:
     ],
 )  # fmt: skip
 def test_the_marks_of_a_list(lines: list[str], bare: list[str] | None) -> None:
-    sign = kinds.sign_of_list(lines, {"r1", "r2"}.__contains__)
+    sign = marks.sign_of_list(lines, {"r1", "r2"}.__contains__)
     assert (sign and [sign.sub("", line) for line in lines]) == bare
 
 
@@ -119,7 +120,7 @@ def test_the_marks_of_a_list(lines: list[str], bare: list[str] | None) -> None:
     [(["– a - b = 0", "a = c"], "–"), (["– a – b = 0", "a = c"], None), (["– a = b", "— c = d"], None), (["– a", "c – d"], None)],
 )
 def test_a_dash_before_a_line_is_a_mark_if_it_takes_nothing_away(lines: list[str], dash: str | None) -> None:
-    assert kinds.dash_apart(lines) == dash
+    assert marks.dash_apart(lines) == dash
 
 
 @pytest.mark.parametrize(("line", "holds"), [("t=0.02 w1=2.5", True), ("t=0.02", False), ("t=0.02 w1=2.5 wrong", False)])
@@ -133,9 +134,9 @@ def test_a_printed_row_has_several_values_and_nothing_else(line: str, holds: boo
 )
 def test_the_numbers_of_lines_of_a_program(numbers: str, taken: bool) -> None:
     text = "\n".join(f"{number} V = 1" for number in numbers.split())
-    assert kinds.without_line_numbers(text) == ("\n".join(["V = 1"] * len(numbers.split())) if taken else text)
-    assert kinds.without_line_numbers(f"{text}\nW = 2") == f"{text}\nW = 2"
-    assert (kinds.without_line_numbers(f"\n{text}\n\n") == f"\n{text}\n\n") is not taken
+    assert marks.without_line_numbers(text) == ("\n".join(["V = 1"] * len(numbers.split())) if taken else text)
+    assert marks.without_line_numbers(f"{text}\nW = 2") == f"{text}\nW = 2"
+    assert (marks.without_line_numbers(f"\n{text}\n\n") == f"\n{text}\n\n") is not taken
 
 
 @pytest.mark.parametrize(
