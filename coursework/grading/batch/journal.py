@@ -111,17 +111,27 @@ class Journal:
         file = self._open()
         line = _written(entry)
         with refused(self.path):
-            file.write(line)  # in one piece at the end of the file, wherever that is now
+            left = line  # written in one piece at the end of the file, wherever that is now; on a full disk only its beginning
+            while left:
+                left = left[file.write(left) :]
         return file.tell() - len(line)
 
     def rewrite(self, places: Iterable[int]) -> None:
-        """Keep only the entries at `places`, in that order, so that the file does not grow from run to run."""
+        """Keep only the entries at `places`, in that order, so that the file does not grow from run to run.
+
+        Raises `OutputError` if there is no room for it; the journal is then as it was.
+        """
         part = self.path.with_name(f".{NAME}.part")
-        with part.open("wb") as file:
-            for place in places:
-                file.write(_written(self.read(place)))
-        self._open().close()
-        part.replace(self.path)
+        with refused(self.path):
+            try:
+                with part.open("wb") as file:
+                    for place in places:
+                        file.write(_written(self.read(place)))
+                self._open().close()
+                part.replace(self.path)
+            except BaseException:
+                part.unlink(missing_ok=True)
+                raise
 
     def _open(self) -> IO[bytes]:
         assert self._file is not None

@@ -15,7 +15,7 @@ import sys
 import time
 import zipfile
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from coursework.grading.reading.equations.answers import read_answer
@@ -45,8 +45,10 @@ REPEATED = [
     b"\xff", b"\xd0\xb0", b"\xd0\xb0;", (b"a " * 90 + b";") * 39 + b"\n", (b"," * 199 + b";") * 39 + b"\n", b"<script>",
     (b"/" * 199 + b";") * 39 + b"\n", b"1" * 499 + b";\n", b"wAB=", b"wAB = \n", b"sin^2(", b"2l1 " * 400 + b"=0\n",
     b"r3w3" * 15 + b"+1\n", b"phi" * 19 + b"-w1\n", b"1.5;1.5;1.5;2,5\n", b"t;phi1;phi2\n1;2;3\n", b"<td>1</td>", b"1 234 567;",
-    b"1e5;" * 30 + b"\n", b"t;" * 39 + b"\n",
+    b"1e5;" * 30 + b"\n", b"t;" * 39 + b"\n", b"(\n", b"VMy -\n",
 ]  # fmt: skip
+
+OPENED = [b"\\(", b"/* \n", b"-> * "]  # begins something that never ends: of a long text the square shows, of a short one not yet
 
 
 def seeds() -> list[bytes]:
@@ -158,7 +160,7 @@ def run(cases: int, seed: int = 0) -> Counter[str]:
     return counts
 
 
-def run_repeated(size: int) -> Counter[str]:
+def run_repeated(size: int, pieces: Sequence[bytes] = REPEATED) -> Counter[str]:
     """Read files of one piece repeated up to `size` bytes, alone and behind a good table; the time grows with the size alone.
 
     Of three tries one is enough: a process that is full of other things tidies up now and then.
@@ -173,7 +175,7 @@ def run_repeated(size: int) -> Counter[str]:
     counts: Counter[str] = Counter()
     good = seeds()[0]
     least = min(spent(good)[0] for _ in range(3))
-    for piece in REPEATED:
+    for piece in pieces:
         for start in (b"", b"t;phi1;w1\n0;1;2\n0.02;1;2\n0.04;1;2\n"):
             content = (start + piece * (size // len(piece) + 1))[:size]
             for fewer in range(3):  # a shorter text each time: of the same one the readers know much by now
@@ -189,7 +191,7 @@ def run_repeated(size: int) -> Counter[str]:
 
 if __name__ == "__main__":
     before = set(Path.cwd().iterdir())
-    run_repeated(4 * 2**20)
+    run_repeated(4 * 2**20, REPEATED + OPENED)
     for what, number in sorted(run(int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 0).items()):
         sys.stdout.write(f"{number:8} {what}\n")
     assert set(Path.cwd().iterdir()) == before

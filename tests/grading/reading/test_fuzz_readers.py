@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.grading.reading.fuzz_readers import REPEATED, run, run_repeated
+from tests.grading.reading.fuzz_readers import OPENED, REPEATED, run, run_repeated
 from tests.sample import first
 
 CASES = 140
@@ -20,3 +20,7 @@ def test_hundreds_of_broken_files() -> None:
 @pytest.mark.parametrize("size", first(1, (2**13, 2**15, 2**20)))
 def test_files_of_one_piece_repeated(size: int) -> None:
     assert run_repeated(size).total() == 2 * len(REPEATED)
+
+
+def test_what_begins_again_and_again_and_never_ends() -> None:
+    assert run_repeated(2**15, OPENED).total() == 2 * len(OPENED)

@@ -23,6 +23,7 @@ _BARE = re.compile(r"[^-+/−–\s]+")  # the names of a line with no other sign
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
 _ALIGNED = re.compile(r"^(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # at the start of a continued line
+_NEAR = 300  # characters at the end of what was joined: those of a thousand lines are not searched for each
 
 
 def continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple[int, str]]:
@@ -30,7 +31,7 @@ def continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple[
     first, kept = 0, ""
     for number, line in lines:
         if kept and line.strip() and len(kept) < EQUATION_CHARACTERS and _goes_on(kept, line, names):
-            begun = _GOES_ON_SIGN.sub("", kept).rstrip()
+            begun = (kept[:-_NEAR] + _GOES_ON_SIGN.sub("", kept[-_NEAR:])).rstrip()
             rest = _ALIGNED.sub("", line)
             kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()
             continue
@@ -45,16 +46,17 @@ def _goes_on(kept: str, line: str, names: Names) -> bool:
     """Return whether `line` continues `kept`: `kept` ends with a sign or in an open parenthesis, or `line` begins with a sign."""
     if _FIXED.match(line) and "=" in kept:
         return True
-    if _OPENED.search(kept) or not any(map(str.isalnum, kept)):
+    near = max(len(kept) - _NEAR, 0)
+    if _OPENED.search(kept, near) or not any(map(str.isalnum, kept)):
         return False  # "= 0 (": a remark begins, or nothing
-    if _IMPORT.match(kept) or not (_IS_FORMULA.search(kept) or all(map(names.spellings.canonical, _BARE.findall(kept)))):
+    if _IMPORT.match(kept) or not (_IS_FORMULA.search(kept) or all(map(names.spellings.canonical, _BARE.findall(kept[:_NEAR])))):
         return False
     if kept.lstrip().startswith("[[") and depths(kept)[-1]:
         return True
     both = "=" in kept and "=" in line
-    if both and _MARKED.search(kept) and not _BEGINS.match(_ALIGNED.sub("", line)):
+    if both and _MARKED.search(kept, near) and not _BEGINS.match(_ALIGNED.sub("", line)):
         return False  # in Typst the sign ends a line
-    if _GOES_ON.search(kept):
+    if _GOES_ON.search(kept, near):
         return not (kept.rstrip().endswith("=") and "=" in line)
     if "=" in kept and not both and kept.count("(") > kept.count(")"):
         return True

@@ -38,7 +38,7 @@ LETTER = re.compile(r"(?<![A-Za-z])\\?([^\W\d_]|[a-z]{3,5})(?![A-Za-z0-9_])(\u03
 _PIECE = re.compile(r"[^\W\d]++\d+|[^\W\d_]+")  # the parts of names written without a sign between them
 OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
 _SUM = re.compile(r"\b(?:sin|cos)\s+([\w\s*]{1,20}[-+]\s*)$", re.IGNORECASE)  # the argument of a function without brackets
-_NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_NUMBER = re.compile(r"[-+]?\s*(?:\d++\.?\d*+|\.\d++)(?:[eE][-+]?\d+)?")
 DASH = re.compile(r"^\s*[-–—]\s*")  # the mark of an item, as a hyphen is; − is a minus
 # A name and the formula of a residual, as in F(2) = r1*w1…, which is handed to a root finder.
 _FUNCTION_OF_ROOTS = re.compile(r"\s*[^\W\d]\w{0,20}\s*(?:[(\[][\w\s,]{1,40}[)\]])?\s*=([^=]+)")

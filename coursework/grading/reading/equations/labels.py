@@ -38,7 +38,7 @@ _SAYS_SO = re.compile(
     re.IGNORECASE,
 )
 _WORDS = re.compile(r"[\s:,.–-]*([^\W\d_]+(?:\.[^\W\d_]+)*)\.?(?=[\s:,.(]|-[^\W\d_]{3}|$)(?!\s*=)")
-_SENTENCE = re.compile(r"[^=]*[^\W\d_][\w)]*[.:!]\s+(?=[A-ZА-ЯІЇЄ][^\W\d_]+\s)")  # one before that with the equation
+_SENTENCE = re.compile(r"[^=]*[^\W\d_][\w)]{0,40}[.:!]\s+(?=[A-ZА-ЯІЇЄ][^\W\d_]+\s)")  # one before that with the equation
 _ASIDE = re.compile(r"[\s,.:–-]*\(([^()=]{1,40})\)[\s,.:]*(?=[^\s*/^)=])")
 _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
@@ -65,6 +65,7 @@ _GLUED = re.compile(r".(?:sin|cos)$")  # names written together with a function:
 _AXES = ("x", "y", "z", "ox", "oy")
 _PREPOSITIONS = (*"авзікосу",)  # Cyrillic prepositions of one letter
 _ADDED = re.compile(r"\s+[-+−–]\s")  # behind a single word, which may be a name that the task does not have
+_NEAR = 60  # so far before a number its word stands
 _LONG = 5  # a word of at least this many letters is not a symbol
 _SEVERAL = 3  # so many words are no term, even if the first is a name
 _SHORT = 3  # up to this many capitals are a name: BC, AB
@@ -133,7 +134,7 @@ def without_words(text: str, is_name: Callable[[str], bool]) -> str:
         start = found.end()
         if (aside := _ASIDE.match(text, start)) and _is_said(aside[1], is_name):
             start = aside.end()
-        if _COUNTED.search(text[:start]) and (number := re.match(r"\s*\d{1,3}[):.,]?\s+", text[start:])):
+        if _COUNTED.search(text, max(start - _NEAR, 0), start) and (number := re.match(r"\s*\d{1,3}[):.,]?\s+", text[start:])):
             start += number.end()
     rest = text[start:]
     is_term = re.match(r"\s*[*/^=]|\(", rest) or (_ADDED.match(rest) and text[:start].strip().isalpha())

@@ -22,11 +22,11 @@ _WITHDRAWN = re.compile(r"\b(?:crossed|struck|wrong|falsch|ungültig|cancel|igno
 # Comments of Fortran, known by its words; and the names that a comment of any language explains.
 _FORTRAN = re.compile(r"(?im)^[ \t]*(?:!|(?:subroutine|program|implicit|end|call|real|double precision)\b|d(?:sin|cos)\()|\s!\s")
 _OF_FORTRAN = re.compile(r"(?:^|(?<=\s))!(?!=).*|^[Cc*](?:\s{2,}.*|\s*$)")
-_COMMENT = re.compile(r"(?:^|\s)(?:#|%|//|!|/\*|\(\*|--|[Cc](?=\s{2}))+\s*([^=]*=.*?)\s*(?:\*/|\*\))?$")
+_COMMENT = re.compile(r"(?:^|\s)(?:#|%|//|!|/\*|\(\*|--|[Cc](?=\s{2}))++\s*+([^=]*+(?:=.*?)?)\s*(?:\*/|\*\))?$")
 _LISTS = re.compile(r"(\w{1,20}(?:,\s?\w{1,20}){1,9})\s?=\s?(\w{1,20}(?:,\s?\w{1,20}){1,9})\.?")  # q1, q2 = phi1, phi2
 _ALIAS = re.compile(r"\s*([^\W\d]\w{0,20})\s*=\s*([^\W\d]\w{0,20})\s*[.]?\s*")
 _CONSTANT = re.compile(r"\b\w{1,12}\s*=\s*(?:const\w*|konst\w*|cte|пост\w*)\b\.?,?")  # as x_P = const, …
-_BLOCK, _STARRED = re.compile(r"/\*+((?:[^*]|\*(?!/))*)\*/"), re.compile(r"^[ \t]*\*(?=\s)", re.MULTILINE)
+_BLOCK, _STARRED = re.compile(r"/\*((?:[^*]|\*(?!/))*+)(\*/|\Z)"), re.compile(r"^[ \t]*\*(?=\s)", re.MULTILINE)
 
 
 def is_fortran(text: str) -> bool:
@@ -73,4 +73,5 @@ def names_said(line: str, spellings: Spellings) -> Iterator[str]:
 
 def _uncommented(block: re.Match[str]) -> str:
     r"""Return the lines of a comment of several lines, /* … */, without its signs; they are text as elsewhere."""
-    return _STARRED.sub("", block[1]) if "\n" in block[1] else block[0]
+    said = block[1].lstrip("*")
+    return _STARRED.sub("", said) if block[2] and "\n" in said else block[0]

@@ -33,14 +33,14 @@ _UNNAMED = re.compile(
 )
 # What a solver of Mathematica finds, {{w3 -> a*b, …}}, and what a calculator stores, a*b→w3.
 _FOUND, _RULE = re.compile(r"\s*\{+\s*\w{1,20}\s*(?:->|→)[^=]*$"), re.compile(r"(?<=[{\s,])(\w{1,20})\s*(?:->|→)")
-_STORED = re.compile(r"([^=→]*[*/][^=→]*?)\s*(?:→|->)\s*([^\W\d]\w{0,8})\s*;?\s*")
+_STORED = re.compile(r"(?=[^=→*/]*[*/])([^=→]*?)\s*(?:→|->)\s*([^\W\d]\w{0,8})\s*;?\s*")
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
 _IN_CELLS = re.compile(r"^\s*([^\W\d]\w{0,12})\s*(?:[\[(][^\[\]()=|]{1,12}[\])]\s*)?\|\s*=")  # v [m/s] | =-r*w*SIN(phi)
 _COLON = re.compile(r"\s*([^\W\d][\w.]{0,12})\s*:\s*(?!=)([^=:]*[*/][^=:]*)")  # v.P:c*ω.3*cos(φ.3)
 _KEYED = re.compile(
     r"^\s*(?:return|[\w.]{1,20}\s*=)\s*\{[\w\s,]*?,?\s*(\w{1,12}\s*:[^{}:]+)\}[;\s]*$"
 )  # return {w2, w3, vP: c*w3*…}
-_NUMBER = re.compile(r"\s*-?\d+\.?\d*\s*")
+_NUMBER = re.compile(r"\s*-?\d++\.?\d*+\s*")
 _UNPACKED = re.compile(r"\(?[^\W\d]\w{0,20}(?:\s*,\s*[^\W\d]\w{0,20})+\)?\s*:?=")  # a11, a12 = …, …
 
 

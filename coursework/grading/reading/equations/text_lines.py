@@ -49,7 +49,7 @@ _TAKEN = re.compile(
 )  # {w2, w3} /. Solve[…]
 _OF_RATES = re.compile(r"(?<!\w)([A-Za-z])(['’′\u0307])(?=\s*=\s*[\[(][\w\s,;{}]{3,80}[\])])")
 _SQUARED = re.compile(
-    r"([^\W\d]\w{0,20})\s*(?:\^\s*\{?\s*2\s*\}?|²|\*\*\s*2)\s*=\s*([^=]+?)[\s.,;]*"
+    r"([^\W\d]\w{0,20})\s*(?:\^\s*\{?\s*2\s*\}?|²|\*\*\s*2)\s*=\s*+([^=]*[^=\s.,;])[\s.,;]*"
 )  # DA² = … by the law of cosines
 
 

@@ -36,13 +36,13 @@ _IN_TEX = r"\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])"
 _RELATION = re.compile(rf"[=＝{_EQUAL}]|{_IN_TEX}|\bEq(?:uality)?\s*\(|(?<=[\w\])])\s*<-\s")
 _EQUALS = re.compile(rf"(?<![<>!]):=|=:|\.?={{2,}}|{_IN_TEX}|(?<=[\w\])])\s*<-(?=\s)")  # <- in R
 # An equation of Symbolics in Julia, e1 = a*w1 ~ 0: of two names alone it may say that one is proportional to the other.
-_OF_JULIA = re.compile(r"^((?:[^=~]*\[\s*|\s*\w{1,20}\s*=)?[^=~]*[\w)\]])\s+\.?~(?=\s+[-+\w(][^=~]*$)")
+_OF_JULIA = re.compile(r"^((?:\s*\w{1,20}\s*=)?[^=~]*[\w)\]])\s+\.?~(?=\s+[-+\w(][^=~]*$)")
 _FORMULA = re.compile(r"\*|(?:sin|cos)\b|(?<![\w.])0(?![\w.])")
 _WORDS = re.compile(
     r"\b(?:is\s+equal\s+to|equals|равно|равна|равен|дорівнює|ist\s+gleich|gleich|est\s+égale?\s+à|es\s+igual\s+a)\b|等于|等於",
     re.I,
 )
-VANISHED = re.compile(r"(?:[=≡]|\\equiv)(?:[\s&]|\{\})*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
+VANISHED = re.compile(r"(?:[=≡]|\\equiv)(?:[\s&]|\{\})*0(?:[.,]0*)?\s*+(?:[.,;]\s*+)?(?:\\\w+\s*)*$")
 _ZERO = re.compile(r"=\s+(?:zero|null|ноль|нулю|нуль|零)\b", re.I)
 _SPOKEN = re.compile(r"(?<=[\w)]\s)(plus|minus|плюс|минус|мінус)(?=\s[\w(])", re.I)
 _UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")

@@ -17,7 +17,7 @@ from coursework.grading.reading.equations.systems.of_r import in_brackets
 from coursework.grading.reading.equations.systems.of_smath import of_smath
 from coursework.grading.reading.equations.systems.parts import at_commas, product, rows_of, vector
 
-_TYPE = r"(?:(?:static|const|double|float|real|auto|let|var)[ \t]+)*"
+_TYPE = r"(?:(?:static|const|double|float|real|auto|let|var)[ \t]+){0,4}"
 _DEFINED = re.compile(
     rf"(?<![\w.]){_TYPE}([^\W\d]\w{{0,20}})[ \t]*+:?=[ \t]*+"
     r"(?:[A-Za-z]{1,12}\.)?(?:[A-Za-z]{1,12}[ \t]*+)?\(?\s*+(?=\[)"

@@ -32,7 +32,7 @@ _UNPACKED = re.compile(
 _SAID = re.compile(
     rf"(?<![\w.])([^\W\d]\w{{0,20}})(?:\s*(?:=|:|<-)\s*(?:[\w.]{{1,12}}\()?[\[({{]|:)\s*{_NAMES}\s*(?:[\])}}]|$)", re.MULTILINE
 )
-_NUMBERS = re.compile(r"[\[({]\s*((?:-?\d+\.?\d*\s*[,;\s]\s*)+-?\d+\.?\d*)\s*[\])}]")
+_NUMBERS = re.compile(r"[\[({]\s*((?:-?\d++\.?+\d*+(?:\s*+[,;]\s*+|\s++))+-?\d++\.?+\d*+)\s*[\])}]")
 _RETURNED = re.compile(r"(?:\breturn\s+|(?<![\w.])d\w{1,12}\s*=\s*)(?:[\w.]{1,12}\s*\(\s*)?(?=[\[({])")
 _ZERO_BASED = re.compile(r"\b(?:np|math|Math|std|torch)\.|\bimport\b|#include|\b(?:double|float|const|let|var|func)\s")
 _SINES = re.compile(
