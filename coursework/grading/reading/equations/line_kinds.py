@@ -45,8 +45,9 @@ _SPEED, _NATURAL = re.compile(r"[vV]_?[A-Za-z]{1,3}\d?"), re.compile(r"[^\W\d_]{
 _BEFORE_NAME = re.compile(r"^[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]{1,20}(?=[^\W\d])")  # 滑块速度v
 _SEVERAL_WORDS, _SENTENCE = 3, 6  # words in a sentence without a velocity, and in one that may name some
 _NUMBER_SAID = re.compile(
-    r"[\w\s,;:.]*?(?<!\w)(\w{1,20})\s*=\s*-?\d[\d.,]{0,12}(?:\s[^=*+()]{0,30})?$"
+    r"[\w\s,;:.]*?(?<![\w.])(\w{1,20})\s*=\s*-?\d[\d.,]{0,12}(?:\s[^=*+()]{0,30})?$"
 )  # n = 60 rpm, w = 9 1/s all the time
+_ATTRIBUTE = re.compile(r"\w\.[^\W\d]")  # phi1.real
 _MAY_BE_SPEED = re.compile(r"[vwudqωΩ]|om|.*\d", re.IGNORECASE)
 _FEWEST = 4  # an expression has more words than this, so that it is not prose
 
@@ -218,10 +219,11 @@ def says_nothing(text: str, names: Names) -> bool:
     plainly = plain(text, names.spellings)
     strange = [word for word in WORD.findall(plainly) if not names.is_name(word)]
     named = names_in(text, names.spellings)
-    if (number := _NUMBER_SAID.match(plainly)) and names.spellings.canonical(number[1]) not in names.expected.variant.sought:
+    number = None if names.expected.answers else _NUMBER_SAID.match(plainly)  # where answers are asked it may be one, misspelt
+    if number and names.spellings.canonical(number[1]) not in names.expected.variant.sought:
         return True
     # "On a x = r cos φ": of places alone, in words none of which may be a velocity of the student
-    is_said = any(len(word) > 1 for word in strange) and all(map(str.isalpha, strange))
+    is_said = any(len(word) > 1 for word in strange) and all(map(str.isalpha, strange)) and not _ATTRIBUTE.search(text)
     if is_said and not any(map(_MAY_BE_SPEED.match, strange)) and "[" not in text and no_velocity(text, names):
         return True
     if not TURNED.search(plainly) and not _COMPLEX.search(plainly):
