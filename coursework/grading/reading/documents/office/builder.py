@@ -109,18 +109,19 @@ class DocumentBuilder:
             self._tables[-1].row = [Cell("")] * min(max(skipped, 0), self._room.columns)
 
     def close_cell(self, columns: int = 1, continued: bool = False, beside: bool = False) -> None:
-        """End a cell and repeat it over its `columns`; with `continued` or `beside` it repeats the cell above or before."""
+        """End a cell and repeat it over its `columns`; with `continued` or `beside` it repeats those above or before."""
         if not self._tables:
             return
         table = self._tables[-1]
         text = on_one_line(plain_signs(" ".join(table.cell)[:CELL_CHARACTERS])).strip()
         at = len(table.row)
-        cell = Cell(text)
-        if continued and not text and table.rows and at < len(table.rows[-1]):
-            cell = table.rows[-1][at]
+        cells = [Cell(text)] * min(columns, self._room.columns - at)
+        if continued and not text and table.rows:
+            above = table.rows[-1][at : at + len(cells)]
+            cells[: len(above)] = above
         if beside and not text and table.row:
-            cell = table.row[-1]
-        table.row += [cell] * min(columns, self._room.columns - at)
+            cells = table.row[-1:] * len(cells)
+        table.row += cells
         table.cell = []
 
     def close_row(self, times: int = 1) -> None:

@@ -137,8 +137,8 @@ class _Reader:
             repeated = _times(cell, "number-columns-repeated")
             beside = min(self.covered, repeated)
             self.covered -= beside
-            for _ in range(repeated - beside):
-                self.builder.close_cell(continued=True)
+            if repeated > beside:
+                self.builder.close_cell(repeated - beside, continued=True)
             return
         spanned = _times(cell, "number-columns-spanned")
         self.covered = spanned - 1
