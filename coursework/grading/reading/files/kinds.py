@@ -33,7 +33,8 @@ _ITS_END = re.compile(r'"stamp": "[0-9a-f]+",\s*"files": \{')
 # A file that only leads to the work: of Windows (.url, .lnk), macOS (.webloc), Google's drive (.gdoc), or an address alone.
 _SHORTCUT = b"L\0\0\0\x01\x14\x02\0"
 _LINK = re.compile(
-    r"\s*(?:\[InternetShortcut\]|<\?xml.{0,400}?<key>URL</key>|\{[^{}]{0,99}\"(?:url|doc_id)\": ?\"|https?://\S+\s*\Z)",
+    r"\s*(?:\[InternetShortcut\]|<\?xml.{0,400}?<key>URL</key>|https?://\S+\s*\Z"
+    r"|\{[^{}]{0,99}\"(?:url|doc_id)\": ?\"[^{}\[\]]*\}\s*\Z)",  # no work may stand in it
     re.DOTALL | re.IGNORECASE,
 )
 OLD_EXCEL, OLD_WORD = "xls", "doc"
@@ -77,6 +78,8 @@ def is_link(content: bytes) -> bool:
 
     >>> [is_link(text) for text in (b"https://disk.example/a b", b"https://disk.example/a", b"[InternetShortcut]")]
     [False, True, True]
+    >>> [is_link(text) for text in (b'{"url": "disk.example", "t": [0, 0.1, 0.2]}', b'{"url": "disk.example", "doc_id": "a"}')]
+    [False, True]
     """
     head = content[:2000]
     return content.startswith(_SHORTCUT) or bool(_LINK.match(head.decode("utf-8-sig", "replace")))
