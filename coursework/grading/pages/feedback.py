@@ -190,14 +190,14 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases, *, is_explained: bo
                 # Six digits show what is wrong with a cell; the first wrong cell has its whole text as title.
                 whole = clean(column.texts[row], LONGEST_CELL) if column and is_first else ""
                 sign, mark = _SHUT if uncounted[row, place] else _SIGNS[cells.marks[row, place]]
-                title = whole if whole.replace("-", "−").replace(",", ".") != text.rstrip().replace(",", ".") else ""
+                title = whole if not _is_alike(text, whole) else ""
                 entries.append((text, title, sign, mark, is_first))
             rows.append({"number": row + 1, "t": times[row], "cells": entries})
         blocks.append({"heads": [(heads[place], units[place]) for place in places.tolist()], "rows": rows})
     return {
         "counts": asdict(counts(key, marked)), "shut": bool(uncounted.any()), "blocks": blocks, "first": first is not None,
         "rounded": any(
-            text.rstrip() != column.texts[row].strip().replace("-", "−")
+            not _is_alike(text, column.texts[row].strip())
             for column, texts in zip(columns, shown, strict=True)
             if column
             for row, text in zip(chosen, texts, strict=True)
@@ -208,6 +208,15 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases, *, is_explained: bo
         "left_out": len(key.table) - len(chosen), "left_out_wrong": len({*wrong_rows} - {*chosen}),
         "panels": _panels(key, cells, words), "box": f"0 0 {SIZE[0]:g} {SIZE[1]:g}", "least": key.least_decimals,
     }  # fmt: skip
+
+
+def _is_alike(shown: str, text: str) -> bool:
+    """Return whether a cell is shown with all that was handed in, whatever the minus and decimal signs of the page are.
+
+    >>> _is_alike("−0.5", "-0,5"), _is_alike("12.1800", "12,180000000000012")
+    (True, False)
+    """
+    return shown.rstrip().replace(",", ".") == text.replace("-", "−").replace(",", ".")
 
 
 def _panels(key: Key, cells: Cells, words: Phrases) -> list[str]:
