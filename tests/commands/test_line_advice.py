@@ -34,6 +34,7 @@ def saw(folder):
         ("check saw --step 3", 'C051 there is no option --step. "coursework COMMAND --help" lists them.'),
         ("run saw –-step 0.01", "C100 –-step begins with a dash, not with hyphens. Write --step."),
         ("run saw —format=csv", "C100 —format begins with a dash, not with hyphens. Write --format."),
+        ("run –h", "C100 –h begins with a dash, not with hyphens. Write -h."),
         ("--language en check saw", "C101 --language stands behind the command: coursework COMMAND … --language."),
         ("--nope run saw", "C051 there is no option --nope."),
         ("run", "C052 VARIANT is missing."),

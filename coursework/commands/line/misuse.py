@@ -16,7 +16,6 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, closest, either, say
 
-DASHES = "‐‑‒–—−-"
 VARIABLE = "COURSEWORK_LANGUAGE"
 _NO_VALUE = "does not take a value"
 _TOO_MANY = re.compile(r"Got unexpected extra arguments? \((.*)\)\Z", re.DOTALL)
@@ -36,7 +35,8 @@ def tell_misuse(error: click.ClickException, words: Sequence[str]) -> None:
 def fault_of(error: click.ClickException) -> Sentence:
     """Return the sentence for a kind of misuse; for a rare kind it contains click's own message."""
     if isinstance(error, click.NoSuchOption) and not error.option_name.startswith("-"):
-        return say("fault.C100", name=error.option_name, meant="--" + error.option_name.lstrip(DASHES))
+        word = re.sub(r"^\W+", "", error.option_name)
+        return say("fault.C100", name=error.option_name, meant="-" * min(len(word), 2) + word)
     if isinstance(error, click.NoSuchOption) and _is_of_a_command(error):
         return say("fault.C101", name=error.option_name)
     if isinstance(error, click.NoSuchOption):
