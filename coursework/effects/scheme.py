@@ -215,9 +215,9 @@ class _Reader:
         variant, rates, called = self.variant, self.bodies.rates(), self.bodies.called
         units = {c.rate: c.unit for c in variant.coordinates}
         several = len(variant.known_rates) > 1
-        sliding = {link.name for link in variant.links if link.slides}
+        sliding, opposite = {link.name for link in variant.links if link.slides}, turned_back(variant)
         for rate in variant.known_rates:
-            alike = next(([rate, other] for other in rates.values() if {rate, other} in turned_back(variant)), [rate])
+            alike = next(([rate, other] for other in rates.values() if {rate, other} in opposite), [rate])
             body = next((body for one in alike for body, own in rates.items() if own == one and body not in sliding), None)
             if body is None:
                 yield self.arm(rate, f"{'F' if units[rate] == 'm' else 'M'}{rate if several else ''}")

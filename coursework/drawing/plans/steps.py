@@ -90,9 +90,8 @@ class _Told:
             return self.line_to_special(line, point)
         if line.kind == "rail":
             return say("plans.line.rail")
-        if (
-            line.kind == "slot" and ("sliding", line.base, point) not in self.size
-        ):  # the rider is known, the point under it sought
+        if line.kind == "slot" and ("sliding", line.base, point) not in self.size:
+            # The rider is known, the point under it is sought.
             return say("plans.line.slot", link=line.link, base=image(line.base))
         if line.kind == "slot":
             values = {"link": line.link, "base": image(line.base), "point": lowered_name(point)}

@@ -17,10 +17,10 @@ from coursework.takeaway.listing.syntax import Syntax, filled, syntax_of
 from coursework.takeaway.listing.writer import Writer, held
 
 _IMPORTED = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "sqrt"}
-_WIDEST, _BEFORE = 120, 40  # letters of a line of numbers, and room before the first of them
 MOST = 80  # lines that a page holds
 WIDEST = 100  # letters of a line
-WIDER = 120  # the same, with no empty lines, if nothing else helps
+WIDER = 120  # the same, with no empty lines, if nothing else helps; and of numbers
+_BEFORE = 40  # room before the first of several lines of numbers
 _SET = re.compile(r"(?:static double )?\w+(?:: double)? :?= [^;=\"']*;?")
 
 
@@ -139,7 +139,7 @@ class _Listing:
 def numbers(values: list[float], open_: str, close: str, wrap: str = "") -> str:
     """Return a list of numbers in brackets, in filled lines."""
     told = ", ".join(f"{value:.15g}" for value in values)
-    rows = fill(told, _WIDEST, initial_indent=" " * _BEFORE, subsequent_indent=" " * 4).lstrip().split("\n")
+    rows = fill(told, WIDER, initial_indent=" " * _BEFORE, subsequent_indent=" " * 4).lstrip().split("\n")
     return f"{wrap}\n".join([f"{open_}{rows[0]}", *rows[1:]]) + close
 
 

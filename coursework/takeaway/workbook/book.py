@@ -32,7 +32,7 @@ from coursework.words.sentences import say
 # The file holds the time of its creation: always this one, so that two runs give the same bytes.
 _MADE = datetime(2000, 1, 1)
 _A4 = 9
-_WIDTH, _LINE, _WIDE = 105, 16, 0x2E00  # letters of a line; points of its height; letters beyond this code are twice as wide
+_LETTERS, _LINE, _WIDE = 105, 16, 0x2E00  # letters of a line; points of its height; letters beyond this code are twice as wide
 README = ("data", "steps", "laws", "determinants", "exact", "checks", "graphs", "rows", "values")
 FORCED = ("data", "forces", "exact", "checks", "graphs", "rows")  # if forces move the mechanism
 COLOURS = ("#1F77B4", "#D62728", "#2CA02C", "#9467BD", "#FF7F0E", "#8C564B", "#17BECF", "#7F7F7F")
@@ -117,9 +117,9 @@ def _readme(book: Book, sheet: Any) -> None:
     for row, key in enumerate(README if book.run.variant.motor is None else FORCED, start=2):
         text = book.say(f"readme.{'slopes' if key == 'steps' and is_other else key}", scheme=title)
         letters = sum(1 + (ord(letter) > _WIDE) for letter in text)
-        sheet.set_row(row, _LINE * (1 + letters // _WIDTH))
+        sheet.set_row(row, _LINE * (1 + letters // _LETTERS))
         sheet.write_string(row, 0, text, book.wrapped)
-    sheet.set_column(0, 0, _WIDTH)
+    sheet.set_column(0, 0, _LETTERS)
 
 
 def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:
