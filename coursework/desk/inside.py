@@ -1,6 +1,6 @@
 """Files of one folder and none outside it: only names valid on every system, no links that lead out, a limited size.
 
-Enters: a folder and a name.  Leaves: a path, bytes.  Used by `folder.py`, `config.py`, `typed.py` and `new.py`.
+Enters: a folder and a name.  Leaves: a path, bytes.  Used by `folder.py`, `config.py`, `zips.py`, `typed.py` and `new.py`.
 """
 
 from __future__ import annotations

@@ -92,9 +92,9 @@ def agreed(
 ) -> list[tuple[Array, Array]]:
     """Return tables (n, m + r) of what one cell in each row was, NaN elsewhere; the one on which most cells agree comes first.
 
-    With each come the units of its last places, as wide as all cells that agree leave it open: those made from any other value in
-    there are to stay right. Each `wrong` cell gives a value for a cell that may have been `other`. It, all others made from there
-    and the cells it was made from leave it spans as wide as their tolerances; a value where most spans meet is taken.
+    Each `wrong` cell gives a value for a cell that may have been `other`. That wrong cell, all others made from the same cell,
+    and the cells it was made from leave it spans as wide as their tolerances; a value where most spans meet is taken. With it
+    come the units of its last places, as wide as all cells that agree leave it open: no value in there makes any of them wrong.
     """
     m, r, printed = len(key.coordinates), len(key.velocities), was.values
     made = beside_makers(wrong & np.isfinite(printed), m)
