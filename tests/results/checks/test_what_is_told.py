@@ -61,3 +61,17 @@ def test_the_length_that_nothing_keeps_is_told_with_the_line_that_keeps_it():
     assert "Nothing keeps the distance between D and B (link 3), G and E (link 5)." in str(loose.sentence)
     assert f"write [closure] holds = [{written}]" in str(loose.sentence)
     assert found(mechanism("windshield-wiper", holds=f"[{written}]"), "AGREEMENT").verdict == "PASS"
+
+
+def test_a_crank_in_x_and_y_is_not_told_not_to_turn():
+    """It turns evenly, yet no angle of the file says so; beside it, a crank with an angle is judged by its turns."""
+    crank = (
+        'format = 1\n[given]\nr = "0.2 m"\nn = "3 rad/s"\n[drive]\nw = "n"\n[time]\nstep = "0.01 s"\nend = "0.2 s"\n'
+        '[coordinates]\nx = { start = "0.2 m", rate = "vx" }\ny = { start = "0 m", rate = "vy" }\n'
+        '[[constraint]]\nequation = "vx = -w*y"\n[[constraint]]\nequation = "vy = w*x"\n'
+    )
+    told = found(crank, "STEP")
+    assert (
+        told.verdict == "SKIP" and "crank" not in str(told.sentence) and "no driven coordinate is an angle" in str(told.sentence)
+    )
+    assert found(crank.replace("x = {", 'f = { start = "0 rad", rate = "w" }\nx = {'), "STEP").verdict == "PASS"

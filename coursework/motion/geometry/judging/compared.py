@@ -21,6 +21,12 @@ from coursework.words.errors import InputError
 # Times at which drives are looked at, and the share of its largest value below which a drive is at rest.
 _LOOKS, _AT_REST = 200, 1e-4
 _STIRRED = 1e-2  # rad or m from one configuration to the next
+# The same where only equations close a loop.  A hidden sign shows in the first power, a lost cosine in the second, sin x = x in
+# the third; how far each leads astray on the way, so that right equations seem wrong too, shows in the next power only.
+_REACHES = (3e-5, 2e-3, _STIRRED)
+# Share of the terms of an equation: above the ranks' tolerance, so that nobody stops before what ranks cannot see yet.
+_FITS = 1e-6
+_HALVED = 40  # times, until a step is short enough: from a run to less than a billionth of it
 
 
 def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Array]:
@@ -33,10 +39,11 @@ def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Ar
     depends = _depends_on_time(equations)
     if not closure.complete and closure.loose:  # a loop without a position equation is closed at the start alone
         times, positions = times[:1], positions[:1]
-        later = np.zeros(0) if depends else _with_drives_on(equations, times)
-        times = np.concatenate([times, later])
-        if not depends:
-            positions = np.concatenate([positions, *_moved(equations, positions[0], times[-1])])
+        if depends:
+            then, there = _moved(equations, positions[0], times[0], goes_on=True)
+            return np.concatenate([times, then]), np.concatenate([positions, there])
+        times = np.concatenate([times, _with_drives_on(equations, times)])
+        positions = np.concatenate([positions, _moved(equations, positions[0], times[-1], goes_on=False)[1]])
         return np.repeat(times, len(positions)), np.tile(positions, (len(times), 1))
     if not depends and len(closure.driven) + sum(map(bool, closure.drives)) > 1:
         times, positions = (np.concatenate(pair) for pair in zip((times, positions), _stirred(closure), strict=True))
@@ -50,28 +57,42 @@ def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Ar
     return np.concatenate([times, then]), np.concatenate([positions, there])
 
 
-def _moved(equations: VelocityEquations, start: Array, time: float) -> list[Array]:
-    """Return a position (1, m) a little further than the start by all equations together, none where they have no value.
+def _moved(equations: VelocityEquations, start: Array, time: float, goes_on: bool) -> tuple[Array, Array]:
+    """Return times (k,) and positions (k, m) ever further beyond the start by all equations together.
 
-    At a start of zero a sine hides the sign before it.  Eight steps leave no error that could be seen.
+    At a start of zero a sine hides the sign before it.  Equations that have no common solution somewhere lead nowhere, and are
+    told there.  Time stands still unless it `goes_on`; then it stays in the run, and before a formula changes.
     """
     variant = equations.variant
     laws = [law.name for law in variant.drive]
     system = compile_system(equations, [*equations.equations, *equations.from_closure, *equations.bound])
 
-    def rates(_: float, q: Array) -> Array:
-        matrix, right, _rest = system.matrices(np.array([time]), q[None])
-        found = dict(zip(equations.unknowns, np.linalg.pinv(matrix[0]) @ right[0], strict=True))
-        found |= dict(zip(laws, drive_values(equations, laws, np.array([time]))[0], strict=True))
-        return np.array([found[one.rate] for one in variant.coordinates])
+    def solved(later: float, q: Array) -> tuple[Array, bool]:
+        at = np.array([later if goes_on else time])
+        (matrix,), (right,), _rest = system.matrices(at, q[None])
+        values = np.linalg.pinv(matrix) @ right
+        terms = np.abs(matrix) @ np.abs(values) + np.abs(right)
+        found = dict(zip(equations.unknowns, values, strict=True))
+        found |= dict(zip(laws, drive_values(equations, laws, at)[0], strict=True))
+        rates = np.array([found[one.rate] for one in variant.coordinates])
+        return rates, bool(np.all(np.abs(matrix @ values - right) <= _FITS * terms))
 
+    ends = [at for at in (*breaks(variant), variant.time.end) if at > time]
+    now, q, seen = time, start, list[tuple[float, Array]]()
     with suppress(np.linalg.LinAlgError, ArithmeticError, ValueError, KeyError):
-        fastest = float(np.max(np.abs(rates(time, start))))
-        q, step = start, _STIRRED / 8 / fastest if fastest else 0.0
-        for _ in range(8):
-            q = PRECISE.step(rates, time, q, step)
-        return [q[None]] if np.isfinite(q).all() and fastest else []
-    return []
+        for reach in _REACHES:
+            first, fits = solved(now, q)
+            fastest = float(np.max(np.abs(first)))
+            step = reach / fastest if fastest else 0.0
+            if goes_on:  # a drive that starts from rest has no speed yet
+                step = min([step or np.inf, variant.time.end / _LOOKS, *((at - now) / 2 for at in ends)])
+            for part in step / 2.0 ** np.arange(_HALVED if fits and step else 0):
+                there = PRECISE.step(lambda later, at: solved(later, at)[0], now, q, part, first)
+                if np.max(np.abs(there - q)) <= 2 * reach:
+                    now, q = now + float(part), there
+                    seen.append((now, q))
+                    break
+    return np.array([at for at, _ in seen]), np.array([there for _, there in seen]).reshape(-1, len(start))
 
 
 def _stirred(closure: Closure) -> tuple[Array, Array]:

@@ -209,14 +209,38 @@ def test_a_drive_without_a_value_later_on_leaves_the_equations_judged_at_the_sta
     assert len(confirmed(TWO_ARMS.replace('"0.4"', '"0.4/(1 - t)^2"'))) == 2
 
 
+# Of the windshield wiper with its crank along the line from O: rad, by two triangles.
+CLOSED = (0.0, 0.6406099593716998, 1.4389218848213268, 0.03749007509521021, 1.4338576119563597)
+CRANK, COSINE, LAST = "-r1*w1*sin(phi1) - r2", "r1*w1*cos(phi1)", "+ r5*w5*sin(phi5)"
+
+
+def wiper(loop="(B - D - r3 @ phi3)", *changes, **changed):
+    """Return the wiper with position equations for one of its two loops; the other is closed by its written equations alone."""
+    starts = {f"phi{place}": f'{{ start = "{at} rad", rate = "w{place}" }}' for place, at in enumerate(CLOSED, start=1)}
+    return mechanism("windshield-wiper", *changes, holds=f'["{loop}.x", "{loop}.y"]', **starts, **changed)
+
+
 def test_a_loop_that_only_equations_close_is_judged_where_it_closes():
     """The second loop has no position equation: away from the start its links are not where its equations take them."""
-    closed = (0.0, 0.6406099593716998, 1.4389218848213268, 0.03749007509521021, 1.4338576119563597)  # rad, by two triangles
-    starts = {f"phi{place}": f'{{ start = "{at} rad", rate = "w{place}" }}' for place, at in enumerate(closed, start=1)}
-    held = '["(B - D - r3 @ phi3).x", "(B - D - r3 @ phi3).y"]'
-    text = mechanism("windshield-wiper", holds=held, **starts)
-    assert confirmed(text) == ("1", "2")  # nothing is contradicted, nor told to bend
-    # The sign before the sine of a start of zero; one in the loop that nothing holds.
-    for right, wrong in (("-r1*w1*sin(phi1) - r2", "r1*w1*sin(phi1) - r2"), ("+ r5*w5*sin(phi5)", "- r5*w5*sin(phi5)")):
-        with pytest.raises(coursework.InputError, match=r"V302 .*equation 1 contradicts|V303 .*: 3 .*; 4 "):
-            confirmed(text.replace(right, wrong))
+    assert confirmed(wiper()) == ("1", "2")  # nothing is contradicted, nor told to bend
+    # What is right only while the second loop closes, and the sign in it that nothing holds.
+    assert confirmed(wiper("(B - D - r3 @ phi3)", (LAST, "+ w5*(yD - yG + r3*sin(phi3) + r4*sin(phi4))"))) == ("1", "2")
+    with pytest.raises(coursework.InputError, match=r"V303 .*: 3 .*; 4 "):
+        confirmed(wiper("(B - D - r3 @ phi3)", (LAST, LAST.replace("+", "-"))))
+
+
+@pytest.mark.parametrize("loop", ["(B - D - r3 @ phi3)", "(E - G - r5 @ phi5)"])
+@pytest.mark.parametrize(
+    "slip", [(CRANK, CRANK[1:]), (COSINE, f"-{COSINE}"), (COSINE, "r1*w1")]
+)  # hidden at the start, not, more so
+def test_one_slip_in_a_loop_that_only_equations_close_is_named(loop, slip):
+    with pytest.raises(coursework.InputError, match=r"V302 .*equation [12] contradicts"):
+        confirmed(wiper(loop, slip))
+
+
+@pytest.mark.parametrize(("drive", "angle"), [("n1", "n1*t"), ("n1*sin(n1*t)", "(1 - cos(n1*t))")])  # one starts from rest
+def test_a_sign_hidden_at_the_start_is_seen_where_equations_depend_on_time(drive, angle):
+    timed = CRANK.replace("phi1", angle)
+    assert confirmed(wiper("(B - D - r3 @ phi3)", (CRANK, timed), w1=drive)) == ("1", "2")
+    with pytest.raises(coursework.InputError, match=r"V302 .*equation 1 contradicts"):
+        confirmed(wiper("(B - D - r3 @ phi3)", (CRANK, timed[1:]), w1=drive))
