@@ -130,7 +130,10 @@ def _numbers_in(
     Data and velocities that are `letters` in it are not meant by a number, and where one length is a letter, none is.
     """
     numbers = [(one.name, one.value, one.si) for one in variant.given]
-    numbers += [(name, float(law[0]), name) for name, law in _laws(variant, probe) if np.ptp(law) <= _SAME * abs(law[0])]
+    # Of a drive that rests no number is a copy: any term with a number would be taken away.
+    numbers += [
+        (name, float(law[0]), name) for name, law in _laws(variant, probe) if law[0] and np.ptp(law) <= _SAME * abs(law[0])
+    ]
     units = {si for name, _, si in numbers if name in letters}
     known = [(*one, name, si) for name, value, si in numbers for one in _scaled(name, value, si)]
     for part in dict.fromkeys(node for node in tree.walk() if {*node.names()} <= {"pi"}):

@@ -51,10 +51,18 @@ _SAID = re.compile(
 _VERB = re.compile(r"(?<=\))\s([^\W\d_]{4,20})\.\s*$")  # "= a*w1*cos(phi) olur."
 _NOTED = re.compile(r"\s\[([^\W\d_]{2,20})[.\s][^\[\]=*/+]{1,40}\]\s*$")  # "= u   [eq. of x]"
 _ONLY_WORDS = re.compile(r"[^=*/+()]{0,60}")  # behind an arrow: "= u → x axis"
-_LEADER = re.compile(r"\s(?:\.{3,9}|…)\s*[^\W\d_]{3,20}[^=*/+]{0,60}$")  # "= u ... from the yoke"
+_LEADER = re.compile(r"\s(?:\.{3,9}|…)\s*([^\W\d_]{3,20})[^=*/+]{0,60}$")  # "= u ... from the yoke"
 _ASIAN = "\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af"
 _ASIAN_BEHIND = re.compile(rf"(?<![{_ASIAN}])[{_ASIAN}][{_ASIAN}\s.,;:]*$")  # "= u 이다."
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
+# Words behind an equation that change it, and a term there.
+_CHANGES = re.compile(
+    r"\b(?:half|halved|twice|doubled?|minus|plus|times|squared|negated|negative|divided|multiplied|halb\w*|doppelt\w*|mal|durch(?!\s+(?:Punkt|de[nr]|das|die))|geteilt"
+    r"|половин\w*|пополам|вдвое|удво\w*|минус|плюс|умнож\w*|дел[её]н\w*|мінус|помнож\w*)\b|[半倍负負减減乘除]|加(?!速度)|절반|배|빼기|더하기",
+    re.IGNORECASE,
+)
+_TERM = re.compile(rf"[\s,.;]*(?:[^\W\d_]{{2,12}}\s+|{ARROW}|\()\s*[-+−–]\s*([^\W_]\w*)")
+_RATIO = re.compile(r"[\w)]\s*:\s*[\w(][^=:]*=[^=:]*[\w)]\s*:\s*[\w(][^=:]*$")
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
 _ASIDE_AT_END = re.compile(r"(?:\s|(?=\([^()=]{0,39}[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]))\(([^()=]{1,80})\)[.,;]?\s*$")
 _POINT_AT_END = re.compile(r"(?<=\S)\s+\([A-Z]\)[.,;]?\s*$")
@@ -111,7 +119,8 @@ def _begun(text: str, is_name: Callable[[str], bool]) -> str:
     """Return a line from the start of its equation: after an arrow, a colon, an unopened closing bracket, or words."""
     before = text.rpartition("=")[0]
     for sign in (ARROW, ":"):
-        if sign in before and "lambda" not in before:
+        is_ratio = sign == ":" and _RATIO.search(text) and is_name(before.partition(":")[0].strip())  # w2 : w1 = r1 : r2
+        if sign in before and "lambda" not in before and not is_ratio:
             text = text[before.rindex(sign) + 1 :]
             before = text.rpartition("=")[0]
     inside = depths(text.partition("=")[0])
@@ -192,18 +201,27 @@ def _without(label: re.Pattern[str], text: str) -> str:
 
 
 def _ended(text: str, is_name: Callable[[str], bool]) -> str:
-    """Return an equation without the remark or unit behind it, such as "= 0, since C keeps its height"."""
+    """Return an equation without the remark or unit behind it, unless that changes it, as "halved" or "minus r1*w1" does."""
+    ended = _cut(text, is_name)
+    behind = text[len(ended) :]
+    term = _TERM.match(behind)
+    return text if _CHANGES.search(behind) or (term and (term[1].isdigit() or is_name(term[1]))) else ended
+
+
+def _cut(text: str, is_name: Callable[[str], bool]) -> str:
+    """Return an equation without what stands behind it, such as "= 0, since C keeps its height"."""
     if found := _VANISHES.search(text):
         return text[: found.end()] if not relates_two_sides(text[found.end() :]) else text
     text = _ASIAN_BEHIND.sub("", _SAYS_SO.sub("", _TO_BE_DONE.sub("", text)))
     if (verb := _VERB.search(text)) and "=" in text[: verb.start()] and not is_name(verb[1]):
         text = text[: verb.start()]
     if (noted := _NOTED.search(text)) and "=" in text[: noted.start()] and not is_name(noted[1]) and not unit_of(noted[1]):
-        text = text[: noted.start()]
+        # "2*w3 [cosinus φ3 - 2]" holds a factor
+        text = text if any(len(word) > 1 and is_name(word) for word in re.findall(r"\w+", noted[0])) else text[: noted.start()]
     head, arrow, tail = text.partition(ARROW)
     if arrow and "=" in head and _ONLY_WORDS.fullmatch(tail):
         return _ended(head.rstrip(), is_name)
-    if (leader := _LEADER.search(text)) and "=" in text[: leader.start()]:
+    if (leader := _LEADER.search(text)) and "=" in text[: leader.start()] and not is_name(leader[1]):
         return _ended(text[: leader.start()], is_name)
     aside = _ASIDE_AT_END.search(text)
     if aside and "=" in text[: aside.start()] and _is_aside(aside[1], is_name):

@@ -48,7 +48,11 @@ _NUMBER_SAID = re.compile(
     r"[\w\s,;:.]*?(?<![\w.])(\w{1,20})\s*=\s*-?\d[\d.,]{0,12}(?:\s[^=*+()]{0,30})?$"
 )  # n = 60 rpm, w = 9 1/s all the time
 _ATTRIBUTE = re.compile(r"\w\.[^\W\d]")  # phi1.real
-_MAY_BE_SPEED = re.compile(r"[vwudqωΩ]|om|.*\d", re.IGNORECASE)
+_MAY_BE_SPEED = re.compile(r"[vwudqnωΩ]|om|rot|.*(?:\d|dot|punkt|rate|speed|geschw|скор|швидк|оборот|速)", re.IGNORECASE)
+_TANGENT = re.compile(r"(?:tan|tg|cot|ctg|sec)\s*[\[({]?\s*\\?[^\W\d]|[sc]_?\d", re.IGNORECASE)
+_BEGUN = re.compile(
+    r"(?:if|for|do|while|else|import|from|begin)\b(?!\s*\()[^=]*[^=<>!:]=(?!=)"
+)  # a word of programs and of sentences
 _FEWEST = 4  # an expression has more words than this, so that it is not prose
 
 # Statements of a program that are not equations: it asks, repeats, calls, prints, stops, counts; also the time of a row.
@@ -189,6 +193,9 @@ def is_statement(text: str, sought: Sequence[str] = ()) -> bool:
     if _STATEMENT.match(text) is None:
         return False
     left, _, right = text.partition("=")
+    is_said = any(sign in text for sign in "*/·") and {*re.findall(r"\w+", text)} & {*sought}
+    if _BEGUN.match(text) and (is_said or TURNED.search(text)):
+        return False  # "for C: r1*w1*sin(phi1) = …"
     return not ("," in left and {*re.findall(r"\w+", left)} & {*sought} and TURNED.search(right))
 
 
@@ -220,17 +227,20 @@ def says_nothing(text: str, names: Names) -> bool:
     strange = [word for word in WORD.findall(plainly) if not names.is_name(word)]
     named = names_in(text, names.spellings)
     number = None if names.expected.answers else _NUMBER_SAID.match(plainly)  # where answers are asked it may be one, misspelt
-    if number and names.spellings.canonical(number[1]) not in names.expected.variant.sought:
+    is_free = named.isdisjoint(names.expected.variant.sought) and not TURNED.search(plainly)  # V_C = 2 r w sinn φ is an equation
+    if number and is_free:
         return True
     # "On a x = r cos φ": of places alone, in words none of which may be a velocity of the student
     is_said = any(len(word) > 1 for word in strange) and all(map(str.isalpha, strange)) and not _ATTRIBUTE.search(text)
     if is_said and not any(map(_MAY_BE_SPEED.match, strange)) and "[" not in text and no_velocity(text, names):
         return True
-    if not TURNED.search(plainly) and not _COMPLEX.search(plainly):
+    if not any(sign.search(plainly) for sign in (TURNED, _TANGENT, _COMPLEX)):
         sought = named & {*names.expected.variant.sought}
         words = len([*filter(_NATURAL.fullmatch, strange)])
         is_sentence = words >= _SENTENCE and "=" not in plainly if sought else words >= _SEVERAL_WORDS
-        return any(map(_SPEED.fullmatch, strange)) or is_sentence
+        # v_P = v_A + v_PA = … = 0 relates velocities: what could not be read of it may be right
+        is_related = sought and len(named & {*names.spellings.rates.values(), *names.expected.variant.velocities}) > 1
+        return (any(map(_SPEED.fullmatch, strange)) and not is_related) or is_sentence
     left, _, right = plainly.partition("=")
     return no_velocity(left, names) and strange == [right.strip(" .,;")]
 

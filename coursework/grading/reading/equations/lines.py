@@ -116,8 +116,7 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
     sections = _sections(lines, names) if beside is None else [len(lines)]
     meanings = _definitions(lines, names, sections) if beside is None else [{}]
     listed = sign_of_list([line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical)
-    found, answers = Lines(), dict[str, AnswerLine]()
-    tried = characters = 0
+    found, answers, tried, characters = Lines(), dict[str, AnswerLine](), 0, 0
     own, with_own, defined = dict[str, Formula](), names, set[str]()
     for place, (number, line) in enumerate(lines):
         if place in {0, *sections}:
@@ -139,9 +138,10 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
             or is_step(line, names)
             or is_row(line)
             or is_question(line, names)
-            or is_vector_sum(line, names)
         ):
             one = kept(read_line(line, name, number, with_own)) if _is_equation(line, names) else None
+            if one and is_vector_sum(line, names):  # of one axis, if its parts are defined so
+                one = replace(one, may_be_datum=True) if one.tree else None
             found.equations += [one] if one and (one.tree or not says_nothing(line, with_own)) else []
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []

@@ -24,6 +24,7 @@ from coursework.variant.record.variant import Variant
 Meanings = Mapping[str, Formula]
 _SAME = 1e-9
 _IN_A_METRE = (1000, 100)  # mm, cm
+_FACTOR = 2  # numbers up to this are factors and no lengths in mm or cm
 _SHORT = {"c": "cos", "s": "sin", "C": "cos", "S": "sin", "cos": "cos", "sin": "sin"}
 _KINDS = {**dict.fromkeys(("theta", "psi", "alpha", "beta", "gamma", "q", "p"), "rad"), **dict.fromkeys(("l", "L"), "m")}
 _END_POINTS = re.compile(r"[|\s]*([A-Z]\w?'?)\s*-?\s*([A-Z]\w?'?)[|\s]*")
@@ -112,8 +113,10 @@ def in_smaller_units(tree: Formula, variant: Variant) -> Iterator[Formula]:
         tree = with_names(tree, lambda name: Formula("*", (name, turns)) if name.name in speeds else name)
         yield tree
     lengths = _with_lengths(variant)
-    if lengths.keys().isdisjoint(tree.names()) or not any(node.op == "number" and node.value for node in tree.walk()):
-        return
+    if lengths.keys().isdisjoint(tree.names()) or not any(
+        node.op == "number" and abs(node.value) > _FACTOR for node in tree.walk()
+    ):
+        return  # beside lengths in mm a term without one, as in … + w1, would be small enough to pass as rounding
 
     for factor in _IN_A_METRE:
 

@@ -16,8 +16,11 @@ _REMARK = re.compile(
     r"(?<!\\)%(?![io]\d+\)|(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)(?:_|\s+(?:right|cdot|\)))).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
 )
 _DASHED = re.compile(r":[-–—](?=\s)")  # "Along the rod:- u = …": the dash is no minus
-_STRUCK = re.compile(r"~~[^~\n]{1,400}~~(?:\s+(?:wrong|falsch|неверно|no)\b[^=]*$)?")  # struck out in Markdown
-_ASKED = re.compile(r"\s(?:<-{1,3}|←)\s(?=[^=]*$)|\s\?{2,9}")  # what is said or asked of the equation before it
+_STRUCK = re.compile(
+    r"(?<!\S)~~(?=\S)[^~\n]{1,400}(?<=\S)~~(?!\w)(?:\s+(?:wrong|falsch|неверно|no)\b[^=]*$)?"
+)  # struck out in Markdown; in TeX two blanks
+# What is said or asked of the equation before it; a term is neither.
+_ASKED = re.compile(r"\s(?:<-{1,3}|←)\s(?!\s*[-+−–])(?=[^=]*$)|\s\?{2,9}(?!\s*[-+−–*/·])")
 _WITHDRAWN = re.compile(r"\b(?:crossed|struck|wrong|falsch|ungültig|cancel|ignore|неверно|зачеркнуто)|错|划掉", re.IGNORECASE)
 # Comments of Fortran, known by its words; and the names that a comment of any language explains.
 _FORTRAN = re.compile(r"(?im)^[ \t]*(?:!|(?:subroutine|program|implicit|end|call|real|double precision)\b|d(?:sin|cos)\()|\s!\s")

@@ -157,6 +157,8 @@ def test_a_step_adds_a_coordinate_s_own_rate_to_it(line: str, holds: bool, names
     [
         ("w1, w2 = f(r1)", True), ("w1, w2 = f(sin(phi1))", False), ("k1, k2 = f(sin(phi1))", True), ("w1 = f(sin(phi1))", False),
         ("t = i*h", True), ("n = 25", True),
+        ("for C: r1*w1*sin(phi1) = 0", False), ("if it rolls: r1*w1 = r2*w2", False), ("if w1 == 0*r1:", True),
+        ("for (i = 0; sin(phi1) <= 1; i++) {", True), ("if sin(phi1) == 0: return", True),
     ],
 )  # fmt: skip
 def test_a_statement_that_gives_velocities_from_sines_has_an_equation_in_it(line: str, holds: bool) -> None:
@@ -171,6 +173,11 @@ def test_a_statement_that_gives_velocities_from_sines_has_an_equation_in_it(line
         ("r1*w1*cos(phi1) = x_F", False, False), ("r1*cos(phi1) = x_F + 1", False, False),
         ("so we get velocities w1", False, False),
         ("so that one point rests", False, True), ("one point", False, False),
+        # a tangent, a velocity in words or with a dot: these may be equations that nobody could read
+        ("r3*w4 = v_B", False, True),
+        ("v_P = v_A + v_PA = r1*w1 + r3*w4 + 0*", False, False), ("r3*w4 = v_B*tan(phi3)", False, False),
+        ("On a x = r1*cos(phi1)", False, True), ("On a xdot = r1*cos(phi1)", False, False),
+        ("V_C = 2 rr a", False, True), ("V_C = 2 r3 w3 sinn phi3", False, False), ("k = 2 r3 w3", False, False),
     ],
 )  # fmt: skip
 def test_what_says_nothing_of_the_velocities_sought(line: str, vectors: bool, nothing: bool, names) -> None:

@@ -113,3 +113,9 @@ def test_a_velocity_by_different_others_is_several_equations(line: str, read: li
 def test_names_of_ones_own_stand_for_their_formulas(text: str, by_hand: float | tuple[float, ...]) -> None:
     read = [abs(evaluate_any(line.difference, KNOWN)) for line in read_lines(text, "own.txt", expected()).equations]
     assert read == pytest.approx([*map(abs, by_hand if isinstance(by_hand, tuple) else (by_hand,))])
+
+
+def test_a_sum_of_velocities_of_points_counts_if_its_parts_are_defined_and_it_is_right() -> None:
+    parts = "v_M = VMx\nv_CM = (a + c)*w3*sin(phi3)\n"
+    for text, found in ((f"{parts}v_C = v_M + v_CM", [("v_C = v_M + v_CM", True)]), ("v_C = v_M + v_CM", [])):
+        assert [(one.text, one.may_be_datum) for one in read_lines(text, "", expected("v110")).equations] == found

@@ -119,3 +119,7 @@ def test_entries_of_a_vector_that_nothing_names_are_no_velocities() -> None:
 
 def test_a_list_without_end_that_is_returned_takes_nothing_away() -> None:
     assert marked(f"{FIRST}\n{SECOND}\nreturn [w1, w2, w3").independent == 2
+
+
+def test_a_term_with_a_number_is_no_drive_that_rests() -> None:
+    assert marked("r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0.5*w1").independent == 0

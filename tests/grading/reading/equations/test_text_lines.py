@@ -48,6 +48,19 @@ def test_a_line_of_two_equations(line: str, parted: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("line", "bare"),
+    [
+        ("~~w3 = w1~~ w3 = 2*w1", "w3 = 2*w1"), ("w3~~=~~2*w1~~-~~w2", "w3~~=~~2*w1~~-~~w2"),
+        ("w3 ~~ = ~~ 2*w1", "w3 ~~ = ~~ 2*w1"),
+        ("w3 = 2*w1 ?? see (3)", "w3 = 2*w1"), ("w3 = 2*w1 ?? + w2", "w3 = 2*w1 ?? + w2"),
+        ("w3 = 2*w1 ← by (3)", "w3 = 2*w1"), ("w3 = 2*w1 ← - w2", "w3 = 2*w1 ← - w2"),
+    ],
+)  # fmt: skip
+def test_no_term_of_an_equation_is_struck_or_asked_away(line: str, bare: str) -> None:
+    assert [one for _, one in text_lines(line, names_for(expected()))] == [bare]
+
+
+@pytest.mark.parametrize(
     ("line", "said"),
     [
         ("k = 2*r1  # big_r = r2", ["big_r = r2", "k = 2*r1"]), ("k = 2*r1  # so r = r2 + 1", ["k = 2*r1"]),

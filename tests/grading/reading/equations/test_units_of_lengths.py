@@ -86,6 +86,15 @@ def test_an_angle_in_degrees_may_have_decimals(text):
     assert verdicts(text.replace("11", "12")) == ["number"]
 
 
+def test_a_term_without_a_length_is_no_rounding_of_millimetres():
+    text = f"{LINE.format(a='a', m='m')[:-4]} = w2"
+    judge = Judge(KEY)
+    marks = judge.mark(
+        read_lines(f"{text}\na*w1*cos(phi1) + 2*m*w2*0.5*cos(phi2 + lam) + w2 = 0", "", Expected(KEY.grid, KEY.variant)).equations
+    )
+    assert [mark.verdict for mark in marks.marks] == ["wrong", "wrong"]
+
+
 def test_a_slip_in_an_equation_that_a_program_keeps_under_a_name_has_its_hint():
     lines = read_lines(
         "F(2) = vF - a*w1*sin(phi1) + m*w2*sin(phi2 + lam) == 0;", "f.m", Expected(KEY.grid, KEY.variant)
