@@ -52,8 +52,8 @@ _VERB = re.compile(r"(?<=\))\s([^\W\d_]{4,20})\.\s*$")  # "= a*w1*cos(phi) olur.
 _NOTED = re.compile(r"\s\[([^\W\d_]{2,20})[.\s][^\[\]=*/+]{1,40}\]\s*$")  # "= u   [eq. of x]"
 _ONLY_WORDS = re.compile(r"[^=*/+()]{0,60}")  # behind an arrow: "= u → x axis"
 _LEADER = re.compile(r"\s(?:\.{3,9}|…)\s*([^\W\d_]{3,20})[^=*/+]{0,60}$")  # "= u ... from the yoke"
-_ASIAN = "\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af"
-_ASIAN_BEHIND = re.compile(rf"(?<![{_ASIAN}])[{_ASIAN}][{_ASIAN}\s.,;:]*$")  # "= u 이다."
+ASIAN = "\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af"  # letters of Japanese, Chinese and Korean
+_ASIAN_BEHIND = re.compile(rf"(?<![{ASIAN}])[{ASIAN}][{ASIAN}\s.,;:]*$")  # "= u 이다."
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
 # Words behind an equation that change it, and a term there.
 _CHANGES = re.compile(
@@ -64,10 +64,10 @@ _CHANGES = re.compile(
 _TERM = re.compile(rf"[\s,.;]*(?:[^\W\d_]{{2,12}}\s+|{ARROW}|\()\s*[-+−–]\s*([^\W_]\w*)")
 _RATIO = re.compile(r"[\w)]\s*:\s*[\w(][^=:]*=[^=:]*[\w)]\s*:\s*[\w(][^=:]*$")
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
-_ASIDE_AT_END = re.compile(r"(?:\s|(?=\([^()=]{0,39}[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]))\(([^()=]{1,80})\)[.,;]?\s*$")
+_ASIDE_AT_END = re.compile(rf"(?:\s|(?=\([^()=]{{0,39}}[{ASIAN}]))\(([^()=]{{1,80}})\)[.,;]?\s*$")
 _POINT_AT_END = re.compile(r"(?<=\S)\s+\([A-Z]\)[.,;]?\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
-_CHINESE = re.compile(rf"[{_ASIAN}][:,]?\s*")
+_ASIAN_BEFORE = re.compile(rf"[{ASIAN}][:,]?\s*")
 _NUMBER_BEHIND = re.compile(r"\s+\d")  # a number after a blank: "at point P 2*r3*w3"; no factor is followed by one
 _GLUED = re.compile(r".(?:sin|cos)$")  # names written together with a function: vCcos φ2 is no word
 _AXES = ("x", "y", "z", "ox", "oy")
@@ -127,7 +127,7 @@ def _begun(text: str, is_name: Callable[[str], bool]) -> str:
     if -1 in inside:
         text = text[inside.index(-1) + 1 :]
     start = 0
-    for found in _CHINESE.finditer(text.partition("=")[0]):
+    for found in _ASIAN_BEFORE.finditer(text.partition("=")[0]):
         start = found.end()
     return without_words(text[start:], is_name)
 

@@ -10,7 +10,7 @@ import re
 from coursework.grading.reading.equations.notation.signs import closing
 from coursework.grading.reading.equations.systems.parts import at_signs, vector
 
-_OPENS = re.compile(r"(?:(?m:^)|(?<=[=*·⋅×\s)]))[ \t]*\((?=[^()]|\()")
+_OPENS = re.compile(r"(?:(?m:^)|(?<=[=*·⋅×\s)]))[ \t]*\((?=[^)])")
 _BEFORE = re.compile(r"(?:(?:^|[;,])[ \t]*|=[ \t]*|\)?[ \t]*[*·⋅×][ \t]*|\)[ \t]*|⁻¹[ \t]*)$")
 _BEHIND = re.compile(r"[ \t]*(?:$|[=*·⋅×(;,.]|:=|⁻¹|\^[({]?-1)", re.MULTILINE)
 _GOES_ON = re.compile(r"[-+*/=−·(]\s*$|^\s*[+*/=]", re.MULTILINE)
