@@ -95,10 +95,10 @@ def test_a_page_of_every_kind_is_seen_whole(kind: str, places: dict[str, Path], 
     "kind", [kind if kind in {"feedback", "class"} else pytest.param(kind, marks=pytest.mark.long) for kind in KINDS]
 )
 def test_axe_has_nothing_to_say_of_any_kind_of_page(kind: str, places: dict[str, Path], page: Any) -> None:
-    sized(page, 1000)
     page.goto(places[kind].as_uri())
     page.add_script_tag(path=AXE)
-    for scheme in ("light", "dark"):
+    for width, scheme in ((1000, "light"), (1000, "dark"), (390, "light")):
+        sized(page, width)
         page.emulate_media(color_scheme=scheme)
         assert page.evaluate(ASKED) == []
     page.emulate_media(color_scheme="light")
