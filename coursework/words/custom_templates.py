@@ -33,7 +33,7 @@ def templates_of(own: Path | None) -> Iterator[None]:
     with tempfile.TemporaryDirectory(prefix="coursework-templates-") as place:
         together = Path(place) / REPORTS
         shutil.copytree(folder_of_package(REPORTS), together)
-        shutil.copytree(folder_of_package(REPORTS), together / PACKAGE)
+        shutil.copytree(folder_of_package(REPORTS), together / PACKAGE, ignore=shutil.ignore_patterns("fonts"))
         for path in templates_in(own):
             target = together / path.relative_to(own)
             target.parent.mkdir(exist_ok=True)

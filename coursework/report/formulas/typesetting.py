@@ -7,13 +7,8 @@ Used by `svg.py` and `pdf.py`.
 
 from __future__ import annotations
 
-import atexit
-import importlib.util
 import json
-import os
 import re
-import shutil
-import tempfile
 import threading
 from functools import cache, lru_cache
 from pathlib import Path
@@ -28,9 +23,6 @@ from coursework.words.templates import failing_piece
 
 if TYPE_CHECKING:
     import typst
-
-# The sans-serif font for figures and for signs that the text font lacks; it comes with matplotlib.
-FACES = ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSans-Oblique.ttf", "DejaVuSans-BoldOblique.ttf")
 
 # Typst keeps each result until ten further compilations have not used it: 480 MB for reports that differ in their data.  So
 # many empty compilations before each PDF, 0.2 ms each, still keep what the next report reuses, and halve the memory.
@@ -47,52 +39,11 @@ def _typst() -> Any:
     return typst
 
 
-def _fonts(everything: bool) -> typst.Fonts:
-    """Return Typst's own fonts, DejaVu Sans and those of `reports/fonts`; `everything` adds the fonts of the machine."""
-    return _fonts_in((_faces(), folder("reports") / "fonts"), everything)
-
-
 @lru_cache(maxsize=2)
-def _fonts_in(places: tuple[Path, ...], everything: bool) -> typst.Fonts:
-    fonts: typst.Fonts = _typst().Fonts(include_system_fonts=everything, font_paths=list(map(str, places)))
+def _fonts(place: Path, everything: bool) -> typst.Fonts:
+    """Return Typst's own fonts and those of the folder `place`; `everything` adds the fonts of the machine."""
+    fonts: typst.Fonts = _typst().Fonts(include_system_fonts=everything, font_paths=[str(place)])
     return fonts
-
-
-_places: list[Path] = []
-
-
-def _faces() -> Path:
-    """Return a folder with only `FACES`: for missing signs, Typst would also take the other fonts of matplotlib's folder.
-
-    Typst reads a font when it first needs it, so the folder is made anew if it was deleted in between.
-    """
-    if _places and _places[-1].is_dir():
-        return _places[-1]
-    found = importlib.util.find_spec("matplotlib")
-    if found is None or found.origin is None:
-        raise OutputError(say("fault.W013", command=installing("matplotlib")))
-    source = Path(found.origin).parent / "mpl-data" / "fonts" / "ttf"
-    try:
-        place = Path(tempfile.mkdtemp(prefix="coursework-fonts-"))
-        atexit.register(_removed, place, os.getpid())
-        for face in FACES:
-            _link(source / face, place / face)
-    except OSError:
-        place = source  # no room for temporary files: matplotlib's whole folder must do
-    _places.append(place)
-    return place
-
-
-def _removed(place: Path, owner: int) -> None:
-    if os.getpid() == owner:  # a forked child must not take the fonts away from its parent
-        shutil.rmtree(place, ignore_errors=True)
-
-
-def _link(source: Path, target: Path) -> None:
-    try:
-        target.symlink_to(source)
-    except OSError:  # on Windows only administrators may make links
-        shutil.copyfile(source, target)
 
 
 def typeset(
@@ -110,7 +61,7 @@ def typeset(
         _forget()
     return _typst().compile(
         sources(template, data),
-        font_paths=_fonts(everything),
+        font_paths=_fonts(place / "fonts", everything),
         root=str(place),
         format=kind,
         ppi=ppi,
@@ -146,5 +97,6 @@ def _forget() -> None:
 
 @cache
 def _empty() -> typst.Compiler:
-    compiler: typst.Compiler = _typst().Compiler(b"", root=str(folder("reports")), font_paths=_fonts(everything=False))
+    place = folder("reports")
+    compiler: typst.Compiler = _typst().Compiler(b"", root=str(place), font_paths=_fonts(place / "fonts", everything=False))
     return compiler

@@ -58,4 +58,4 @@ def notebook_html(run: SceneRun, language: str = "en") -> str:
     context = PageContext(run, load_words(language))
     parts = [part for write, quantity in SHOWN if quantity is None or run.asks(quantity) for part in write(context)]
     page = {"language": language, "heading": heading_of(context), "method": runs(method_line(context)), "parts": parts}
-    return filled("notebook.html.j2", page=page, pictures={})
+    return filled("notebook.html.j2", page=page, pictures={}, live=None)
