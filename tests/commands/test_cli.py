@@ -123,6 +123,7 @@ WRONG = {
     "jobs zero": (["run", "31", "--jobs", "0"], "C055 --jobs takes a number of at least 1."),
     "help level": (["assign", "roster.csv", "--help-level", "5"], "C056 --help-level takes a number from 0 to 1."),
     "no value": (["run", "31", "--step"], "C098 --step needs a value behind it."),
+    "no path": (["run", "31", "--templates", "--out", "a"], "C098 --templates needs a value behind it."),
     "a value of a switch": (["run", "31", "--no-live=5"], "C099 --no-live takes no value: write it alone."),
     "in another language": (["run", "31", "--language", "ru", "--out"], "C098 после --out нужно значение."),
     "language with =": (["run", "31", "--language=zh", "--stepp"], "C051 没有选项 --stepp。"),

@@ -67,6 +67,11 @@ def test_what_cannot_be_meant_is_refused_before_anything_is_computed(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize("words", [["--language", "ru"], ["--language=ru"]])
+def test_a_folder_that_is_missing_is_told_in_the_language_of_the_command(words: list[str]) -> None:
+    assert "такой папки шаблонов нет" in run("31", "--templates", "nowhere", *words).stderr
+
+
 BROKEN = {
     "a tag that is none": ({"parts.html.j2": "a\n{% broken"}, "parts.html.j2:2"),
     "a gap nothing fills": ({"report.html.j2": "\n{{ page.nothing.at }}"}, "report.html.j2:2"),

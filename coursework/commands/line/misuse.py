@@ -1,6 +1,7 @@
 """A misused command line -> a fault with a code, in the language of the command.
 
-Enters: an exception of click.  Leaves: a line on standard error, below the usage of the command.  Used by `program.py`.
+Enters: an exception of click.  Leaves: a line on standard error, below the usage of the command.
+Used by `program.py` and `options.py`.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ _TOO_MANY = re.compile(r"Got unexpected extra arguments? \((.*)\)\Z", re.DOTALL)
 def tell_misuse(error: click.ClickException, words: Sequence[str]) -> None:
     """Print what is wrong with the command line `words`, which may itself choose the language."""
     try:
-        speak(_asked_for(words))
+        speak(language_of(words))
     except InputError:
         speak(ENGLISH)
     if isinstance(error, click.UsageError) and error.ctx is not None:
@@ -80,7 +81,7 @@ def _name(error: click.BadParameter) -> str:
     return error.param.get_error_hint(error.ctx).strip("'").removesuffix("...")
 
 
-def _asked_for(words: Sequence[str]) -> str:
+def language_of(words: Sequence[str]) -> str:
     """Return the language chosen on a command line, else that of the environment."""
     for place, word in enumerate(words):
         if word.startswith("--language="):

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial, wraps
 from itertools import pairwise
 from pathlib import Path
@@ -18,8 +19,8 @@ import click
 
 from coursework.system.late import late
 
-# The keys of a rubric; listed here for the help, which imports nothing of the grading.
 MOST = 1e6  # s (eleven days), MiB (a million)
+# The keys of a rubric; listed here for the help, which imports nothing of the grading.
 RUBRIC_KEYS = "points, missing_part, parts, table, answers, conventions, confusion, late"
 
 
@@ -62,7 +63,19 @@ class SchemeOption(click.Option):
 
 VARIANT = click.argument("variant", shell_complete=offered("variants"))
 SCHEME = click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
-PATH = click.Path(path_type=Path)
+
+
+class PathType(click.Path):
+    """A file or folder.  In `--out --set r1=1m` the path was forgotten; a folder called "--set" is "./--set"."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the path of an option.  Raises `click.BadOptionUsage` for what looks like the next option."""
+        if param is not None and str(value).startswith("--"):
+            raise click.BadOptionUsage(param.opts[0], "the path is missing", ctx)
+        return super().convert(value, param, ctx)
+
+
+PATH = PathType(path_type=Path)
 
 
 def _speaks(_context: click.Context, _option: click.Parameter, language: str) -> str:
@@ -103,11 +116,16 @@ class CommandWithTemplates(click.Command):
     """A command with `--templates`: the pieces are in use before anything is printed, wherever the option is in the line."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        given = [after for word, after in pairwise(args) if word == "--templates"]
+        given = [after for word, after in pairwise(args) if word == "--templates" and not after.startswith("--")]
         given += [word.partition("=")[2] for word in args if word.startswith("--templates=")]
         if given:
+            from coursework.commands.line.misuse import language_of
+            from coursework.commands.line.screen import speak
             from coursework.commands.line.templates import with_templates
+            from coursework.words.errors import InputError
 
+            with suppress(InputError):  # a language that only the own pieces have
+                speak(language_of(args))
             ctx.with_resource(with_templates(Path(given[-1])))
         try:
             return super().parse_args(ctx, args)
