@@ -13,9 +13,12 @@ from typing import Any
 
 import pytest
 
+from coursework.system.processes.one_thread import keep_to_one_thread
 from tests.lent_pages import LentPages
 from tests.sample import ask_long
 
+# Before anything loads NumPy: a second thread for one system of equations spends a hundred times its processor time on waiting.
+keep_to_one_thread()
 # Compiled once for all processes of the suite, some two hundred, whatever the environment says; .gitignore knows the folders.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False

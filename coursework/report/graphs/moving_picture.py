@@ -6,13 +6,12 @@ Used by `commands/animate.py`.
 
 from __future__ import annotations
 
+import io
 import logging
-import tempfile
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -89,9 +88,9 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
 
     Raises `InputError` if the file places no points or the table has fewer than two rows.
     """
-    from matplotlib.animation import PillowWriter
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
+    from PIL import Image
 
     table = run.scene.scheme_rows or run.motion
     outline = read_outline(run.scene.mechanism)
@@ -105,10 +104,9 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
     def told(key: str, **values: object) -> str:
         return phrases.template(f"live.{key}").format(**{name: str(value).replace(".", mark) for name, value in values.items()})
 
-    # matplotlib's writer needs a file.
-    with _drawing(), tempfile.TemporaryDirectory() as place:
-        figure = Figure(figsize=SIZE, dpi=DPI)
-        FigureCanvasAgg(figure)
+    with _drawing():
+        figure: Any = Figure(figsize=SIZE, dpi=DPI)
+        canvas: Any = FigureCanvasAgg(figure)
         field, graph = figure.add_axes((0.01, 0.02, 0.6, 0.9)), figure.add_axes((0.7, 0.2, 0.28, 0.57))
         size = _window(field, outline, poses)
         cursor = _graph(graph, run, table, exact, Words(phrases))
@@ -124,19 +122,29 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
         dashes.set_x(begin)
         figure.text(0.985, 0.03, told("mark_line"), color=ORANGE, ha="right")
         clock = figure.text(0.03, 0.93, "", weight="bold")
-        writer = PillowWriter(fps=PER_SECOND)
-        path = Path(place) / "moving.gif"
         stride = -(-len(exact.t) // MOST_FRAMES)
-        with writer.saving(figure, str(path), DPI):
-            for frame in range(0, len(exact.t), stride):
-                for shape, dashed in zip(shapes, (False, True), strict=True):
-                    shape.show(frame, dashed=dashed)
-                joints.show(frame)
-                t = float(exact.t[frame])
-                cursor.set_xdata([t, t])
-                clock.set_text(told("clock", row=round(t / table.step) + 1, t=f"{t:.3f}"))
-                writer.grab_frame()
-        return path.read_bytes()
+        frames: list[Image.Image] = []
+        for frame in range(0, len(exact.t), stride):
+            for shape, dashed in zip(shapes, (False, True), strict=True):
+                shape.show(frame, dashed=dashed)
+            joints.show(frame)
+            t = float(exact.t[frame])
+            cursor.set_xdata([t, t])
+            clock.set_text(told("clock", row=round(t / table.step) + 1, t=f"{t:.3f}"))
+            if not frames:  # what stands still is drawn once; the lines of the axes stand above the cursor
+                lines = [line for shape in shapes[::-1] for line in shape.lines]
+                moving = [*lines, joints.rings, *joints.words, cursor, *graph.spines.values(), clock]
+                for artist in moving:
+                    artist.set_animated(True)
+                canvas.draw()
+                still = canvas.copy_from_bbox(figure.bbox)
+            canvas.restore_region(still)
+            for artist in moving:
+                figure.draw_artist(artist)
+            frames.append(Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB"))
+        gif = io.BytesIO()
+        frames[0].save(gif, "gif", save_all=True, append_images=frames[1:], duration=1000 // PER_SECOND, loop=0)
+        return gif.getvalue()
 
 
 def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:

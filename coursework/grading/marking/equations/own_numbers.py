@@ -12,12 +12,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from decimal import Decimal
 from itertools import chain, combinations, islice, product
+from typing import Any
 
 import numpy as np
 
-from coursework.grading.marking.equations.edits import places
+from coursework.grading.marking.equations.edits import Values, places
 from coursework.grading.marking.equations.linear import linear
-from coursework.grading.marking.equations.numbers import NoValue, are_same, real, size_of, value_of
+from coursework.grading.marking.equations.numbers import NoValue, are_same, computed, real, size_of, value_of
 from coursework.grading.marking.equations.probe import Probe, with_data
 from coursework.grading.marking.key.key import Key
 from coursework.system.arrays import Array
@@ -58,14 +59,19 @@ def own_numbers(tree: Formula, key: Key, probe: Probe, near: float) -> Iterator[
         told = {one.name: f"{one.name} = {one.text} {one.unit}".rstrip() for one in variant.given}
         told |= {law.name: f"{law.name} = {spelled(law.formula)}" for law in variant.drive if law.formula is not None}
         allowed = near * (float(np.median(real(size_of(tree, probe.names), probe.count))) or 1.0)
+        read = [*islice(_as_rounded(tree, variant, probe), _ROUNDED)]
+        known: dict[int, Any] = {}  # values of the parts of all lines into which something is put
+        for base in (tree, *(base for base, _ in read)):
+            known |= Values(base, probe.names).known
 
         def is_right(mended: Formula, names: tuple[str, ...]) -> bool:
-            if not np.all(np.abs(real(value_of(mended, probe.names), probe.count)) <= allowed):
+            with np.errstate(all="ignore"):  # only what was put in, and what holds it, is computed again
+                left = computed(mended, probe.names, known)
+            if not np.all(np.abs(real(left, probe.count)) <= allowed):
                 return False
             others = ({name: _OTHER * variant.values[name]} for name in names if name in variant.values)
             return all(linear(mended, with_data(key, probe, other)).is_near(near) for other in others)
 
-        read = [*islice(_as_rounded(tree, variant, probe), _ROUNDED)]
         yield from (OwnNumber("", "", base) for base, rounded in read if is_right(base, tuple(rounded)))
         bases = [(tree, {}), *read[:1]]
         numbers = [(base, [*_numbers_in(base[0], tree.names(), variant, probe)]) for base in bases]
@@ -188,4 +194,6 @@ def _is_other(own: Array, law: Array) -> bool:
 
 def _with(tree: Formula, part: Formula, by: Formula) -> Formula:
     """Return a formula with another one wherever a part of it stands."""
-    return by if tree == part else mapped(tree, lambda arg: _with(arg, part, by))
+    if tree.op == part.op and tree == part:
+        return by
+    return mapped(tree, lambda arg: _with(arg, part, by)) if tree.args else tree

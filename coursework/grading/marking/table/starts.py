@@ -175,7 +175,7 @@ def march(
     for place in range(len(rows)):
         t = np.array([place * step])
         w = velocities_at(t, q)
-        rows[place] = np.hstack([q, w])[0]
+        rows[place, :m], rows[place, m:] = q[0], w[0]
         if not np.isfinite(w).all():
             rows[place] = np.nan
             break
