@@ -6,11 +6,14 @@ Tables are made without the tool: the equations of 31 and V102 solved by NumPy, 
 import csv
 import json
 import math
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 import coursework
+from coursework.assigning.handout import Handout
 from coursework.assigning.variants import Assignment, load_ranges
 from coursework.grading.batch.work import Setup, Task, VariantSource
 from coursework.grading.marking.key.key import key_of
@@ -177,3 +180,14 @@ def test_a_template_that_stops_at_once_has_the_decimals_of_a_draw_that_does_not(
     template = coursework.load(tmp_path / "dead.toml")
     made = Assignment(template, load_ranges("31", template), 1)
     assert made.accepted_decimals == math.ceil(-math.log10(0.6 * made.acceptance.centre.numbers["one_step_gap"]))
+
+
+@pytest.mark.parametrize(("gap", "step", "accepted"), [
+    (0.0084, 0.02, 2), (0.0083, 0.02, 3), (0.0168, 2.0, 2), (0.0166, 2.0, 3), (0.9, 0.02, 1),
+])  # fmt: skip
+def test_the_decimals_of_the_class_are_enough_up_to_a_gap(gap: float, step: float, accepted: int) -> None:
+    """Two decimals are enough where 0.01 is at most 1.2 gaps of one second; a sheet that asks for one accepts one."""
+    drawn = SimpleNamespace(accepted=SimpleNamespace(numbers={"one_step_gap": gap}))
+    one: Any = SimpleNamespace(individual=drawn, variant=SimpleNamespace(time=SimpleNamespace(step=step)), of_class=2)
+    one.least_decimals = Handout.least_decimals.fget(one)
+    assert Handout.accepted_decimals.fget(one) == accepted

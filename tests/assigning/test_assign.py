@@ -28,6 +28,7 @@ def assigned(folder, roster=ROSTER, *more, template="31", out="out"):
     (folder / "roster.csv").write_text(roster, encoding="utf-8")
     result = call("assign", folder / "roster.csv", "--template", template, "--seed", "2026", "--out", folder / out, *more)
     assert result.exit_code == 0, result.output
+    assert ("workbooks/ID.xlsx" in result.output) is ("xlsx" in more)
     return folder / out
 
 
@@ -85,6 +86,7 @@ def test_the_sheet_says_what_to_do_and_hides_nothing_dangerous(out):
     for said in (
         "Ada Lovelace", "12 May &lt;b&gt;", first["r1"], first["alpha"], f"Check row {first['check_row']}", "25 rows",
         f"at least {first['least_decimals']} decimals", "scale 1:", "the 4 velocity equations",
+        "velocity of M", "to the right, upwards",
     ):  # fmt: skip
         assert said in page, said
     assert "<script" not in page
@@ -140,6 +142,9 @@ def test_the_key_is_the_table_that_a_run_writes(out):
 def test_the_page_of_the_class_shows_how_it_spreads(out):
     page = page_of(out / "class.html")
     assert "3 students have variants of their own, from template 31, seed 2026" in page
+    drawn, feasible = map(int, re.search(r"Of the first (\d+) draws (\d+) were feasible", page).groups())
+    (reasons,) = re.findall("Refused among these first draws: (.*?[.])<", page)
+    assert sum(map(int, re.findall(r"\d+", reasons))) == drawn - feasible > 0
     assert page.count('<svg class="chart strip"') == 4 + 10  # measures of difficulty, drawn data
     assert page.count("h0") == 3 * 14  # a mark each
     assert float(strip([1.0, 2.0], 1.0, 2.0, 3.0, ("1", "3"), "3").centre) == RIGHT  # beyond the class, on the axis yet

@@ -164,3 +164,10 @@ def test_the_folder_of_ranges_is_no_part_of_the_list_of_variants():
     assert {path.stem for path in RANGES.glob("*.toml")} < set(names())
     assert not any("range" in name for name in names())
     assert Path(RANGES).is_dir()
+
+
+def test_draws_depend_on_what_a_range_says_in_whatever_order_it_is_said():
+    """The same seed gives the same data only as long as this text stays the same."""
+    given = ['r1 = { choice = ["0.9 m", "0.95 m"] }', 'alpha = { choice = ["249 °", "4.35 rad"] }']
+    digests = {read("[given]\n" + "\n".join(lines)).digest for lines in (given, given[::-1])}
+    assert digests == {'[["given", "alpha", "249 °", "4.35 rad"], ["given", "r1", "0.9 m", "0.95 m"]]'}

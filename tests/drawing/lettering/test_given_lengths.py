@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from coursework import load, parse_variant, solve
-from coursework.drawing.figures import draw_start
+from coursework.drawing.figures import draw_start, room
 from coursework.drawing.lettering.dimensions import HEAD, TIGHT
 from coursework.drawing.lettering.naming import _unsaid
 from coursework.drawing.outline.ground import rail_side
@@ -128,6 +128,17 @@ def test_the_ground_lies_below_the_wheel_that_rolls_on_a_guide_else_where_no_poi
     outline = SimpleNamespace(wheels=wheels, shown=("A", "B", "K", "M", "N"))
     places = {"A": 0j, "B": 1 + 0j, "K": 9j, "M": place, "N": -3j, "L": -4j}
     assert rail_side(outline, places, rail) == side  # type: ignore[arg-type]
+
+
+def test_the_arrow_of_a_driven_point_has_room_on_the_sheet() -> None:
+    """13 mm upwards, which is towards smaller numbers on paper."""
+    run = solve("31", quantities=["table"])
+    outline = read_outline(run.scene.mechanism)
+    assert outline is not None
+    poses = read_poses(outline, run.scene.equations)(np.array(run.motion.t), run.motion.coordinates)
+    bare, pointed = (list(room(outline, poses, [0], arrows, 50.0)) for arrows in ({}, {"M": 1j}))
+    ((at, radius),) = pointed[len(bare) :]
+    assert at == pytest.approx((50 * poses.pose(0)["M"]).conjugate() - 13j) and radius > 5
 
 
 def test_the_ground_of_a_guide_lies_on_one_side_in_every_row() -> None:

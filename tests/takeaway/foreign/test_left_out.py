@@ -33,6 +33,10 @@ LEFT_OUT = [
      ["arc_driver cam", "prismatic S"]),
     (pylinkage.read, changed(LINKAGE, joints=[*OLDER[:3], {"type": "Arc", "name": "N", "x": 1, "y": 5}, {
         "type": "Crank", "name": "M", "x": 1, "y": 4, "joint0": {"ref": "E"}}]), ["Arc N", "Crank M"]),
+    (pylinkage.read, changed(LINKAGE, joints=[*OLDER[:3], *({  # each of these needs one parent more
+        "type": kind, "name": kind[0], "x": 1, "y": 5,
+        "joint0": {"ref": "E"}, **({"joint1": {"ref": "E"}} if kind == "Linear" else {})}
+        for kind in ("Revolute", "Fixed", "Linear"))]), ["Fixed F", "Linear L", "Revolute R"]),
     (linkage.read, PISTON.replace(b'scalefactor="1.000000"', b'scalefactor="2.5"').replace(b'<slidelimit id="4"/>', b""),
      ["<fastenedto>", "actuator (link 3)", "scalefactor 2.5", "slider (connector 6)"]),
     (linkage.read, SLOTTED.replace(b'<connector id="5"/><connector id="6"/>', b""), ["input (connector 5)"]),

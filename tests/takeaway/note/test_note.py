@@ -111,6 +111,7 @@ def test_every_formula_of_the_page_is_there_and_reads_the_same(name, suffix):
     wanted = [item for part in parts_of(name, "en", Equations) for item in part.items]
     if suffix == "tex":
         text = note(name, suffix, "en").decode()
+        assert "\\begin{array}{l}" not in text  # lines of a formula stand below each other's sign of equality
         read = re.findall(
             r"\\\[(.*?)\\\]|\\begin\{equation\}\\tag\{.*?\}(?:\\label\{\w+\})?\n(.*?)\n\\end\{equation\}", text, re.S
         )

@@ -76,3 +76,13 @@ def test_at_most_six_slips_are_told(count):
 @pytest.mark.parametrize(("letters", "told"), [(80, "a" * 80), (81, "a" * 80 + "…")])
 def test_a_term_is_told_with_at_most_eighty_letters(letters, told):
     assert text_of(parse("a" * letters)) == told
+
+
+@pytest.mark.parametrize(("term", "slip", "codes"), [
+    ("R2*w2", "", ["V086"]), ("R2*w2", "unit of another datum", ["V204"]), ("R2", "", ["V086"]),
+    ("R2", "unit of another datum", ["V204", "V086"]),
+])  # fmt: skip
+def test_a_value_that_is_none_at_the_start_is_told_before_slips_of_its_line_and_behind_those_of_others(term, slip, codes):
+    """A datum with a wrong unit may be why there is no value; in the line of a slip the value says more than the slip."""
+    text = TEXT.replace('"R1*w1 + R2*w2 = 0"', f'"R1*w1*sqrt(e/l - 4) + {term} = 0"')
+    assert [code for code, _, _ in told(text.replace(*SLIPS[slip]) if slip else text)] == codes

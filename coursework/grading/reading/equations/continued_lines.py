@@ -15,7 +15,8 @@ from coursework.grading.reading.limits import EQUATION_CHARACTERS
 
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\|\s_)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&|\s_))\s*$")
 _OPENED = re.compile(r"=\s*0\s*[.,;]?\s*\(\s*$")
-_FIXED = re.compile(r"^ {5}(?:&|[1-9+$*])\s*(?=[-+*/(]|&)[^=]*$")  # the sixth column of Fortran: the statement goes on
+_FIXED = re.compile(r"^ {5}(?:&|[1-9+$*])\s*([-+*/(&][^=]*)$")  # the sixth column of Fortran: the statement goes on
+_STATEMENT = " " * 6  # before the first line of one
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&|\s_)\s*$")
 _MARKED = re.compile(r"[\w)\]]\s*\\\s*$")
@@ -32,7 +33,9 @@ def continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple[
     for number, line in lines:
         if kept and line.strip() and len(kept) < EQUATION_CHARACTERS and _goes_on(kept, line, names):
             begun = (kept[:-_NEAR] + _GOES_ON_SIGN.sub("", kept[-_NEAR:])).rstrip()
-            rest = _ALIGNED.sub("", line)
+            # The sixth sign of such a line is no part of the equation where the first one begins in the seventh column.
+            mark = _FIXED.match(line) if kept.startswith(_STATEMENT) else None
+            rest = _ALIGNED.sub("", mark[1] if mark else line)
             kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()
             continue
         if kept:

@@ -219,12 +219,12 @@ def _sections(lines: Sequence[tuple[int, str]], names: Names) -> list[int]:
 
 def _definitions(lines: Sequence[tuple[int, str]], names: Names, ends: Sequence[int]) -> list[dict[str, Formula]]:
     """Return for each section the student's own names with their formulas, its own before those of the sections around it."""
-    words = _words(lines)
+    words, sections = _words(lines), [lines[begin:end] for begin, end in pairwise([0, *ends])]
     found: list[dict[str, Formula]] = []
-    for begin, end in pairwise([0, *ends]):
-        found.append(_defined(lines[begin:end], names, words, found[-1] if found else {}))
+    for section in sections:
+        found.append(_defined(section, names, words, found[-1] if found else {}))
     for place in reversed(range(len(found) - 1)):  # in a program the data may follow the formulas that use them
-        found[place] = found[place + 1] | found[place]
+        found[place] = _defined(sections[place], names, words, found[place + 1] | found[place])
     return found
 
 

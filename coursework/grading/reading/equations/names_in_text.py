@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import field, replace
 from functools import lru_cache
+from itertools import permutations
 
 from coursework.grading.reading.table.headers import aliases
 from coursework.grading.reading.unit_names import fold
@@ -120,7 +121,7 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
     speeds = [*_speeds(variant)]
     others = {key: name for key, name in speeds if len({one for same, one in speeds if same == key}) == 1}
     for link in (one for one in variant.links if one.rate):  # ω_AB of the link with the points A and B
-        pairs = {_key(f"{symbol}{first}{second}") for symbol in ("w", "omega") for first in link.points for second in link.points}
+        pairs = {_key(f"{symbol}{one}{other}") for symbol in ("w", "omega") for one, other in permutations(link.points, 2)}
         others |= {key: link.rate for key in pairs if link.rate and key not in others}
     along = [(_AXES.get(spelled(one.along)), one) for one in variant.bindings if one.along]
     for axis, one in along:

@@ -194,7 +194,7 @@ def _fitting_mark(texts: list[str], sign: str) -> bool:
 def _progresses(rows: tuple[tuple[str, ...], ...], body: list[int]) -> bool:
     """Return whether one of the first two columns rises in equal steps, as the time does."""
     for place in (0, 1):
-        texts = [plain_text(rows[i][place]).replace(",", ".") for i in body if place < len(rows[i])]
+        texts = [plain_text(rows[i][place]).replace(",", ".") for i in body]
         values = [float(text) for text in texts if re.fullmatch(r"[-+]?[0-9]{1,12}(?:\.[0-9]{0,12})?", text)]
         if 2 * len(values) >= len(body) and is_progression(sorted(values)):
             return True

@@ -164,8 +164,7 @@ def _lies(rows: Rows, turned: Rows, columns: int) -> bool:
     if not columns <= len(numeric) <= columns + 2 or len(turned) < 3:
         return False
     along = any(is_progression(sorted(cell.value for cell in row if cell.is_number)) for row in numeric[:2])
-    down = any(is_progression(sorted(row[place].value for row in numeric if place < len(row) and row[place].is_number))
-               for place in (0, 1))  # fmt: skip
+    down = any(is_progression(sorted(row[place].value for row in numeric if row[place].is_number)) for place in (0, 1))
     return along and not down
 
 
@@ -181,9 +180,9 @@ def _block(rows: Rows, head: int, columns: Columns, transposed: bool, mark: str)
             before = row
         elif head >= 0 and not body and _is_units(row):
             units = [unit_of(cell.text) for cell in row]
-    width = max(map(len, body), default=0)
-    if width < 2:
+    if not body:
         return None
+    width = max(map(len, body))
     texts = _joined(texts, width, {name for name, _ in columns})
     heads = [read_head(text, columns) for text in texts[:width]]
     heads += [Head("", (), "")] * (width - len(heads))

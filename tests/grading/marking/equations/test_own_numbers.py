@@ -6,9 +6,12 @@ import pytest
 
 import coursework
 from coursework.grading.marking.equations.equations import Judge
+from coursework.grading.marking.equations.own_numbers import _rounds
+from coursework.grading.marking.equations.probe import random_probe
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.reading.equations.lines import read_lines
 from coursework.grading.reading.expected import Expected
+from coursework.variant.formula.reader import parse_equation
 from tests.grading.reading.equations.notation.notations import PLAIN
 
 KEY = key_of(coursework.load("v102"))
@@ -26,6 +29,16 @@ def numbers(text, **copied):
 
 def marked(text):
     return JUDGE.mark(read_lines(text, "equations.txt", Expected(KEY.grid, KEY.variant)).equations)
+
+
+@pytest.mark.parametrize(("written", "value", "holds"), [
+    ("0.95", 0.953, True), ("0.95", 0.9550, True), ("0.95", 0.9551, False), ("0.950", 0.9503, True), ("0.950", 0.953, False),
+    ("950", 953.0, True), ("950", 955.1, False), ("950.", 950.4, True), ("950.0", 950.4, False),
+    ("1", 1.05, True), ("1", 1.06, False), ("4", 4.2, True), ("4", 4.3, False),  # by at most a twentieth of the datum
+    ("2*pi/3", 2.0943951024, True), ("2*pi/3", 2.0944, False),
+])  # fmt: skip
+def test_a_number_may_round_a_datum_to_its_last_digit(written, value, holds):
+    assert _rounds(parse_equation(f"{written} = 0")[0], value, random_probe(KEY)) is holds
 
 
 @pytest.mark.parametrize(("text", "told"), [

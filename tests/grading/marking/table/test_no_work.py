@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.grading.marking.blank import empty_table
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.rubric import Rubric
@@ -17,6 +18,7 @@ from tests.mechanisms.library import mechanism
 from tests.sample import first
 
 MOST = 5 / 60
+COUNTS = ("rows", "rows_needed", "wrong_cells", "missing_cells", "carried_cells")
 NAMES = ("31", "v102", "v108", "example-1", "watt", "jansen")
 
 
@@ -157,3 +159,9 @@ def test_one_broken_step_is_no_other_motion_and_two_are(broken: list[int], apart
     near[broken] = False
     follows, motion = following(np.arange(10.0)[:, None], near, np.ones(9, dtype=bool))
     assert np.flatnonzero(~follows).tolist() == apart and motion == 1.0
+
+
+def test_of_a_table_that_is_not_there_nothing_is_counted():
+    empty = empty_table(60.0)
+    assert (empty["state"], empty["score"], empty["max"]) == ("missing", None, 60.0)
+    assert {empty[name] for name in COUNTS} == {0}

@@ -24,9 +24,48 @@ def tables(text: str, rows: int = 600, columns: int = 40) -> list[list[list[str]
     ('[["t", "w"], [0, 5], [0.1, 7]]', COLUMNS), ('{"data": {"t": [0, 0.1], "w": [5, 7]}}', COLUMNS),
     ('{"t": [0, 0.1, 0.2], "w": [5, 7]}', [["t", "w"], ["0", "5"], ["0.1", "7"], ["0.2", ""]]),  # a column that ends early
     ('[{"t": 0}, {"t": 0.1, "w": 7}]', [["t", "w"], ["0"], ["0.1", "7"]]),
+    # as pandas writes it: split, by columns, by rows
+    ('{"columns": ["t", "w"], "data": [[0, 5], [0.1, 7]]}', COLUMNS),
+    ('{"t": {"0": 0, "1": 0.1}, "w": {"0": 5, "1": 7}}', COLUMNS),
+    ('{"0": {"t": 0, "w": 5}, "1": {"t": 0.1, "w": 7}}', COLUMNS), ('{"a": {"t": 0, "w": 5}, "b": {"t": 0.1, "w": 7}}', COLUMNS),
+    # several numbers under one name
+    ('{"t": [0, 0.1], "q": [[1, 2], [3, 4]]}', [["t", "q1", "q2"], ["0", "1", "3"], ["0.1", "2", "4"]]),
+    ('[{"t": 0, "q": [1, 2]}]', [["t", "q1", "q2"], ["0", "1", "2"]]),
+    ('[{"t": 0, "q": {"a": 1, "b": 2}}]', [["t", "a", "b"], ["0", "1", "2"]]),
+    ('[{"t": 0, "t": 1}]', [["t", "t"], ["0", "1"]]), ('{"t": [0, NaN], "w": [5, 7]}', [["t", "w"], ["0", "5"], ["NaN", "7"]]),
 ])  # fmt: skip
 def test_columns_and_rows_and_records_are_one_table(text: str, table: list[list[str]]) -> None:
     assert tables(text) == [table]
+
+
+@pytest.mark.parametrize("text", [
+    '{"columns": ["t"], "data": [[0, 5], 3]}', '{"t": [0, 0.1], "q": [[1, 2], [3]]}', '{"t": [0, 0.1], "q": [[1, 2]]}',
+    "[[0, 5], [1, 6], [2, [3]]]", "[[0, 5]]", '{"t": [0, 1]}', '[{"t": 0}]', '{"lhs": "w1", "rhs": "2*w2"}',
+])  # fmt: skip
+def test_lists_of_different_kinds_or_a_single_one_are_no_table(text: str) -> None:
+    assert tables(text) == []
+
+
+@pytest.mark.parametrize(("text", "lines"), [
+    ('{"lhs": "w1", "rhs": "2*w2"}', "w1 = 2*w2"),
+    ('[{"left": "w1", "right": "2*w2"}, {"left": "w3", "right": "4"}]', "w1 = 2*w2|w3 = 4"),
+    ('[{"t": 0, "w": 5}, {"eq": "w1 = 2"}]', "w1 = 2"),
+    ('{"t": [0, 1], "w": [5, 7], "eq": ["w1 = 2", "w2 = 3"]}', "w1 = 2|w2 = 3"),
+    ('{"t": [0, 1], "w": [5, 7], "by": "hand"}', ""), ('[1, "a", "w1 = 2"]', "a|w1 = 2"),
+])  # fmt: skip
+def test_equations_whole_or_in_two_sides_stand_beside_tables(text: str, lines: str) -> None:
+    found = [line.text for line in document_of_json(text, "json", Room(600, 40)).lines]
+    assert "|".join(line for line in found if not line.startswith(("lhs", "rhs", "left", "right"))) == lines
+
+
+@pytest.mark.parametrize(("text", "name"), [
+    ('{"x": {"y": {"t": [0, 1], "w": [5, 6]}}}', "x.y"), ('{"t": [0, 1], "w": [5, 6]}', "[]"),
+    ('{"x": [[[0, 1], [1, 2]]]}', "x[1]"),
+    ('{"' + "n" * 90 + '": {"t": [0, 1], "w": [5, 6]}}', "n" * 80),
+])  # fmt: skip
+def test_a_table_is_called_by_the_names_that_lead_to_it(text: str, name: str) -> None:
+    (table,) = document_of_json(text, "json", Room(600, 40)).tables
+    assert str(table.place) == f"entry “{name}”"
 
 
 def test_no_more_rows_and_columns_than_are_read() -> None:

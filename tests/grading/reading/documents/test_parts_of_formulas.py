@@ -94,6 +94,7 @@ def test_parts_of_mathml(xml: str, meant: str) -> None:
         ("<func><fName>sin</fName><e>(a)</e></func>", "sin(a)"),
         ("<func><fName>sin</fName><e>a(b)</e></func>", "sin(a(b))"),
         ("<func><fName>sin</fName><e>(a)(b)</e></func>", "sin((a)(b))"),
+        ("<func><fName>sin</fName><e>(a</e></func>", "sin((a)"),
         ("<acc><e>a</e></acc>", "a"),
         ("<oMath>a<br/>b</oMath>", "a;b"),
     ],

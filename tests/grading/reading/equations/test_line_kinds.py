@@ -107,6 +107,7 @@ def test_the_end_of_a_sum_is_short(names) -> None:
         (["1.1 a = b", "1.2 c = d"], ["a = b", "c = d"]), (["1.1 a = b", "1.3 c = d"], None), (["1.1 a = b", "2.2 c = d"], None),
         (["L1 a = b", "L2 c = d"], ["a = b", "c = d"]), (["r1 a = b", "r2 c = d"], None), (["3 a = b"], None),
         (["– a = b", "- c = d", "e = f"], ["a = b", "- c = d", "e = f"]), (["– a = b", "— c = d"], ["a = b", "c = d"]),
+        (["1- a = b", "2- c = d"], ["a = b", "c = d"]), (["1- a = b", "3- c = d"], None), (["1- a = b"], None),
         (["1 a = b", "2 c = d", "3 e = f"], ["a = b", "c = d", "e = f"]), (["1 a = b", "2 c = d", "4 e = f"], None),
     ],
 )  # fmt: skip

@@ -93,6 +93,9 @@ A, B, C = "2*w3*cos(phi3)", "r1*w1*sin(phi1)", "r2*w2*sin(phi2)"
         (f"w4 = {A} = 4*w3*cos(phi3)", [f"w4 = {A} = 4*w3*cos(phi3)"]),
         (f"w4 = {A} = r1*w1", [f"w4 = {A} = r1*w1"]), (f"k = {A} = {B}", [f"k = {A} = {B}"]),
         (f"w4 = {A} + {B} = {B}", [f"w4 = {A} + {B} = {B}"]),
+        # as the law of sines has it: each side of another velocity
+        (f"{A} = {B} = {C}", [f"{A} = {B}", f"{B} = {C}"]), (f"{A} = {B} = 4*w3*cos(phi3)", [f"{A} = {B} = 4*w3*cos(phi3)"]),
+        (f"2*cos(phi3) = {B} = {C}", [f"2*cos(phi3) = {B} = {C}"]),
     ],
 )  # fmt: skip
 def test_a_velocity_by_different_others_is_several_equations(line: str, read: list[str]) -> None:
@@ -108,6 +111,9 @@ def test_a_velocity_by_different_others_is_several_equations(line: str, read: li
         ("k = r1*w1\nw3 = k*w4\nk = r2*w2\nw2 = k*w4", (0.6 - 0.3 * 1.3 * 2.1, -0.4 - 0.7 * -0.4 * 2.1)),
         ("VBx = r1*w1\nVBx = r2*w2\nw3 = VBx*w4", (0.3 * 1.3 - 0.7 * -0.4, 0.6 - 0.3 * 1.3 * 2.1)),
         ("k = r1*w1\nk = r1*w1\nw3 = k*w4", 0.6 - 0.3 * 1.3 * 2.1),
+        ("k = c*w1\nw3 = k*w4\nk = r2*w2\nw2 = k*w4\nk = r2*w1\nw4 = k*w3\nc = 2*r1",
+         (0.6 - 0.6 * 1.3 * 2.1, -0.4 - 0.7 * -0.4 * 2.1, 2.1 - 0.7 * 1.3 * 0.6)),  # what the first of three uses stands last
+        ("VD = k*w1 - w3 = 0\nVD = k*w2 - w4 = 0\nk = 2*r1", (0.6 * 1.3 - 0.6, 0.6 * -0.4 - 2.1)),  # a label of two sums
     ],
 )  # fmt: skip
 def test_names_of_ones_own_stand_for_their_formulas(text: str, by_hand: float | tuple[float, ...]) -> None:

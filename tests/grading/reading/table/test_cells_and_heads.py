@@ -46,6 +46,12 @@ def test_the_separator_that_a_file_names_is_taken(sign: str, more: str) -> None:
     assert found.rows == ((), ("t", "w1"), ("0", "1.5"))
 
 
+def test_blanks_within_numbers_part_no_cells_where_tabs_do() -> None:
+    """Blanks or tabs: either way each cell is a number in three columns at least."""
+    found = split("t\ts\tF\n0\t1 234,5\t7 890,1\n0,1\t1 235,5\t7 891,1\n0,2\t1 236,5\t7 892,1\n", Room(600, 40))
+    assert found is not None and found.separator == "tab" and found.rows[1] == ("0", "1 234,5", "7 890,1")
+
+
 @pytest.mark.parametrize(
     ("heads", "width", "joined"),
     [
@@ -61,7 +67,8 @@ def test_a_unit_that_a_comma_cut_off_goes_back_to_its_head(heads: list[str], wid
     ("head", "parts"),
     [
         ("w1(tk)", ("w1", "")), ("w1[t]", ("w1", "")), ("w1(rad/s)", ("w1", "1/s")), ("phi1,rad", ("phi1", "rad")),
-        ("phi1 in deg", ("phi1", "deg")), ("x/mm", ("x", "mm")), ("phi1°", ("phi1", "deg")), ("v(q)", ("v(q)", "")),
+        ("phi1 in deg", ("phi1", "deg")), ("x/mm", ("x", "mm")), ("phi1°", ("phi1", "deg")), ("w1(t), rad/s", ("w1", "1/s")),
+        ("v(q)", ("v(q)", "")),
     ],
 )  # fmt: skip
 def test_a_head_and_its_unit(head: str, parts: tuple[str, str]) -> None:

@@ -71,6 +71,8 @@ def test_each_column_stands_where_its_head_or_its_place_says(
     ("0 0.1 0.2 0.3", 0.1, True), ("0 0.1 0.2 0.3", 0.0953, True), ("0 0.1 0.2 0.3", 0.0951, False),
     ("0 0.1 0.2 0.3", 0.1052, True), ("0 0.1 0.2 0.3", 0.1054, False), ("0.1 0.2 0.3 0.4", 0.1, False),
     ("0.0 0.1 0.9 0.3", 0.3, False),  # these do not rise in equal steps
+    ("0 0.1 0.3 0.4", 0.1, True), ("0.1 0.2 0.4 0.5", 0.1, False), ("0 0.2 0.1 0.4", 0.1, False), ("0 0 0 0", 0.1, False),
+    ("0 0.1 0.309 0.4", 0.1, True), ("0 0.1 0.311 0.4", 0.1, False),  # a row left out, and rounded by a tenth of the step
 ])  # fmt: skip
 def test_numbers_before_too_few_columns_are_the_time_where_they_are_that_of_the_task(
     first: str, step: float, is_time: bool
@@ -79,6 +81,14 @@ def test_numbers_before_too_few_columns_are_the_time_where_they_are_that_of_the_
     with pytest.raises(Refused) as refused:
         find("", numbers(first, *"ab"), step=step)
     assert refused.value.trouble.text.values["found"] == (2 if is_time else 3)
+
+
+@pytest.mark.parametrize(("times", "step", "name"), [
+    ("0 1 2 3", 0.08, "№"), ("0 1 2 3", 0.09, "t"), ("1 2 3 4", 0.08, "№"), ("2 3 4 5", 0.08, "t"), ("0 2 4 6", 0.08, "t"),
+    ("0 1 2 bad", 0.08, "№"), ("0 1 bad bad", 0.08, "t"),  # two numbers do not show how they go on
+])  # fmt: skip
+def test_a_time_in_whole_seconds_is_the_number_of_the_row_where_steps_are_short(times: str, step: float, name: str) -> None:
+    assert placed(find("t phi1 phi2 w1 w2", numbers(times, *"abcd"), step=step)).split()[0] == f"{name}:0h"
 
 
 @pytest.mark.parametrize(("heads", "columns", "code"), [

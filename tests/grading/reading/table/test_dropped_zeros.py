@@ -37,6 +37,24 @@ def graded(desk, written, mark="."):
     return Marker(desk.key, Rubric()).grade(read_submission(Submission("a", None, files), desk.expected))
 
 
+BELOW_ONE = "0.1234 0.2345 0.3456 0.4567 0.5678 0.6789 0.7891 1.234 1.235 1.236"
+
+
+@pytest.mark.parametrize(("cells", "decimals", "places"), [
+    ("1.50 2.25 3.10", 2, "2 2 2"), ("1.5 2.25 3.1 4 5.75", 2, "2 2 2 2 2"), ("x y", 0, "0 0"), ("1.5 x 2.25", 2, "2 2 2"),
+    ("120 5 7", 0, "0 0 0"), ("1.2e+03 1.3e+02 1.4e+01", 0, "-2 -1 0"),
+    ("0 0.123 1.23 12.3 -1.24 124", 2, "2 3 2 1 2 0"),  # three significant digits; a zero shows none
+    ("1.234 12.34 0.1234 1.2 123.4", 1, "3 2 4 3 1"), ("1.230 12.34 0.1234 1.2 123.4", 1, "3 2 4 1 1"),  # 1.2 for 1.200, or not
+    ("0.1234 0.2345 0.3456 1.234 12345", 4, "4 4 4 3 0"),
+    ("0.1234 0.2345 0.3456 1.234 12345.6", 4, "4 4 4 4 4"),  # a whole number may be longer
+    # Most numbers below 1 have four decimals either way: three of five above 1 with four digits are enough, three of six not.
+    (f"{BELOW_ONE} 1.2 1.3", 4, "4 4 4 4 4 4 4 3 3 3 3 3"), (f"{BELOW_ONE} 1.2 1.3 1.4 0.8912 0.9123", 4, "4 " * 15),
+])  # fmt: skip
+def test_the_last_place_of_each_cell(cells: str, decimals: int, places: str) -> None:
+    found = last_places([printed(cell, ".") for cell in cells.split()])
+    assert found == (decimals, [pytest.approx(10.0 ** -int(place)) for place in places.split()])
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("rate", ["6.5", "6.25", "-6.5", "7", "0.5"])
 @pytest.mark.parametrize("style", [short, significant])

@@ -143,6 +143,11 @@ def test_a_slip_is_expected_as_it_is_made(key, code):
         assert np.nanmax(np.abs(made - values) / np.maximum(1, np.abs(values))) < 1e-6
 
 
+def test_whole_tables_made_with_the_velocities_of_the_row_before(key):
+    assert hypotheses._of_rows_above(key) == pytest.approx(rows_above(), abs=1e-9)
+    assert hypotheses._from_rows_before(key) == pytest.approx(students.MISCONCEPTIONS["row_before"](), abs=1e-9)
+
+
 @pytest.mark.parametrize("part", [0.1, 0.5, 2.0, 10.0, 1.5, 0.75])
 def test_a_step_of_another_length_is_read_off_the_table(key, part):
     """1.5 and 0.75 are no usual ones: they are read off, to two digits, 0.03 s and 0.015 s."""

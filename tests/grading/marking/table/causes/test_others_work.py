@@ -6,9 +6,16 @@ import pytest
 from coursework.grading.marking.grade import Marker
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.causes.other_data import _whole
 from coursework.words.sentences import load_phrases
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.desks import codes, variants
+
+
+def test_another_table_holds_up_to_half_a_last_place_and_a_little_of_its_range():
+    """0.505 of a last place and 0.0002 of the range, which is what counts where there are many digits."""
+    claim = _whole("variant_07", np.array([[1.0, 5.0], [3.0, 5.0]]), np.array([[0.01, 0.01], [1e-6, 1e-6]]))
+    assert claim.tolerance == pytest.approx(np.array([[0.00545, 0.00505], [4.00505e-4, 5.05e-7]]))
 
 
 @pytest.mark.long

@@ -1,0 +1,58 @@
+"""What a cell is worth by each explanation of a table, by the rubric that is used if none is written.
+
+0.95 for a start or a number copied wrongly, 0.6 for two, 0.7 for other steps or another rule, 0.5 for a single slip, 0.4 for a
+wrong method.
+"""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+import coursework
+from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.causes.misconceptions import Found
+from coursework.grading.marking.table.earning import _by_explanation
+from coursework.grading.marking.table.explained import Fit
+
+KEY: Any = SimpleNamespace(variant=coursework.load("31"))  # in which r1 is 0.953 m and V1 is 4.5 m/s
+POINTS: Any = SimpleNamespace(share=0.1, shut={})
+
+
+def fit_of(text: str) -> Fit:
+    """Return a fit: code, share, names; "~" before the code if Euler's rules explain as much, "=" if it is so in print only."""
+    code, share, *names = text.split()
+    return Fit(code.lstrip("~="), float(share), tuple(names), beyond_euler=code[0] != "~", in_print=code[0] == "=")
+
+
+@pytest.mark.parametrize(("fits", "worth"), [
+    ("equation_16 0.9", [0.5]), ("sign_drive 0.9", [0.5]), ("rows_shifted 0.9", [1.0]), ("other_step 0.9", [0.7]),
+    ("anything 0.9", [0.4]),
+    ("~equation_16 0.9", []), ("~anything 0.9", [0.4]), ("~other_step 0.9", []), ("own_equations 0.9 2", [0.5]),
+    # another rule of steps: from 80 % of the table, where it is worth a wrong method, to 93 %
+    ("heun 0.8", [0.4]), ("heun 0.865", [0.55]), ("heun 0.93", [0.7]), ("row_before 0.95", [0.7]), ("~heun 0.95", [0.4]),
+    # a datum copied wrongly, if no slip explains as much or its digits are nearly right; with the other sign it is a slip
+    ("datum_r1 0.93 0.9 m", [0.95]), ("datum_r1 0.865 0.9 m", [0.675]), ("datum_r1 0.95 -0.953 m", [0.5]),
+    ("datum_r1 0.95 90 cm", [0.95]),
+    ("datum_r1 0.95 0.9 m; equation_16 0.95", [0.4, 0.5]), ("datum_r1 0.96 0.9 m; equation_16 0.95", [0.95, 0.5]),
+    ("datum_r1 0.95 0.906 m; equation_16 0.96", [0.95, 0.5]), ("datum_r1 0.95 0.905 m; equation_16 0.96", [0.4, 0.5]),
+    ("datum_r1 0.96 -0.9 m; datum_V1 0.95 4 m/s", [0.5, 0.4]), ("data_rounded 0.95; equation_16 0.96", [0.95, 0.5]),
+    ("swap_r1_r2 0.95", [0.6]), ("swap_r1_r2 0.8", [0.4]), ("~datum_r1 0.95 0.9 m", [0.4]),
+    # another's work earns nothing, nor does what explains less of it
+    ("variant_07 0.95", []), ("variant_07 0.95; equation_16 0.94", []), ("variant_07 0.95; equation_16 0.95", [0.5]),
+    ("variant_07 0.95; datum_r1 0.95 0.9 m", [0.4]), ("variant_07 0.95; datum_r1 0.96 0.9 m", [0.95]),
+    # coarser work and another origin count if they explain nearly all and no slip more
+    ("rounded_omega_2 0.93", [0.98]), ("rounded_omega_2 0.92", []), ("pi_rounded 0.95; equation_16 0.96", [0.5]),
+    ("pi_rounded 0.956; equation_16 0.96", [0.98, 0.5]), ("origin_phi1 0.95", [0.95]), ("origin_phi1 0.9", []),
+    ("origin_phi1 0.95; datum_r1 0.99 0.9 m", [0.95, 0.95]),  # a number read off the table is no slip
+    # starts in degrees, and what is so in print only
+    ("radian_mode 0.9", [0.4]), ("radian_mode 0.9 phi1", [0.95]), ("radian_mode 0.9 phi1 phi2", [0.6]),
+    ("=swapped_columns 0.95", [0.95]), ("=swapped_columns 0.8", [0.4]), ("swapped_columns 0.95", [0.4]), ("sign_w3 0.95", [0.5]),
+    ("=sign_w3 0.95", [0.95]), ("=sign_w3 0.8", [0.5]),
+])  # fmt: skip
+def test_the_worth_of_a_cell_by_each_explanation(fits: str, worth: list[float]) -> None:
+    found = [*_by_explanation(KEY, Rubric(), POINTS, Found(fits=tuple(map(fit_of, fits.split("; ")))))]
+    assert [one.worth for one in found] == pytest.approx(worth)
+    assert [one.share for one in found] == pytest.approx([one.worth * one.explained for one in found])
