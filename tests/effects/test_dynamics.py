@@ -42,6 +42,8 @@ def test_the_run_up_of_the_slider_crank():
     motion, columns = solved("example-2-motor", scheme="exact").motion, reference("example-2")["columns"]
     for name in ("theta1", "w1", "s3"):
         assert np.abs(motion.column(name) - columns[name]).max() < 1e-9, name
+    assert np.abs(motion.scaled).max(axis=0) == pytest.approx(1.0)
+    assert motion.scaled * motion.determinants[0] == pytest.approx(motion.determinants * motion.scaled[0])
     second = solved("example-2-motor", scheme="exact").results.accelerations[:, 0]
     assert np.abs(second - columns["dw1"]).max() < 1e-8
 

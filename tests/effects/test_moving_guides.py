@@ -2,11 +2,14 @@
 
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import coursework
+from coursework.effects.scheme import _Reader
+from coursework.mechanism.groups.joint import PIN_IN_GUIDE, PRISMATIC, REVOLUTE, Joint
 from tests.effects.massed import of_text
 from tests.mechanisms.library import mechanism
 
@@ -154,3 +157,13 @@ A = "O + s @ q"
 hinges = ["O"]
 """
     assert "does not fit" not in coursework.solve(coursework.parse_variant(text)).summary
+
+
+@pytest.mark.parametrize(("joints", "guide"), [
+    ([(REVOLUTE, "3", "2"), (PIN_IN_GUIDE, "3", "4"), (PRISMATIC, "3", "1")], "1"), ([(REVOLUTE, "3", "2")], ""),
+    ([(PIN_IN_GUIDE, "3", "4")], ""), ([(PRISMATIC, "3", "0")], ""), ([(PRISMATIC, "1", "3")], ""),
+    ([(PRISMATIC, "3", "0"), (PRISMATIC, "3", "2")], "2"),
+])  # fmt: skip
+def test_a_block_turns_with_what_it_slides_on_and_not_with_what_it_is_pinned_to(joints, guide):
+    linkage = SimpleNamespace(joints=[Joint(kind, (one, other), None) for kind, one, other in joints])
+    assert _Reader.guide_of(SimpleNamespace(bodies=SimpleNamespace(linkage=linkage)), "3") == guide

@@ -13,8 +13,10 @@ from coursework.mechanism.groups import GROUPS, group_kind, joint
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint, JointKind
 from coursework.mechanism.joints import FRAME, chain_of_groups, link_names, linkage
 from coursework.mechanism.mechanism import build
+from coursework.mechanism.one_shaft import fixed_links
 from coursework.variant.catalogue import names
 from coursework.variant.formula.tree import named
+from coursework.variant.record.entries import Link
 from tests import sources
 from tests.sources import PACKAGE
 
@@ -165,3 +167,13 @@ def test_a_planet_on_its_carrier_rolls_by_a_higher_pair():
     carrier, *others = variant.links
     free = build(replace(variant, links=(replace(carrier, points=("C",)), *others))).mobility
     assert (free.lower_pairs, free.higher_pairs) == (3, 1)  # what does not hold O keeps no distance from it
+
+
+def test_each_link_of_a_shaft_is_fixed_to_one_before_it():
+    """Three gears of a shaft are fixed by two pairs: the third is fixed to the second by way of the first."""
+    gears = [
+        Link(name, ("O", f"A{name}"), rate, None, None, None) for name, rate in (("1", "w"), ("2", "w"), ("3", "w"), ("4", "v"))
+    ]
+    assert [*fixed_links(gears, {}, {})] == [("1", "2", "O"), ("1", "3", "O")]
+    away = [*gears[:2], Link("5", ("P", "Q"), "w", None, None, None)]
+    assert [*fixed_links(away, {}, {})] == [("1", "2", "O")]

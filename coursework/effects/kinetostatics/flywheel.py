@@ -96,7 +96,7 @@ def _excess(wave: Array, begin: float, turn: float) -> tuple[float, tuple[float,
     places = np.flatnonzero((values[:-1] < 0) != (values[1:] < 0))
     if not len(places):
         return 0.0, ()
-    x = grid[places] - values[places] * (grid[places + 1] - grid[places]) / (values[places + 1] - values[places])
+    x = grid[places]
     for _ in range(_NEWTON):
         x = x - at(x, 0) / at(x, 1)
     x = np.sort(x % (2 * np.pi))

@@ -101,7 +101,7 @@ def _closest(load_at: Callable[[Array], Array], count: int, *, is_pole: bool) ->
         values = load_at(part)
         values = np.where(np.isfinite(values), values, np.inf)
         with np.errstate(invalid="ignore"):
-            looked = np.abs(values) if is_pole else np.nan_to_num(np.abs(np.diff(values, axis=0)), nan=0.0)
+            looked = np.abs(values) if is_pole else np.nan_to_num(np.abs(np.diff(values, axis=0)))
         best = np.argmax(looked, axis=0)
         last = looked[best, np.arange(count)]
         largest = largest if look else np.abs(values).max(axis=0)

@@ -23,7 +23,7 @@ def crossing(
     1.414213562373
     """
     (low, high), width, (at_low, at_high) = bracket, bracket[1] - bracket[0], ends
-    place, side = (low, 0) if abs(at_low) < abs(at_high) else (high, 0)
+    place, side = low if abs(at_low) < abs(at_high) else high, 0
     for _ in range(_TRIALS):
         # The secant through both ends; the value of an end that is kept twice is halved, so that both ends close in.
         between = (low * at_high - high * at_low) / (at_high - at_low) if at_high != at_low else place

@@ -116,8 +116,7 @@ def _parts(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[
     variant = equations.variant
     coordinates, velocities = _closure(equations, reduction, wanted) if wanted else (None, variant.velocities)
     kept = tuple(c.name for c in variant.coordinates if coordinates is None or c.name in coordinates)
-    first = tuple(c.rate for c in variant.coordinates if c.name in kept)
-    listed = first + tuple(name for name in variant.velocities if name in velocities and name not in first)
+    listed = tuple(name for name in variant.velocities if name in velocities)  # the rates of those kept, then others
     blocks = reduction.needed(listed)
     statements = [statement for index in blocks for statement in block_statements(reduction.blocks[index], index)]
     statements += [Assign(local(_result(name)), symbol(name)) for name in listed]

@@ -33,7 +33,7 @@ _SETTLED = 1e-13
 
 def closer(exact: Motion, rates: Rates) -> Motion:
     """Return the exact motion with rows close enough to bracket what lies between the rows of `exact`."""
-    parts = min(_MOST_PARTS, -(-_SAMPLES // max(len(exact.t), 1)))
+    parts = min(_MOST_PARTS, -(-_SAMPLES // len(exact.t)))
     rows = (len(exact.t) - 1) * parts + 1
     return (finer(exact, rates, parts, rows) if parts > 1 else None) or exact
 

@@ -105,8 +105,10 @@ def _dead(exact: Motion, rates: Rates, rate: str, bracket: list[float]) -> float
     """Return the time (s) of the dead position between two samples, moved to a row if it differs by round-off only."""
     begin, end = bracket
     time = begin if begin == end else root(exact, rates, lambda motion: motion.column(rate), (begin, end))
-    row = float(exact.t[np.argmin(np.abs(exact.t - time))]) if time is not None else 0.0
-    return row if time is not None and abs(time - row) < _ROUND_OFF * exact.step else time
+    if time is None:
+        return None
+    row = float(exact.t[np.argmin(np.abs(exact.t - time))])
+    return row if abs(time - row) < _ROUND_OFF * exact.step else time
 
 
 def _stroke(exact: Motion, rates: Rates, slider: Coordinate, begin: Motion, end: Motion) -> Way:

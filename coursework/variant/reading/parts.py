@@ -118,7 +118,6 @@ class Parts:
             name = self.names.canonical(str(path[1])) if len(path) > 1 else ""
             if told := advised(wanted(name)):
                 self.say(path, told)
-        self._unread = []
 
     def unit(self, path: KeyPath, text: str) -> str:
         """Return the SI unit named by `text`, "" after a fault."""

@@ -49,10 +49,11 @@ def test_of_two_swings_in_a_turn_the_larger_is_told():
     assert (math.cos(found.largest_at), math.cos(found.least_at)) == pytest.approx((1.0, -1 / 8), abs=1e-8)
 
 
-def test_an_even_turn_has_no_unevenness():
-    even = SimpleNamespace(free=(0,), others=(), kept=(), slope=lambda t, phi, w: (3.0 - w,))
-    found = find_regime(even, [0.2], 2.9)
-    told = (found.delta, found.mean, found.largest, found.least, found.largest_at, found.least_at)
+@pytest.mark.parametrize("size", [1.0, 1e-4, 1e4])
+def test_an_even_turn_has_no_unevenness(size):
+    even = SimpleNamespace(free=(0,), others=(), kept=(), slope=lambda t, phi, w: (0.1 * size * (3.0 * size - w),))
+    found = find_regime(even, [0.2], 2.9 * size)
+    told = (found.delta, found.mean / size, found.largest / size, found.least / size, found.largest_at, found.least_at)
     assert told == pytest.approx((0.0, 3.0, 3.0, 3.0, 0.2, 0.2), abs=1e-10)
 
 

@@ -25,13 +25,14 @@ def test_friction_of_two_newtons_is_against_what_slides(sign, a):
     assert rubbing(replace(BLOCK, speeds=[sign])).slope() == pytest.approx((a, 7.0))
 
 
+@pytest.mark.parametrize("size", [1.0, 1e-8, 1e8])
 @pytest.mark.parametrize(("follows", "sign", "friction"), [
     (2.0, 1.0, 2 / 0.6), (2.0, -1.0, 2 / 1.4), (2.5, 1.0, 2 / 0.5), (5.0, 1.0, None), (6.0, 1.0, None), (-5.5, -1.0, None),
     (-2.0, 1.0, 2 / 1.4),
 ])  # fmt: skip
-def test_a_force_that_grows_with_friction_settles_or_locks(follows, sign, friction):
-    """N = 10 + k F and F = 0.2 N: F = 2/(1 - 0.2 k), and none where 0.2 k is 1 or more."""
-    state = replace(BLOCK, reactions=[[follows, 0.0]])
+def test_a_force_that_grows_with_friction_settles_or_locks(follows, sign, friction, size):
+    """N = 10 + k F and F = 0.2 N: F = 2/(1 - 0.2 k), and none where 0.2 k is 1 or more; a block of any weight does alike."""
+    state = replace(BLOCK, reactions=[[follows, 0.0]], loose=[10.0 * size, 0.0], changes=[[-0.5 / size]])
     if friction is None:
         with pytest.raises(Held) as held:
             rubbing().free(state, [sign])

@@ -85,6 +85,21 @@ def test_across_a_change_of_formula_power_is_not_judged(at, place, verdict):
     assert _balance(moved(one(4, 1.0), count=6, pieces=[0.25]), None).verdict == "SKIP"
 
 
+@pytest.mark.parametrize(("at", "heavy", "blows"), [
+    ([2.0], True, [2.0]), ([3.0], True, []), ([2.5, 3.0, 1.0], True, [1.0, 2.5]), ([], True, []), ([2.0], False, []),
+    ([2.2], True, []),
+])  # fmt: skip
+def test_a_jump_of_the_drive_between_the_ends_is_a_blow_to_masses(at, heavy, blows, monkeypatch):
+    """In a run of 3 s the drive jumps by 1 wherever its formula changes but at 2.2 s; its largest value is 5."""
+    monkeypatch.setattr(checks, "breaks", lambda _: sorted(at))
+    level = lambda t: 5.0 - sum((t > one) * (1.0 if one != 2.2 else 1e-12) for one in at)  # noqa: E731
+    monkeypatch.setattr(checks, "drive_values", lambda _, names, times: level(np.asarray(times, dtype=float))[:, None])
+    variant = SimpleNamespace(drive=[SimpleNamespace(name="w")])
+    forces = SimpleNamespace(masses=[1] if heavy else [])
+    rows = SimpleNamespace(motion=SimpleNamespace(t=np.arange(4.0)), scheme=SimpleNamespace(forces=forces))
+    assert checks._blows(SimpleNamespace(equations=SimpleNamespace(variant=variant), rows=rows)) == blows
+
+
 def rolling(**columns):
     rows = np.column_stack(list(columns.values()))
     return SimpleNamespace(
@@ -95,16 +110,15 @@ def rolling(**columns):
 @pytest.mark.parametrize(("columns", "told"), [
     ({"N1": [10, 5], "T1": [-2, 2]}, ("pass", "N1", 0.4, 2, 0)), ({"N1": [10, -5], "T1": [1, 1]}, ("lifts", "N1", 0.2, 2, 1)),
     ({"N1": [10, 0.0], "T1": [1, 1]}, ("bare", "N1", None, 2, 1)), ({"N1": [10, 0.0], "T1": [1, 0]}, ("pass", "N1", 0.1, 1, 0)),
-    ({"N1": [NAN, 5], "T1": [NAN, 1]}, ("pass", "N1", 0.2, 2, 0)), ({"N1": [NAN, NAN], "T1": [1, 1]}, None),
+    ({"N1": [NAN, 5], "T1": [NAN, 1]}, ("pass", "N1", 0.2, 2, 0)), ({"N1": [NAN, NAN], "T1": [1, 1]}, "open"),
     ({"N1": [10, 5], "T1": [9, 1], "N2": [-1, 4], "T2": [0, 0]}, ("lifts", "N2", 0.0, 1, 1)),
     ({"N1": [10, 5], "T1": [1, 1], "N2": [4, 4], "T2": [1, 2]}, ("pass", "N2", 0.5, 2, 0)),
-    ({"N1": [10, 5], "R01": [1, 1]}, None),
-    ({"R1": [10, 5], "T1": [1, 1]}, None),
+    ({"N1": [10, 5], "R01": [1, 1]}, "skip"), ({"R1": [10, 5], "T1": [1, 1]}, "skip"), ({"N1": [], "T1": []}, "skip"),
 ])  # fmt: skip
 def test_of_several_contacts_the_one_that_lifts_is_told_else_the_one_that_rubs_most(columns, told):
     found = _contact(rolling(**columns), None)
-    if told is None:
-        assert found.verdict == "SKIP"
+    if isinstance(told, str):
+        assert (found.verdict, found.sentence.key) == ("SKIP", f"check.CONTACT.{told}")
         return
     key, name, share, row, count = told
     values = found.sentence.values

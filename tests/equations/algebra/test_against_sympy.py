@@ -136,6 +136,25 @@ def test_a_law_in_pieces_is_one_of_sympys_too(time, value):
     assert law.subs(sp.Symbol("t", real=True), time) == value
 
 
+@pytest.mark.parametrize("name", ["sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sqrt", "atan2"])
+def test_derivatives_of_functions_are_sympys(name):
+    x, place = local("x"), {sp.Symbol("x", real=True): sp.Rational(2, 7)}
+    own = [2 * x, 3 * x**2 - x][: 2 if name == "atan2" else 1]
+    others = [symbolic(part) for part in own]
+    slope = symbolic(derivative(call(name, *own), x))
+    judge = getattr(sp, name)(*others).diff(sp.Symbol("x", real=True))
+    assert float(slope.subs(place)) == pytest.approx(float(judge.subs(place)), rel=1e-12)
+
+
+def test_of_pieces_of_a_law_only_equal_neighbours_are_one():
+    a, b, t = local("a"), local("b"), local("t")
+    one, three = number(1), number(3)
+    assert [str(part) for part in piecewise(t, a, one, b, three, a).args] == ["t", "a", "1", "b", "3", "a"]
+    assert piecewise(t, a, one, a, three, b) is piecewise(t, a, three, b)
+    assert piecewise(t, a, one, b, three, b) is piecewise(t, a, one, b)
+    assert piecewise(t, a, one, a) is a
+
+
 @pytest.mark.parametrize("inverse", ["asin", "acos", "atan"])
 @pytest.mark.parametrize("name", ["sin", "cos", "tan"])
 def test_functions_of_inverse_ones(name, inverse):

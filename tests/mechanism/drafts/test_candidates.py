@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from types import SimpleNamespace
 from typing import Any
@@ -9,7 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from coursework.mechanism.drafts.candidates import End, Placement, _score
+from coursework.mechanism.drafts.candidates import End, Placement, _score, _trials
+from coursework.mechanism.groups import RRR
 
 CIRCLE = np.exp(1j * np.linspace(0, 2 * np.pi, 25))
 TURNING, SWINGING = np.linspace(-3.0, 9.0, 25), np.sin(np.linspace(0, 6, 25))
@@ -46,3 +48,10 @@ def test_an_angle_that_swings_about_half_a_turn_is_as_still_as_another() -> None
     about_pi = np.remainder(math.pi + 0.04 * CIRCLE.real + math.pi, 2 * math.pi) - math.pi  # from -pi to pi, as atan2 gives it
     assert np.ptp(about_pi) > 6
     assert score() - score(third=about_pi) == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize("moved", [0, 40 - 7j])
+def test_between_two_points_lengths_follow_from_their_distance_wherever_they_are(moved: complex) -> None:
+    """Two points 7.5 m apart: a third of it is the size; the lengths are 2, 2.5, 3 and 4 of it, in tenths of a metre."""
+    ends = [End("A", CIRCLE + moved, "", TURNING), End("B", CIRCLE + moved + 7.5, "", TURNING)]
+    assert [trial.lengths for trial in _trials(RRR, ends, None)] == list(itertools.product((5.0, 6.2, 7.5, 10.0), repeat=2))

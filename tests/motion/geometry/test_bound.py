@@ -4,11 +4,13 @@ The mechanisms are none of the catalogue; each sign of each written equation is 
 """
 
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import coursework
+from coursework.equations.reduction.bound import STILL, Geometry
 from coursework.equations.reduction.structure import structures
 from coursework.words.data_folders import folder
 from tests.mechanisms.library import mechanism
@@ -171,3 +173,18 @@ def test_where_the_drives_place_every_coordinate_the_geometry_judges_and_the_exa
         file.write_text(ALL_DRIVEN.replace("v = r*w*cos(f)", slip), encoding="utf-8")
         with pytest.raises(coursework.InputError, match=r"V302.*equation a "):
             _ = coursework.solve(file).table
+
+
+@pytest.mark.parametrize(("contacts", "rails", "circles", "touches"), [
+    (("K",), (), 1, True), (("K",), (), 0, False), (("K", "L"), (), 1, False), (("K", "L"), (), 2, True), (("K", "L"),
+    ("L",), 1, True),
+    (("K", "L"), ("K",), 0, True), (("L",), (), 1, True), (("L",), ("L",), 1, False), (("K", None, None), (), 1, True),
+])  # fmt: skip
+def test_a_contact_stands_still_on_a_rail_or_where_each_has_a_circle_of_the_frame(contacts, rails, circles, touches):
+    frame = SimpleNamespace(
+        hinges=(), rails=[(SimpleNamespace(name=name), None) for name in rails], circles=("circle",) * circles
+    )
+    links = [SimpleNamespace(wheel="P", contact=contact) for contact in contacts]
+    geometry = SimpleNamespace(_bodies={}, variant=SimpleNamespace(frame=frame, links=links))
+    found = Geometry._touched(geometry, SimpleNamespace(wheel="P", contact="K"), None)
+    assert found == ((STILL, STILL) if touches else None)

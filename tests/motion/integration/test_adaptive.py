@@ -1,8 +1,11 @@
 """The next step of a pair: shorter by the root of its order, 0.85 of that to be safe, never much shorter or longer."""
 
+import math
+
+import numpy as np
 import pytest
 
-from coursework.motion.integration.adaptive import next_length
+from coursework.motion.integration.adaptive import integrate_adaptive, next_length
 
 
 @pytest.mark.parametrize(
@@ -16,3 +19,10 @@ from coursework.motion.integration.adaptive import next_length
 def test_the_next_step(ratio, order, part):
     assert next_length(3.0, ratio, order) == pytest.approx(3.0 * part, rel=1e-12)
     assert next_length(3.0, ratio) == next_length(3.0, ratio, 5)
+
+
+def test_each_component_is_as_accurate_as_asked_for():
+    """One that never errs does not hide another: x = t, y = sin(60 t), both at times that no step would choose."""
+    times = np.array([0.0, 0.1234, 0.5, 1.0])
+    found, _ = integrate_adaptive(lambda t, *q: [1.0, 60 * math.cos(60 * t), 9.0], np.zeros(2), times, 1e-10)
+    assert found == pytest.approx(np.column_stack([times, np.sin(60 * times)]), abs=1e-8)

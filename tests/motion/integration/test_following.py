@@ -46,6 +46,28 @@ def test_where_newton_meets_a_singular_position_every_row_is_in_doubt():
     assert _Follower.certain(stand, np.arange(3.0), np.zeros((3, 2)), None).shape == (0, 2)
 
 
+def test_an_interval_over_which_no_position_is_found_is_halved_with_the_targets_of_each_half():
+    """At t the target is 10 t and the driven coordinate 100 t; a position is found over a quarter of the interval at most."""
+    ends = []
+
+    def newton(end, guess, target):
+        ends.append(end)
+        begin = guess[1]
+        assert (guess[0], target.tolist()) == (pytest.approx(100 * end), [pytest.approx(10 * end)])
+        return np.array([guess[0], guess[1]]) if end - begin <= 0.25 else None
+
+    closure = SimpleNamespace(
+        driven=(0,), newton=newton, targets=lambda times: (10 * times[:, None], 100 * times[:, None]),
+    )  # fmt: skip
+    rates = SimpleNamespace(velocities=(), evaluate=lambda t, *q: np.array([1.0]))
+    stand = SimpleNamespace(
+        closure=closure, rates=rates, signs=np.ones(1), parts=0, _predicted=lambda begin, length, q: np.array([-1.0, begin])
+    )
+    found = _Follower.single(stand, 2.0, 3.0, np.zeros(2), np.array([30.0]), np.array([300.0]))
+    assert ends == [3.0, 2.5, 2.25, 2.5, 3.0, 2.75, 3.0]
+    assert (found.tolist(), stand.parts) == ([300.0, 2.75], 7)
+
+
 def step_by_step(closure, rates, times, monkeypatch):
     """Return the rows when every one of them is in doubt."""
     with monkeypatch.context() as changed:

@@ -1,5 +1,6 @@
 """What goes on from a change point, and where one is: the limits of both, each on both sides."""
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -39,6 +40,17 @@ def test_how_many_motions_go_on_from_a_change_point(square, slope, constant, cou
         flow = Single(lambda t, q, sign=sign: 0.0 + sign * (square * q + slope * t), lambda t, q, sign=sign: -sign * constant * t)
         found = branches_at(flow, 0, 0.0, [0.0])
         assert found is count if count is None else len(found) == count
+        for u in (one["u"] for one in found or ()):
+            parts = square * u**2, slope * u, constant
+            assert abs(sum(parts)) < 1e-3 * max(map(abs, parts))
+
+
+@pytest.mark.parametrize(("fast", "end"), [(1e3, 1.0), (1e3, 100.0), (30.0, 1.0), (1e-3, 0.1), (1e-2, 50.0)])
+def test_velocities_far_from_those_looked_for_are_looked_for_again(fast, end):
+    """sin(q) u = f^2 sin(t) goes on with u = f and -f: differences over 1e-5 s at 1e3 rad/s were off by 1e-5 of them."""
+    flow = Single(lambda t, q: math.sin(q), lambda t, q: fast**2 * math.sin(t))
+    found = sorted(one["u"] for one in branches_at(flow, 0, 0.0, [0.0], end))
+    assert found == pytest.approx([-fast, fast], rel=1e-7)
 
 
 @pytest.mark.parametrize(("apart", "count"), [(1.2e-5, 1), (0.8e-5, 0), (0.0, 0)])
@@ -72,6 +84,18 @@ def test_motions_are_told_apart_where_differences_have_digits(longest, count):
     )  # fmt: skip
     found = branches_at(flow, 0, 0.0, [0.0, 0.0])
     assert sorted(round(one["u"], 6) for one in found) == [-1.0, 1.0][:count]
+
+
+@pytest.mark.parametrize("longest", [1.0, 1e3, 1e-3])
+@pytest.mark.parametrize(("share", "count"), [(1.1e-6, 2), (0.9e-6, 0)])
+def test_where_two_equations_are_lost_no_motion_is_told(longest, share, count):
+    """u^2 = 1 beside v = 0 and w = 0, of which one counts for a millionth of the other."""
+    flow = SimpleNamespace(
+        places=[SimpleNamespace(unknowns=(0, 1, 2))], rates=[(False, 0), (False, 1), (False, 2)],
+        system=SimpleNamespace(unknowns=("u", "v", "w")), velocities=lambda t, q, block, own: own,
+        part=lambda t, q, block: (longest * np.diag([q[0], share, 1.0]), longest * np.array([t, 0.0, 0.0]), np.zeros(3)),
+    )  # fmt: skip
+    assert len(branches_at(flow, 0, 0.0, [0.0, 0.0, 0.0])) == count
 
 
 @pytest.mark.parametrize(("within", "given_up"), [(0.12, False), (0.08, True)])

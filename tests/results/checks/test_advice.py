@@ -192,3 +192,15 @@ def test_an_error_four_times_smaller_than_the_order_foretells_may_be_luck(share,
     coarse = [Finding("COARSE", "", 0.4, 0.05, code="ACCURACY")]
     found = advice._step(SimpleNamespace(rerun=lambda *_: "rows"), "euler", coarse, lambda tried: [], 1)
     assert (found, doubted) == ((10, None), [10] * is_doubted)
+
+
+@pytest.mark.parametrize(("step", "own", "time_step", "parts", "told"), [
+    (0.02, None, 0.02, 4, ("h/4", 0.005)), (0.02, None, 0.02, 1, ("0.02", 0.02)), (0.02, 0.04, 0.02, 1, ("h/2", 0.02)),
+    (0.03, 0.02, 0.03, 3, ("h/2", 0.01)), (0.02, 0.03, 0.02, 1, ("0.02", 0.02)),
+    (0.02, 0.03, 0.02, 3, ("0.006666666666666667", 0.02 / 3)),
+    (0.02, 0.02 * (1 + 0.9e-12), 0.02, 2, ("h/2", 0.01 * (1 + 0.9e-12))), (0.02, 0.02 * (1 + 1.1e-12), 0.02, 2, ("0.01", 0.01)),
+])  # fmt: skip
+def test_a_step_is_told_as_a_part_of_that_of_the_file_if_it_is_one(step, own, time_step, parts, told):
+    time = SimpleNamespace(own_step=own, step=time_step)
+    evidence = SimpleNamespace(motion=SimpleNamespace(step=step), variant=SimpleNamespace(time=time))
+    assert advice._spelled(evidence, parts) == told

@@ -138,6 +138,55 @@ SUMMARIES = {
 }  # fmt: skip
 
 
+STOPS = judged("STOP", "FAIL", value=0.117)
+FOUND = say("check.ACCURACY.found", name="w1", row=5, share="30 %", scale=2.5, unit="rad/s")
+SUMMARIES |= {
+    "it stops": (
+        [STOPS, judged("RESIDUAL", "PASS"), judged("INITIAL", "PASS"), judged("ACCURACY", "SKIP")],
+        "The motion stops at t = 0.117 s. The rows up to the stop are computed right: 2 of 2. "
+        "How close it is to the motion is not known.",
+    ),
+    "it never begins": ([STOPS, judged("ACCURACY", "SKIP")], "The motion stops at t = 0.117 s. No row is computed."),
+    "it stops and is wrong": (
+        [STOPS, judged("RESIDUAL", "FAIL"), judged("ACCURACY", "SKIP")],
+        "The motion stops at t = 0.117 s. The table is not computed right: 0 of 2 checks of the computation pass; see RESIDUAL. "
+        "How close it is to the motion is not known.",
+    ),
+    "the step stops it": (
+        [judged("STOP", "COARSE", value=0.25), judged("RESIDUAL", "PASS"),
+         judged("ACCURACY", "COARSE", value=0.3, column="w1", row=5, option="--scheme rk4")],
+        "The rows end at t = 0.25 s, where the mechanism does not: the step is too large. "
+        "The rows up to the stop are computed right: 1 of 1. "
+        "It is not close to the motion: largest error 30.0 % (w1, row 5); take --scheme rk4.",
+    ),
+    "its scale is known": (
+        [judged("STOP", "PASS"), replace(judged("ACCURACY", "COARSE", value=0.3, column="w1", row=5), sentence=FOUND)],
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is not close to the motion: largest error 30.0 % of 2.5 rad/s (w1, row 5).",
+    ),
+    "its scale stands in a part": (
+        [judged("STOP", "PASS"),
+         replace(judged("ACCURACY", "PASS", value=0.03, column="w1", row=5), sentence=say("check.ACCURACY.pass", found=FOUND))],
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is close to the motion: largest error 3.0 % of 2.5 rad/s (w1, row 5).",
+    ),
+    "what is coarse is said once": (
+        [judged("STOP", "PASS"), judged("ACCURACY", "COARSE", value=0.3, column="w1", row=5), judged("STEP", "COARSE")],
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is not close to the motion: largest error 30.0 % (w1, row 5).",
+    ),
+}  # fmt: skip
+
+
+def test_exact_rows_without_an_error_are_the_motion_itself():
+    for value, told in (
+        (0.0, "The rows are the motion itself."),
+        (0.01, "It is close to the motion: largest error 1.0 % (w1, row 2)."),
+    ):
+        found = [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=value, column="w1", row=2)]
+        assert summary(found, is_motion=True) == f"The table is computed right: 1 of 1 checks of the computation. {told}"
+
+
 @pytest.mark.parametrize(("share", "told"), [(0.99987, "0.9998"), (0.999999, "0.9999"), (0.9, "0.9"), (1.0, "1")])
 def test_a_part_of_a_whole_is_never_told_larger_than_it_is(share, told):
     assert f"{floored(share):.4g}" == told

@@ -78,7 +78,7 @@ def test_another_assembly_in_the_table_is_coarse_and_in_the_exact_motion_wrong(r
 
     for verdict, changes in (("COARSE", {"motion": turned(run.motion)}), ("FAIL", {"exact": turned(run.exact)})):
         judged = finding("PERIOD-ASSEMBLY", evidence_of(run, **changes))
-        assert (judged.verdict, judged.row) == (verdict, 11)
+        assert (judged.verdict, judged.row, judged.sentence.values["row"]) == (verdict, 11, 11)
 
 
 def test_a_motion_that_stops():

@@ -1,5 +1,7 @@
 """Many sets together are each set alone: rows to 1e-12, the same stops, and no dead point missed."""
 
+import math
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -11,6 +13,7 @@ from coursework.scene.model.sets import prepare
 from coursework.scene.model.start import start_of
 from coursework.scene.model.watch import fewest_steps
 from coursework.variant.catalogue import find, names
+from tests.hard.drives import Law, four_bar
 from tests.mechanisms.library import mechanism
 from tests.sample import sampled
 
@@ -130,6 +133,15 @@ def test_a_frame_in_and_tables_out():
 def test_no_sets_are_no_rows():
     solved = coursework.solve_many(model("31"), {"p": []})
     assert solved.values.shape == (0, 25, 7) and solved.stops == ()
+
+
+@pytest.mark.parametrize(("width", "is_sure"), [(1e-4, False), (0.2, True)])
+def test_a_set_whose_drive_has_a_pulse_that_no_step_shows_is_in_doubt(width, is_sure):
+    law = Law(
+        "pulse", "b + a*exp(-((t - tm)/T)^2)", {"a": "1 rad/s", "b": "1 rad/s", "tm": "0.05 s", "T": f"{width} s"}, math.sin
+    )
+    found = coursework.compile_model(coursework.parse_variant(four_bar(law, end=0.3)))
+    assert prepare(found, found.data({"b": [1.0, 1.1]}), 0.3).sure.tolist() == [is_sure] * 2
 
 
 PIECES = mechanism("drive-in-pieces")

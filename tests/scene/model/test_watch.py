@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.equations.reduction.symbolic import TIME
+from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.scene.model import watch
-from coursework.scene.model.watch import Watch, frequencies, sure_to_move
+from coursework.scene.model.watch import Watch, fewest_steps, frequencies, sure_to_move
 
 
 def test_what_is_known_of_a_determinant_after_four_looks():
@@ -71,3 +71,18 @@ def test_the_fastest_change_in_a_drive_is_that_of_each_set_at_any_time():
         ((constant, of_time), [8, 22, 8]),
     ):  # fmt: skip
         assert frequencies(model, slopes, (a, p), 3, 5.0).tolist() == fastest
+
+
+@pytest.mark.parametrize(("waves", "driven", "end", "steps"), [
+    ([0.0], ("w",), 10.0, 120), ([7.0, 1.0], ("w",), 10.0, 140), ([7.0, 1.0], (), 10.0, 140), ([0.0], ("u",), 10.0, 12),
+    ([0.0], ("w",), 1.05, 13), ([0.0], ("w",), 0.95, 12), ([0.0], ("w", "v"), 1.0, 18), ([0.0], ("w",), 1000.0, 4000),
+    ([np.inf], ("w",), 1000.0, 12), ([np.inf], (), 1000.0, 12), ([], (), 10.0, 12),
+])  # fmt: skip
+def test_in_a_step_no_drive_turns_by_more_than_half_a_radian(waves, driven, end, steps):
+    """Of all sets w reaches -6 rad/s at the start, v 9 rad/s; u is a speed in m/s, and what nothing drives is not looked at."""
+    values = {"w": np.array([2.0, -6.0]), "u": np.array([1000.0, 0.0]), "v": 9.0}
+    by_symbol = {symbol(name): value for name, value in values.items()}
+    variant = SimpleNamespace(coordinates=[SimpleNamespace(unit=unit) for unit in ("rad", "m", "rad")], rates=(*values,))
+    variant.known_rates = driven
+    model = SimpleNamespace(variant=variant, compiled=lambda drives: lambda t, *_: [by_symbol[one] for one in drives])
+    assert fewest_steps(model, (), np.array(waves), np.zeros(3), end) == steps

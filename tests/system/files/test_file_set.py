@@ -1,12 +1,15 @@
 """Where temporary files lie while a set of files is written, and what is as before once it is."""
 
+import errno
 import os
 import tempfile
 
 import pytest
 
-from coursework.system.files import file_set
+from coursework.system.files import file_set, whole_files
 from coursework.system.files.file_set import MATPLOTLIB, scratch_in
+from coursework.system.files.whole_files import write_bytes
+from coursework.words.errors import OutputError
 
 
 @pytest.mark.parametrize(("named", "writable", "inside"), [
@@ -26,3 +29,19 @@ def test_scratch_lies_in_the_folder_and_matplotlibs_settings_where_they_have_no_
         assert os.environ.get(MATPLOTLIB) == (str(tmp_path) if inside == "scratch" else inside)
     assert tempfile.tempdir == tempdir
     assert os.environ.get(MATPLOTLIB) == named
+
+
+def test_a_file_is_written_whole_with_its_folders_and_leaves_nothing_beside_it(tmp_path, monkeypatch):
+    place = tmp_path / "a" / "b" / "c.txt"
+    for content in (b"one", b"two"):
+        write_bytes(place, content)
+        assert [(one.name, one.read_bytes()) for one in place.parent.iterdir()] == [("c.txt", content)]
+
+    def full(path, content):
+        path.write_bytes(content[:2])
+        raise OSError(errno.ENOSPC, "")
+
+    monkeypatch.setattr(whole_files, "write_through", full)
+    with pytest.raises(OutputError):
+        write_bytes(place, b"three")
+    assert [(one.name, one.read_bytes()) for one in place.parent.iterdir()] == [("c.txt", b"two")]

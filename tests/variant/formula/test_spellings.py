@@ -89,6 +89,12 @@ def test_look_alikes_are_told(letter, looks_like):
     assert f'“{letter}”, which looks like the Latin "{looks_like}"' in description
 
 
+@pytest.mark.parametrize(("letter", "script"), [("ж", "cyrillic"), ("ϐ", "greek"), ("長", "other"), ("é", "other")])
+def test_a_letter_is_called_by_its_alphabet_where_the_words_have_one(letter, script):
+    position, description = foreign_letter(f"a{letter}")
+    assert (position, description.key, description.values["letter"]) == (1, f"fault.letter.{script}", letter)
+
+
 TURN = 2 * math.pi
 # Units of task sheets, written down here once more: text -> value in SI and SI unit.
 LENGTHS = {"m": 1, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048, "м": 1, "см": 0.01, "мм": 0.001}

@@ -6,7 +6,7 @@ from fractions import Fraction
 import pytest
 
 from coursework.variant.formula import mass_units, motion_units
-from coursework.variant.formula.units import read
+from coursework.variant.formula.units import UnitFault, read
 
 
 @pytest.mark.parametrize(
@@ -25,6 +25,19 @@ def test_angles_in_whole_right_angles_are_known_as_such(text, quarters):
 def test_a_size_with_or_without_mass_is_read_where_it_is_wanted(text, wanted, value, si):
     found = read(text, wanted)
     assert (found.value, found.si) == (pytest.approx(value), si)
+
+
+@pytest.mark.parametrize(("text", "value"), [
+    ("-1 m", -1.0), ("0 m", 0.0), ("0.00 mm", 0.0), ("0e7 m", 0.0), ("-1e-300 m", -1e-300), ("1e-400 m", None),
+    ("-2e-400 m", None),
+])  # fmt: skip
+def test_a_number_that_is_nought_only_because_it_is_too_small_is_told(text, value):
+    if value is None:
+        with pytest.raises(UnitFault) as told:
+            read(text, "m")
+        assert told.value.message.key == "fault.V135"
+    else:
+        assert read(text, "m").value == value
 
 
 # Length, time and mass of the units of which others are made; rad is a number.

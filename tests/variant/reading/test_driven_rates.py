@@ -102,6 +102,7 @@ def test_the_start_that_closes_keeps_the_cranks():
         ("wa = n1", "wd = 0"),  # a link that does not turn is held, not driven
         ("wa = n1", "wd + wg = n1"),
         ("wa = n1", "wd*cos(delta) = n1"),
+        ("wa = n1", "wd = n1", "wa + wd = 2*n1"),  # nothing would be left for the third to determine
         ("wa = n1", "wd = n1", "wd = 2*n1"),  # two constraints that contradict each other are told as such
     ],
 )

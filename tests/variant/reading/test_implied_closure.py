@@ -185,8 +185,8 @@ def test_a_driven_point_alone_judges_the_arm_that_carries_it():
 
 
 def test_points_of_two_links_in_one_place_are_proposed_as_a_joint():
-    """A peg in a slot without [closure]: nothing says that A and B are one, but they lie in one place."""
-    text = ARM.replace('M = "rho @ psi"', 'A = "M + (0, R)"\nB = "M + (0.001, R)"\nM = "rho @ psi"').replace("VM", "VN")
+    """A peg in a slot without [closure]: nothing says that A and B are one; a hundredth of R = 0.2 m is near."""
+    text = ARM.replace('M = "rho @ psi"', 'A = "M + (0, R)"\nB = "M + (0.00199, R)"\nM = "rho @ psi"').replace("VM", "VN")
     text = text.replace("hinges", '2 = { points = ["A"] }\n3 = { points = ["B"] }\n[frame]\nhinges').replace("[frame]\n2", "2", 1)
     (found,) = [one for one in checks(text)[1].checks if one.code == "AGREEMENT"]
     assert (
@@ -194,5 +194,13 @@ def test_points_of_two_links_in_one_place_are_proposed_as_a_joint():
         and "A and B lie in one place, or almost, at the start" in found.sentence
         and '"A = B"' in found.sentence
     )
-    apart = text.replace("0.001", "0.1")
+    apart = text.replace("0.00199", "0.00201")
     assert "A = B" not in next(one for one in checks(apart)[1].checks if one.code == "AGREEMENT").sentence
+
+
+@pytest.mark.parametrize(("section", "found"), [("closure", "3"), ("ask", '"x"')])
+def test_a_section_that_is_written_as_a_value_is_wanted_as_lines(section, found):
+    with pytest.raises(
+        coursework.InputError, match=rf"V015 .*{section}: a section of lines key = value was expected, found {found}\."
+    ):
+        coursework.parse_variant(f"{section} = {found}\n{ARM}")

@@ -263,8 +263,6 @@ def _clashing(rows: Array) -> Flags:
     """Return which of the systems (…, k, n) fix every velocity in them yet have no solution: no dead point explains that."""
     kept = np.append(np.any(rows[..., :-1] != 0, axis=tuple(range(rows.ndim - 1))), True)
     rows = rows[..., kept]
-    if rows.shape[-2] < rows.shape[-1]:
-        return np.zeros(rows.shape[:-2], dtype=bool)
     return np.asarray((_ranks(rows[..., :-1], _CLASH) == rows.shape[-1] - 1) & (_ranks(rows, _CLASH) == rows.shape[-1]))
 
 

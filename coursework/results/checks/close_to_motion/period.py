@@ -265,7 +265,7 @@ def assembly(evidence: Evidence) -> Finding:
     if len(determinants) < 2 or not determinants.shape[1]:
         return skipped(evidence.say("check.PERIOD-ASSEMBLY.skip"))
     unit = evidence.say("unit.relative")
-    smallest = float(np.min(np.abs(motion.scaled))) if motion.scaled.size else None
+    smallest = float(np.min(np.abs(motion.scaled)))
     row = _changed(motion, evidence)
     if exact is not None and (true := _changed(exact, evidence)) is not None:
         return Finding("FAIL", evidence.say("check.PERIOD-ASSEMBLY.fail", row=true + 1), smallest, None, unit, None, true + 1)

@@ -82,7 +82,7 @@ def shares(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], win
     columns = np.array([motion.column(name)[: len(t)] for name in names]).T
     without_trend = _left_by_a_line(t, columns)
     unexplained = _left(np.column_stack([np.ones_like(t), t, *_turning(t, found)]), columns)
-    quiet = (_QUIET * np.max(np.abs(columns), axis=0)) ** 2 * len(t)
+    quiet = _quiet(columns) * len(t)
     carried = np.where(without_trend <= quiet, 1.0, 1 - unexplained / np.where(without_trend > 0, without_trend, 1.0))
     return dict(zip(names, carried.tolist(), strict=True))
 
@@ -98,9 +98,14 @@ def harmonics(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], 
     terms = np.column_stack([np.ones_like(whole), *_turning(whole, found)])
     squares = np.linalg.lstsq(terms, columns, rcond=None)[0][1:] ** 2
     sizes = np.sum(squares.reshape(len(HARMONICS), -1, len(names)), axis=1)
-    sizes[0] += np.sum(sizes, axis=0) <= (_QUIET * np.max(np.abs(columns), axis=0)) ** 2  # no oscillation counts as sinusoidal
+    sizes[0] += np.sum(sizes, axis=0) <= _quiet(columns)  # no oscillation counts as sinusoidal
     parts = np.array([*shares(motion, names, found, window).values()]) * sizes / np.sum(sizes, axis=0)
     return {name: tuple(column) for name, column in zip(names, parts.T.tolist(), strict=True)}
+
+
+def _quiet(columns: Array) -> Array:
+    """Return the square (k,) of the amplitude below which the oscillation of each column (n, k) is round-off."""
+    return np.asarray((_QUIET * np.max(np.abs(columns), axis=0)) ** 2)
 
 
 def _turning(t: Array, found: tuple[float, ...]) -> list[Array]:

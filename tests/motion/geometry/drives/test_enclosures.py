@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from coursework.equations.codegen.tabulated import TableLaw
+from coursework.motion.geometry.drives.drive import _is_of_time
 from coursework.motion.geometry.drives.enclosures import REACH, Enclosure, Laws, _exponential
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import FUNCTIONS
@@ -156,3 +157,17 @@ def test_a_power_is_bound_as_closely_as_it_can_be(radius):
     ends = np.array([0.3 - radius]), np.array([0.3 + radius])
     found = _exponential(Enclosure(*ends, np.array([0.3]), np.array([radius])))
     assert found.radius == pytest.approx([math.exp(0.3 + radius) - math.exp(0.3)])
+
+
+@pytest.mark.parametrize(("law", "is_of_time"), [
+    (Law("f", parse("a*t")), True), (Law("f", parse("a*pi")), False), (Law("f", parse("phi*t")), False),
+    (Law("f", parse("phi")), False),
+    (Law("f", parse("sin(g) + a")), True), (Law("f", parse("h - a")), False), (Law("f", parse("g*phi")), False),
+    (Law("f", pieces=((0.0, parse("1")), (1.0, parse("2")))), True), (Law("f", pieces=((0.0, parse("1")),)), False),
+    (Law("f", pieces=((0.0, parse("1")), (1.0, parse("phi")))), False), (Law("f", table=((0.0, 1.0), (1.0, 2.0)), of="t"), True),
+    (Law("f", table=((0.0, 1.0), (1.0, 2.0)), of="phi"), False),
+])  # fmt: skip
+def test_what_changes_with_time_and_with_nothing_else(law, is_of_time):
+    """g = t^2, h = 3 and the datum a are known; phi is a coordinate."""
+    others = {"g": Law("g", parse("t^2")), "h": Law("h", parse("3"))}
+    assert _is_of_time(law, Laws({"a": 2.0}, {law.name: law, **others}, {})) is is_of_time

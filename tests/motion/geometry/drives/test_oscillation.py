@@ -35,6 +35,8 @@ def frequency(tmp_path, law, more=""):
         ("V1*(sin(p*t) + sin(1.4142135623730951*p*t)^2)", 2 * math.sqrt(2) * P),
         ("V1*exp(-t*2*p)*sin(p*t)", P),
         ("V1*sin(p*t + 0.3*sin(10*p*t))", 10 * P),  # arguments that do not grow evenly: the steepest slope of all
+        ("V1*1.0e-12*sin(p*t)^2", 2 * P),  # V1 = 4.5 m/s: a wave of a quarter of this counts from 1e-12 m/s on
+        ("V1*0.8e-12*sin(p*t)^2", P),
         ("V1*p*t", 0.0),
         ("V1", 0.0),
     ],

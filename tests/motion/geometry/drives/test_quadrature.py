@@ -96,6 +96,22 @@ def test_a_bound_on_looks_ends_what_has_none():
     assert MOST <= looked <= 4 * MOST
 
 
+@pytest.mark.parametrize(("way", "stretches"), [(0.9, 32), (1.7, 32), (1.9, 16), (-1.9, 16)])
+def test_what_moves_far_may_be_off_by_more(way, stretches):
+    """A law known to be within a slope times the stretch, 14.4 WANTED, moves in the first of sixteen stretches alone.
+
+    A stretch is open by 14.4 WANTED/16^2 = 0.9 WANTED/16 and may be by WANTED max(1, way)/32; half of it is open by a quarter.
+    """
+
+    def enclosed(begin, end):
+        slope = 14.4 * WANTED * (end - begin)
+        laws = [16.0 * way * (begin < 1 / 16), 0 * begin]
+        return [Enclosure(law, law + slope, law, np.full(len(begin), np.inf)) for law in laws]
+
+    found = resolve(enclosed, np.array([0.0, 1.0]))
+    assert (len(found.edges) - 1, found.met) == (stretches, True)
+
+
 SUDDEN = {
     "pulse": ("b + a*exp(-((t - t0)/T)^2)", {"a": "1e4 rad/s", "b": "1 rad/s", "t0": "0.50437 s", "T": "1e-4 s"}, 2.7724538509),
     "lorentz": ("b + a/(1 + ((t - t0)/T)^2)", {"a": "1e3 rad/s", "b": "1 rad/s", "t0": "0.50437 s", "T": "1e-4 s"}, 1.3141192623),

@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import coursework
@@ -244,3 +245,15 @@ def test_a_sign_hidden_at_the_start_is_seen_where_equations_depend_on_time(drive
     assert confirmed(wiper("(B - D - r3 @ phi3)", (CRANK, timed), w1=drive)) == ("1", "2")
     with pytest.raises(coursework.InputError, match=r"V302 .*equation 1 contradicts"):
         confirmed(wiper("(B - D - r3 @ phi3)", (CRANK, timed[1:]), w1=drive))
+
+
+@pytest.mark.parametrize(("rows", "clash"), [
+    ([[1, 0, 1], [0, 1, 1], [1, 1, 2]], False), ([[1, 0, 1], [0, 1, 1], [1, 1, 3]], True),
+    ([[1, 1, 1], [1, 1, 2], [2, 2, 0]], False),
+    ([[1, 0, 1], [1, 0, 2]], True), ([[1, 0, 1]], False), ([[0, 0, 1]], True), ([[1, 1], [1, 1.042]], True),
+    ([[1, 1], [1, 1.039]], False),
+])  # fmt: skip
+def test_a_clash_fixes_each_velocity_that_occurs_and_has_no_solution(rows, clash):
+    """The singular values of (1, 1), (1, 1 + x) have the product x and nearly the ratio x/4, of which a hundredth is allowed."""
+    assert agreement._clashing(np.array(rows, dtype=float)).tolist() is clash
+    assert agreement._clashing(np.array([rows, rows], dtype=float)).tolist() == [clash, clash]
