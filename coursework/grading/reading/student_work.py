@@ -126,13 +126,16 @@ class EquationReading:
     """One way to read a line: `tree` is left - right; `text` is the repaired text that was read, "" if the line as it stands.
 
     `guessed` is True if something was added that the line does not contain.  `is_loose` is True if the line may mean something
-    else, so that the reading counts only if it is right.
+    else, so that the reading counts only if it is right; if it `asks`, a person must say even then that it is meant.
+    One that `is_partial` leaves out a side of a chain a = b = c, which may say more.
     """
 
     tree: Formula
     text: str = ""
     guessed: bool = False
     is_loose: bool = False
+    asks: bool = False
+    is_partial: bool = False
 
 
 @frozen
@@ -143,7 +146,8 @@ class EquationLine:
     `others` are further ways to read the line; if one of them is right, that one was meant.  `relates` is True for an unread line
     that names two symbols of the variant: it is an equation; `is_prose` for one that is a sentence.  `place` says where the line
     stands in a document, for a person.  A line that `may_be_datum`, such as "w1 = 6.5" in a report, counts as an equation only if
-    it is right.
+    it is right.  One that was `passed_over` as a comment or the like is told only if equations are missing; so is one that
+    `is_partial`, a chain a = b = c of which a side could not be read.
     """
 
     file: str
@@ -158,11 +162,13 @@ class EquationLine:
     place: Sentence | None = None
     may_be_datum: bool = False
     guessed: bool = False
+    passed_over: bool = False
+    is_partial: bool = False
 
     @property
     def may_be_one(self) -> bool:
         """Return whether the line may be an equation of the variant's names: it was read, or it names two of them."""
-        return self.tree is not None or self.relates
+        return self.tree is not None or (self.relates and not self.passed_over)
 
     @property
     def difference(self) -> Formula:
@@ -172,7 +178,8 @@ class EquationLine:
 
     def read_as(self, reading: EquationReading, **changes: Any) -> EquationLine:
         """Return the line in another of its readings, with further changes."""
-        return replace(self, **{"tree": reading.tree, "repaired": reading.text, "guessed": reading.guessed, **changes})
+        read = {"tree": reading.tree, "repaired": reading.text, "guessed": reading.guessed, "is_partial": reading.is_partial}
+        return replace(self, **{**read, **changes})
 
     @property
     def where(self) -> Sentence:

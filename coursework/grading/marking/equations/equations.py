@@ -16,7 +16,9 @@ from typing import Any, Literal
 import numpy as np
 
 from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
+from coursework.grading.marking.equations.doubts import part_of_chain, question_of
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness, written
+from coursework.grading.marking.equations.hints import Hint
 from coursework.grading.marking.equations.lacks import lack_of, law_of
 from coursework.grading.marking.equations.linear import Linear, differing, is_one_slip, linear, rank, says_more
 from coursework.grading.marking.equations.meant_together import as_lists_or_minus, as_others_of_their_kind
@@ -29,7 +31,6 @@ from coursework.grading.reading.student_work import EquationLine
 from coursework.grading.reading.submission import Note, note
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import Formula, spelled
-from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -38,26 +39,6 @@ Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
 RIGHT, ROUNDED, ON_CLOSURE = 1e-9, 2e-3, 1e-7
 COUNTED = ("right", "rounded", "closure")
 JUDGED = (*COUNTED, "wrong")
-
-
-@frozen
-class Hint:
-    """What would make a wrong line right: `text` is the corrected line; `others` counts further single edits that also do.
-
-    `column` is that of the line as handed in, which a document or a cell may show otherwise; `term` is what stands there.
-    """
-
-    kind: Literal["sign", "function", "name", "factor", "datum", "repaired", "reader"]
-    column: int
-    text: str
-    others: int = 0
-    fault: Fault | None = None
-    term: str = ""
-
-    def plain(self) -> dict[str, Any]:
-        """Return the record as grades.json writes it; for a line that could not be read, with the code of the fault."""
-        told = {"kind": self.kind, "column": self.column, "text": self.text, "others": self.others}
-        return told if self.fault is None else told | {"code": self.fault.code, "values": self.fault.message.plain()}
 
 
 @frozen
@@ -170,15 +151,28 @@ class Judge:
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, any(mark is other for other in dependent)) for mark in marks)
+        marks = tuple(map(self._asked, marks))
         if independent == len(variant.sought):  # all equations are there: other lines are none, but a drive is told
             marks = tuple(m for m in marks if m.verdict != "wrong" or self._names_any(m) or law_of(m.line.difference, variant))
+            marks = tuple(mark for mark in marks if not mark.line.passed_over)
         wrong = [mark for mark in marks if mark.verdict == "wrong" and self._names_any(mark)]
         different = differing(_trees(wrong), self.off_closure)
         if different == len(wrong) == 2 and is_one_slip(_trees(wrong), _trees(counted), variant, self.off_closure):
             marks = tuple(replace(mark, lack=say("feedback.lack.one_slip")) if mark is wrong[1] else mark for mark in marks)
             independent, different = max(independent, len(variant.sought) - 1), 1
+        if different:  # what is missing is wrong
+            marks = tuple(mark for mark in marks if not (mark.line.passed_over and mark.line.is_partial))
+        elif independent < len(variant.sought):  # another side of a chain may be the equation that is missing
+            marks += tuple(self._mark(part_of_chain(mark.line)) for mark in counted if mark.line.is_partial)
         numbers = tuple(sorted(mark.line.line for mark in dependent))
         return EquationMarks(marks, independent, len(variant.sought), numbers, different, turned=turned)
+
+    def _asked(self, mark: EquationMark) -> EquationMark:
+        """Return the mark of a wrong line that may have been misread as that of a question; any other mark as it is."""
+        if mark.verdict != "wrong" or not self._names_any(mark):
+            return mark
+        asked = question_of(mark.line, self.key.variant, self._tells, is_named=mark.hint is not None)
+        return self._mark(asked) if asked else mark
 
     def _names_any(self, mark: EquationMark) -> bool:
         """Return whether a line names a sought velocity; one that does not, as T = 2*pi/p, is none of the equations needed."""
@@ -226,7 +220,11 @@ class Judge:
         """Return the mark of a line in the first of its readings that is right; if none is, in the first one."""
         line = without_ratios(line, self.key.variant.sought)
         if line.others and (line.tree is None or not self._tells(line.tree)):
-            right = (line.read_as(other, others=(), guessed=True) for other in line.others if self._tells(other.tree))
+            right = (
+                line.read_as(other, others=(), guessed=True)
+                for other in line.others
+                if not other.asks and self._tells(other.tree)
+            )
             line = next(right, line)
         if line.tree is None:
             fault = line.fault  # that of a whole file or key has no column

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 
+from coursework.grading.marking.equations.doubts import asked
 from coursework.grading.reading.equations.labels import without_labels
 from coursework.grading.reading.equations.list_marks import dash_apart
 from coursework.grading.reading.student_work import EquationLine, EquationReading
-from coursework.words.errors import Fault
 from coursework.words.sentences import say
 
 _BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—]"
@@ -46,14 +45,10 @@ def as_lists_or_minus(
         if any(dashed) and not is_list:
             others = [_meant(line, not is_minus, dash) for line in lines]
             asks = [one is not other and not is_right(one) and is_right(other) for one, other in zip(meant, others, strict=True)]
-            meant = [_asked(one) if is_asked else one for one, is_asked in zip(meant, asks, strict=True)]
+            columns = [len(one.text) - len(one.text.lstrip()) + 1 for one in meant]
+            said = [asked(one, say("fault.G068"), column) for one, column in zip(meant, columns, strict=True)]
+            meant = [question if is_asked else one for one, question, is_asked in zip(meant, said, asks, strict=True)]
         yield meant
-
-
-def _asked(line: EquationLine) -> EquationLine:
-    """Return a line as a question to a person: is its dash a minus?"""
-    fault = Fault(say("fault.G068"), line.file, line.line, len(line.text) - len(line.text.lstrip()) + 1)
-    return replace(line, tree=None, repaired="", fault=fault, others=(), relates=True)
 
 
 def _meant(line: EquationLine, is_minus: bool, dash: re.Pattern[str]) -> EquationLine:

@@ -14,6 +14,8 @@ from coursework.grading.reading.equations.notation.signs import VANISHED, depths
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\|\s_)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&|\s_))\s*$")
+_OPEN_END = re.compile(r"=\s*(?:\.{3}|…)?\s*$|\s/\d{1,2}/\s*$")  # "= ..." before another equation says that it goes on elsewhere
+_EMPHASISED = re.compile(r"\s*([*_]{1,3})(?=[^\W\d_])[^*=]{2,80}\1\s*")  # *Contact:* in Markdown
 _OPENED = re.compile(r"=\s*0\s*[.,;]?\s*\(\s*$")
 _FIXED = re.compile(r"^ {5}(?:&|[1-9+$*])\s*([-+*/(&][^=]*)$")  # the sixth column of Fortran: the statement goes on
 _STATEMENT = " " * 6  # before the first line of one
@@ -50,7 +52,7 @@ def _goes_on(kept: str, line: str, names: Names) -> bool:
     if _FIXED.match(line) and "=" in kept:
         return True
     near = max(len(kept) - _NEAR, 0)
-    if _OPENED.search(kept, near) or not any(map(str.isalnum, kept)):
+    if _EMPHASISED.fullmatch(kept) or _OPENED.search(kept, near) or not any(map(str.isalnum, kept)):
         return False  # "= 0 (": a remark begins, or nothing
     if _IMPORT.match(kept) or not (_IS_FORMULA.search(kept) or all(map(names.spellings.canonical, _BARE.findall(kept[:_NEAR])))):
         return False
@@ -60,7 +62,7 @@ def _goes_on(kept: str, line: str, names: Names) -> bool:
     if both and _MARKED.search(kept, near) and not _BEGINS.match(_ALIGNED.sub("", line)):
         return False  # in Typst the sign ends a line
     if _GOES_ON.search(kept, near):
-        return not (kept.rstrip().endswith("=") and "=" in line)
+        return not ("=" in line and _OPEN_END.search(kept, near))
     if "=" in kept and not both and kept.count("(") > kept.count(")"):
         return True
     rest = _ALIGNED.sub("", line)

@@ -1,17 +1,17 @@
-"""Lines of text, or a variant file -> a student's equations, each as a checked tree or with the reason why it has none.
+"""Lines of text -> a student's equations, each as a checked tree or with the reason why it has none.
 
 Enters: text with the names of the variant.  Leaves: `EquationLine`s.  The text is data: nothing in it is executed.
-Used by `read_submission.py`.
+Used by `read_submission.py`, `lines.py` and the readers of the parts of a text.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import field, replace
 from functools import lru_cache, partial
-from itertools import pairwise
+from itertools import combinations, pairwise
 
+from coursework.grading.reading.equations.edges import without_edges
 from coursework.grading.reading.equations.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.meanings import Meanings, in_smaller_units, meaning_of, put_in
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, place_of_name, spellings_of
@@ -26,13 +26,10 @@ from coursework.grading.reading.student_work import EquationLine, EquationReadin
 from coursework.system.frozen import frozen
 from coursework.variant.formula import reader
 from coursework.variant.formula.tree import Formula, FormulaFault, spelled, with_names
-from coursework.variant.reading.schema import Constraint
-from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentences import closest, say
 
 MORE_LINES = 20  # so many lines are read in addition to twice the equations needed
-_KEYS = tuple(Constraint.keys())
 WORD = re.compile(r"[^\W\d]\w*")
 LETTER = re.compile(r"(?<![A-Za-z])\\?([^\W\d_]|[a-z]{3,5})(?![A-Za-z0-9_])(\u0307)?")
 _PIECE = re.compile(r"[^\W\d]++\d+|[^\W\d_]+")  # the parts of names written without a sign between them
@@ -78,11 +75,17 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     unnamed = () if found else without_a_name(without_labels(text), variant, partial(read_as_one, names=names))
     found += unnamed
     found += [_loosely(tree) for one in found if (tree := with_angles_in_degrees(one.tree, variant)) is not None]
+    shorter = [
+        replace(one, text=one.text or meant, is_loose=True, asks=asks)
+        for meant, asks in without_edges(text, names.is_single)
+        for one in _readings(meant, names)[0]
+    ]
+    found = sorted([*found, *shorter], key=lambda one: one.is_partial)  # a word before a chain is cut rather than its first side
     first = next((one for one in found if not one.is_loose), None)
     if first is not None:
         found += map(_loosely, in_smaller_units(first.tree, variant))
         others = tuple(one for one in found if one is not first)
-        return EquationLine(file, line, text, first.tree, first.text, others=others, guessed=first.guessed)
+        return EquationLine(file, line, text, others=others).read_as(first)
     assert fault is not None  # without a firm reading, the strict reader refused the line
     if unnamed:
         fault = Fault(say("fault.G063", names=variant.sought, formula=without_labels(text).strip(" =")[:80]), column=1)
@@ -137,7 +140,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
     bare = without_labels(text)
     candidates = dict.fromkeys((names.listed.sub("", bare) if names.listed else text, bare, text))
     for candidate in candidates:
-        strict = _strict(candidate, names)
+        strict = strictly(candidate, names)
         if isinstance(strict, Fault):
             fault = replace(strict, column=strict.column + max(text.find(candidate), 0))
         else:
@@ -175,25 +178,28 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
     """
     texts = sides.texts
     if len(texts) == 2:
-        read = _strict(" = ".join(texts), names)
+        read = strictly(" = ".join(texts), names)
         if isinstance(read, Fault):
             return read
         return [EquationReading(read, " = ".join(texts), guessed=not sides.is_whole)]
-    kept = [text for text in texts if not isinstance(_strict(f"{text} = 0", names), Fault)]
+    kept = [text for text in texts if not isinstance(strictly(f"{text} = 0", names), Fault)]
     is_loose = any(text not in kept for text in texts if not OWN_NAME.fullmatch(text.strip()))
     while len(kept) > 2 and is_value(kept[-1]):
         kept.pop()
     is_lost = any(TURNED.search(text) for text in texts if text not in kept)  # a formula of the line would be passed over
     if is_lost or len(kept) < 2 or all(OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):
-        read = _strict(" = ".join(texts), names)
+        read = strictly(" = ".join(texts), names)
         assert isinstance(read, Fault)  # no equation has three sides
         return read
     found = []
+    given = [one for text in kept if (one := names_in(text, names.spellings) & {*names.expected.variant.sought})]
+    is_sum = not OWN_NAME.fullmatch(kept[0].strip(" ()"))  # the law of sines, where v = b*w3 = … gives v alone
+    is_partial = is_loose or (is_sum and any(not one <= other and not other <= one for one, other in combinations(given, 2)))
     said = [text for text in kept[:-1] if not OWN_NAME.fullmatch(text.strip()) or names.spellings.canonical(text.strip())]
     for text in dict.fromkeys(said or kept[:-1]):
-        read = _strict(f"{text} = {kept[-1]}", names)
+        read = strictly(f"{text} = {kept[-1]}", names)
         if not isinstance(read, Fault):
-            found.append(EquationReading(read, f"{text} = {kept[-1]}", is_loose=is_loose))
+            found.append(EquationReading(read, f"{text} = {kept[-1]}", is_loose=is_loose, is_partial=is_partial))
     return found
 
 
@@ -219,37 +225,6 @@ def read_as_one(text: str, names: Names) -> EquationReading | Fault:
     return fault
 
 
-def read_constraints(source: Source, file: str, expected: Expected) -> list[EquationLine]:
-    """Return the equations of a variant file; variant files are read strictly, without repair."""
-    entries = source.data.get("constraint")
-    names = names_for(expected)
-    lines: list[EquationLine] = []
-    for place, entry in enumerate(entries if isinstance(entries, list) else []):
-        if not isinstance(entry, dict):
-            continue
-        key = next((one for one in ("equation", "closure") if one in entry), None) or _misspelt(entry)
-        text = entry.get(key)
-        line = source.positions.find(("constraint", place, key))[0]
-        if not isinstance(text, str):
-            continue
-        if key not in _KEYS:
-            read: Formula | Fault = Fault(say("fault.G067", key_=key[:40], hint=closest(key, _KEYS), known=_KEYS))
-        else:
-            read = Fault(say("fault.G062")) if key == "closure" else _strict(text, names)
-        if isinstance(read, Fault):
-            fault = Fault(read.message, file, line, read.column)
-            asks = key != "closure" and len(names_in(text, names.spellings)) > 1
-            lines.append(EquationLine(file, line, text[: reader.MAX_CHARACTERS], fault=fault, relates=asks))
-        else:
-            lines.append(EquationLine(file, line, text, read))
-    return lines
-
-
-def _misspelt(entry: Mapping[str, object]) -> str:
-    """Return the unknown key under which a constraint has its equation, "" if there is none."""
-    return next((key for key, text in entry.items() if key not in _KEYS and isinstance(text, str) and "=" in text), "")
-
-
 @frozen
 class Names:
     """What a name in a line may mean: a name of the variant in any spelling, or another known name.
@@ -269,12 +244,16 @@ class Names:
         meant = self.spellings.canonical(name.name)
         return name if meant in {None, name.name} else replace(name, name=meant)
 
+    def is_single(self, word: str) -> bool:
+        """Return whether a word is one name of the task or of the text."""
+        return self.spellings.canonical(word) is not None or word in self.own
+
     def is_name(self, word: str) -> bool:
         """Return whether a word has a meaning: a name, a function, a chain of these, or a name that `meaning_of` knows."""
         return is_name(word, self.spellings) or meaning_of(word, self.expected, self.own) is not None
 
 
-def _strict(text: str, names: Names) -> Formula | Fault:
+def strictly(text: str, names: Names) -> Formula | Fault:
     """Return left - right with declared names, or the fault; the `place` of a fault is the undeclared name."""
     try:
         tree = Formula("-", reader.parse_equation(text))

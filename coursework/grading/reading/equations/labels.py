@@ -56,7 +56,7 @@ ASIAN = "\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af"  # letters of Japanese, Chines
 _ASIAN_BEHIND = re.compile(rf"(?<![{ASIAN}])[{ASIAN}][{ASIAN}\s.,;:]*$")  # "= u 이다."
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
 # Words behind an equation that change it, and a term there.
-_CHANGES = re.compile(
+CHANGES = re.compile(
     r"\b(?:half|halved|twice|doubled?|minus|plus|times|squared|negated|negative|divided|multiplied|halb\w*|doppelt\w*|mal|durch(?!\s+(?:Punkt|de[nr]|das|die))|geteilt"
     r"|половин\w*|пополам|вдвое|удво\w*|минус|плюс|умнож\w*|дел[её]н\w*|мінус|помнож\w*)\b|[半倍负負减減乘除]|加(?!速度)|절반|배|빼기|더하기",
     re.IGNORECASE,
@@ -145,7 +145,9 @@ def without_words(text: str, is_name: Callable[[str], bool]) -> str:
             start = aside.end()
         if _COUNTED.search(text, max(start - _NEAR, 0), start) and (number := re.match(r"\s*\d{1,3}[):.,]?\s+", text[start:])):
             start += number.end()
-    rest = text[start:]
+    rest, said = text[start:], text[:start].rstrip()
+    if CHANGES.search(said) and not said.endswith(":"):
+        return text  # "minus v = …", but not "multiplied by r: v = …"
     is_term = re.match(r"\s*[*/^=]|\(", rest) or (_ADDED.match(rest) and text[:start].strip().isalpha())
     return _POINTS.sub("", rest) if start and not is_term else text
 
@@ -205,7 +207,7 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     ended = _cut(text, is_name)
     behind = text[len(ended) :]
     term = _TERM.match(behind)
-    return text if _CHANGES.search(behind) or (term and (term[1].isdigit() or is_name(term[1]))) else ended
+    return text if CHANGES.search(behind) or (term and (term[1].isdigit() or is_name(term[1]))) else ended
 
 
 def _cut(text: str, is_name: Callable[[str], bool]) -> str:

@@ -82,8 +82,9 @@ def definition(text: str, names: Names) -> tuple[str, Formula] | None:
         return None
     read = [read_as_one(f"0 = {in_si(side)}", names) for side in formula.split("=", _MOST_SIDES)]
     trees = [one.tree.args[1] for one in read if not isinstance(one, Fault)]
-    is_same = len(trees) == len(read) and all(_are_equal(trees[0], tree) for tree in trees[1:])
-    return (plain_name(name), trees[0]) if is_same else None
+    said = [tree for tree in trees if [*tree.names()]] or trees  # D = R + r = 0.12 m says what D is, and its value
+    is_same = len(trees) == len(read) and all(_are_equal(said[0], tree) for tree in said[1:])
+    return (plain_name(name), said[0]) if is_same else None
 
 
 def _are_equal(one: Formula, other: Formula) -> bool:

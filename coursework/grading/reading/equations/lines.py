@@ -41,14 +41,15 @@ from coursework.grading.reading.equations.line_kinds import (
 from coursework.grading.reading.equations.list_marks import sign_of_list
 from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.equations.notation.signs import VANISHED, plain_signs, relates_two_sides
+from coursework.grading.reading.equations.passed_over import as_questions
 from coursework.grading.reading.equations.plain_text import plain
+from coursework.grading.reading.equations.row_values import is_of_one_row
 from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.systems.parts import parts_of
 from coursework.grading.reading.equations.text_lines import text_lines
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
-from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.reader import MAX_CHARACTERS
 from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
@@ -58,15 +59,8 @@ _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur
 _ROW = re.compile(r"^[-+−]?\d[^;\t ,\n]*+(?:[;\t ]|,[^,\n]*+,)[-+−\d.,eE;\t ]*+$", re.MULTILINE)
 _OF_A_POINT = re.compile(r"V[a-z]{1,3}")  # V_a = a·ω1, no product with a datum V although nothing else is said of it
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
-_MEASURED, _CHECKED = re.compile(r"\d[.,]\d\d"), re.compile(r"[=≈]\s*[-+−]?\d+[.,]\d\d+(?:\s+[^\s\d]\S{0,7})?[.,;]?\s*$")
-_AT_ONE_TIME = re.compile(r"[^=]{0,20}\bt\s*=\s*\d[\d.,]*\D")  # for t = 0: ω2 = -2.1
-_STANDS = re.compile(
-    r"(?:[^\W\d_]{2,12}[\s:,]+){0,5}[vV]_?\{?[A-Z]?[xy]?\}?\s*=\s*0\s*[.,;]?\s*"
-)  # V_C = 0: why an equation holds
-_UNIT_BEHIND = re.compile(r"\d\s+(\S{1,8}?)[.,;]?\s*$")
 _COMMENTED = re.compile(r"^[ \t]*(?:#+|//+|%+)[ \t]*(?=[^\s=])", re.MULTILINE)  # the sign of a line that is a comment
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
-_ANALOG = re.compile(r"(?<![^\W\d_])d\s*[^\W\d]\w*\s*\)?\s*/\s*\(?\s*d\s*(?!t\b)[^\W\d]")
 _GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*)(?:\w{1,20}\s*[,;]\s*)+\w{1,20}\s*(?:[\])}]|$)")
 # Limits on time: per equation that may be handed in, so many lines of a text are tried; in all, so many characters. A
 # line longer than a formula counts more than it has: its time grows with the square of its length.
@@ -76,9 +70,13 @@ _MOST_LINES, _MOST_DEFINITIONS, _PASSES = 20_000, 100, 3
 
 @dataclass(slots=True)
 class Lines:
-    """The equations and answers of a text; `unread` counts the lines with "=" that were not tried, any of which may be one."""
+    """The equations and answers of a text; `unread` counts the lines with "=" that were not tried, any of which may be one.
+
+    `passed` are lines that are no equations, but may hold one that is missing.
+    """
 
     equations: list[EquationLine] = field(default_factory=list)
+    passed: list[EquationLine] = field(default_factory=list)
     answers: list[AnswerLine] = field(default_factory=list)
     unread: int = 0
 
@@ -105,13 +103,16 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         if any(line.tree is not None for line in again.equations):
             lines = (replace(line, may_be_datum=line.tree is not None) for line in again.equations)
             found.equations = [line for line in lines if line.tree is not None or line.relates]
+    if beside is None and found.equations:
+        found.equations += filter(None, map(kept, found.passed))
     return found
 
 
 def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None, kept: _Kept) -> Lines:
     most = most_lines(expected)
     names = names_for(expected)
-    pieces = _pieces(text, names) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
+    passed, named = list[tuple[int, str]](), list[tuple[int, str]]()
+    pieces = _pieces(text, names, passed) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
     names, lines = with_legend(list(islice(pieces, _MOST_LINES)), names)
     sections = _sections(lines, names) if beside is None else [len(lines)]
     meanings = _definitions(lines, names, sections) if beside is None else [{}]
@@ -131,32 +132,31 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
         elif beside is not None:
             read = read_line(line, name, number, names)
             found.equations += [read] if relates(read, names) else []
-        elif not (
-            _defines(line, own, names, defined)
-            or (line.count("=") > 1 and not VANISHED.search(line) and definition(line, with_own))
-            or is_datum(line, names)
-            or is_step(line, names)
-            or is_row(line)
-            or is_question(line, names)
+        elif _defines(line, own, names, defined) or (
+            line.count("=") > 1 and not VANISHED.search(line) and definition(line, with_own)
         ):
+            named += [(number, line)]
+        elif not (is_datum(line, names) or is_step(line, names) or is_row(line) or is_question(line, names)):
             one = kept(read_line(line, name, number, with_own)) if _is_equation(line, names) else None
             if one and is_vector_sum(line, names):  # of one axis, if its parts are defined so
                 one = replace(one, may_be_datum=True) if one.tree else None
-            found.equations += [one] if one and (one.tree or not says_nothing(line, with_own)) else []
+            is_one = one and (one.tree or not says_nothing(line, with_own))
+            found.equations += [one] if one and is_one else []
+            passed += [] if is_one else [(number, line)]
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
-    checks = [_is_of_one_row(line, names) for line in found.equations]
+    checks = [is_of_one_row(line, names) for line in found.equations]
     if not all(checks):  # some lines are true equations
         found.equations = [
             replace(line, may_be_datum=line.may_be_datum or one) for line, one in zip(found.equations, checks, strict=True)
         ]
-    found.answers = [*answers.values()]
+    found.answers, found.passed = [*answers.values()], as_questions(passed, named, name, names, found.equations)
     return found
 
 
-def _pieces(text: str, names: Names) -> Iterator[tuple[int, str]]:
-    """Yield the equations and answers; one line may contain several."""
-    for number, line in text_lines(text, names):
+def _pieces(text: str, names: Names, passed: list[tuple[int, str]]) -> Iterator[tuple[int, str]]:
+    """Yield the equations and answers; one line may contain several.  What is none is added to `passed`."""
+    for number, line in text_lines(text, names, passed):
         for part in parts_of(line):
             yield from ((number, one) for one in real_and_imaginary(part) or _sides_apart(part, names))
 
@@ -274,24 +274,6 @@ def _defines(line: str, own: Mapping[str, Formula], names: Names, before: set[st
     before.add(called)
     # V_Cy = … = 0 is also an equation; V_Cy = 0.3*4.1 = 1.23 is its value in some row.
     return "=" not in formula or not WORD.search(_FUNCTION.sub("", formula))
-
-
-def _is_of_one_row(read: EquationLine, names: Names) -> bool:
-    """Return whether a line relates only sought velocities and numbers, as "w3 = 6.12": a value, reason or check of some row."""
-    named = names_of(read, names) if read.tree is not None else set[str]()
-    variant = names.expected.variant
-    if len(named) == 1 and _STANDS.fullmatch(read.text.strip()):
-        return True
-    if (found := _UNIT_BEHIND.search(read.text)) and unit_of(found[1]):
-        named -= names_in(found[1], names.spellings)  # w2 = 2.03 1/s, although s is a length of the task
-    if _ANALOG.search(read.text):  # d(theta2)/d(theta1) = -2.93/10 is a ratio of velocities
-        named -= {one.rate for one in variant.coordinates} - {*variant.sought}
-    is_checked = _CHECKED.search(read.text) and not VANISHED.search(read.text)  # r1*w1 = 1.08
-    return (
-        bool(named)
-        and bool(is_checked or named <= {*variant.sought})
-        and (_MEASURED.search(read.text) is not None or (len(named) == 1 and _AT_ONE_TIME.match(read.text) is not None))
-    )
 
 
 def relates(read: EquationLine, names: Names) -> bool:

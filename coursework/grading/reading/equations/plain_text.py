@@ -72,7 +72,7 @@ _OF_ROW = re.compile(r"(?<![\w.])([^\W\d]\w*(?:\[\s*\d{1,2}\s*\])?)(?:\s?\[\s*[i
 _ARC = re.compile(r"(?<!\w)[a𝑎](sin|cos|tan)")
 _LAMBDA = re.compile(r"(^\s*|=\s*)lambda\b[\w\s,]{0,60}:(?!.*=)|(=\s*)@\s*\([\w\s,]{0,60}\)")  # in Python, in MATLAB
 _METHOD = re.compile(r"(\b\w{1,20}|\([^()]*\))\.(sin|cos|sqrt)\(\)")  # phi3.sin() in Rust
-_BEHIND_GREEK = re.compile(r"(?<=[α-ωϕ])(?=(?:sin|cos|sen|tan|tg)(?![a-z]))")  # l·ω_ψsinψ
+_BEHIND_GREEK = re.compile(r"(?<=[α-ωϕ])(?=(?:sin|cos|sen|tan|tg)(?![a-z]))|(?<=[A-Za-z])(?=[α-ωϕ]_?\d{0,2}')")  # l·ω_ψsinψ, lψ'
 _BROADCAST = re.compile(r"\b(sin|cos|tan|sqrt)\.(?=\()")  # sin.(phi3) in Julia
 _BARS = re.compile(r"\|\s*([^\W\d]\w{0,5})\s*\|")  # the length of a vector, |r3|
 _DEGREE = r"(?:°|º|\^\s*\{?\s*\\?circ\b\s*\}?)"

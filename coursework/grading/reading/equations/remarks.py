@@ -28,7 +28,9 @@ _OF_FORTRAN = re.compile(r"(?:^|(?<=\s))!(?!=).*|^[Cc*](?:\s{2,}.*|\s*$)")
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//|!|/\*|\(\*|--|[Cc](?=\s{2}))++\s*+([^=]*+(?:=.*?)?)\s*(?:\*/|\*\))?$")
 _LISTS = re.compile(r"(\w{1,20}(?:,\s?\w{1,20}){1,9})\s?=\s?(\w{1,20}(?:,\s?\w{1,20}){1,9})\.?")  # q1, q2 = phi1, phi2
 _ALIAS = re.compile(r"\s*([^\W\d]\w{0,20})\s*=\s*([^\W\d]\w{0,20})\s*[.]?\s*")
-_CONSTANT = re.compile(r"\b\w{1,12}\s*=\s*(?:const\w*|konst\w*|cte|пост\w*)\b\.?,?")  # as x_P = const, …
+_STAYS = r"=\s*(?:const\w*|konst\w*|cte|пост\w*)\b\.?"  # as x_P = const, …
+_CONSTANT, _CONSTANT_TOO = re.compile(rf"\b\w{{1,12}}\s*{_STAYS},?"), re.compile(rf"(=\s*\w{{1,12}})\s*{_STAYS}")
+_SAME_AS = re.compile(r"(?<==)([^=]{3,200})\s\(\s*=\s*([\w\s*/+^·-]{1,20})\)\s*[.;]?$")  # D = … (= s)
 _BLOCK, _STARRED = re.compile(r"/\*((?:[^*]|\*(?!/))*+)(\*/|\Z)"), re.compile(r"^[ \t]*\*(?=\s)", re.MULTILINE)
 
 
@@ -51,13 +53,14 @@ def without_remarks(line: str) -> str:
     """Return a line without its number and the comment in it or behind it."""
     line = _DASHED.sub(":", line)
     line = _REMARK.sub("", _NUMBERED.sub("", _STRUCK.sub("", line)).partition("#")[0]).strip()
+    line = _SAME_AS.sub(r"\1 = \2", line) if len(line) <= EQUATION_CHARACTERS else line
     asked = _ASKED.search(line) if len(line) <= EQUATION_CHARACTERS else None
     return line[: asked.start()] if asked and "=" in line[: asked.start()] and not _WITHDRAWN.search(line) else line
 
 
 def without_constants(line: str) -> str:
     """Return a line of several equations without those that only say what stays as it is, x_P = const."""
-    return _CONSTANT.sub("", line) if line.count("=") > 1 else line
+    return _CONSTANT.sub("", _CONSTANT_TOO.sub(r"\1", line)) if line.count("=") > 1 else line
 
 
 def names_said(line: str, spellings: Spellings) -> Iterator[str]:

@@ -27,6 +27,7 @@ _WORDS = {"ф": "phi", "Ф": "phi", "щ": "w"}
 # The names of functions in other languages, also in their spreadsheets.
 _ELSEWHERE = {"sen": "sin", **dict.fromkeys(("корень", "корінь", "wurzel", "racine", "raiz", "raíz"), "sqrt")}
 _LONGER = re.compile(r"(?i)(?<![a-z])(cot|tan)(?:g|an|ang)(?![a-z])")  # cotg, cotan, tang: no tangent of a length g
+_LONG_FUNCTIONS = ("sin", "cos", "sen")
 _DIVIDED = re.compile(r"(?<=[\w)])\s*:\s*(?=[\w(])")
 _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 _WORD = re.compile(r"[^\W\d]\w*")
@@ -138,7 +139,11 @@ def _chain(text: str, meaning: Callable[[str], str | None], angles: Set[str]) ->
         if start == len(text):
             return ((),)
         found = []
-        for end in range(start + 1, len(text) + 1):
+        # senψ is sen(ψ), also where s, e and n are names
+        called = next(
+            (len(one) for one in _LONG_FUNCTIONS if text.lower().startswith(one, start) and len(text) > start + len(one)), 0
+        )
+        for end in range(start + max(called, 1), start + called + 1 if called else len(text) + 1):
             piece = text[start:end]
             # A digit belongs to the name before it.
             if (end < len(text) and text[end].isdigit()) or "_" in {piece[0], piece[-1]}:  # in lω_ψ no name is ω_

@@ -32,6 +32,7 @@ from coursework.grading.reading.equations.statements import (
     with_sign,
     without_declarations,
 )
+from coursework.grading.reading.equations.systems.by_axes import by_axes
 from coursework.grading.reading.equations.systems.cells import with_cells_named
 from coursework.grading.reading.equations.systems.components import by_components, in_one_vector
 from coursework.grading.reading.equations.systems.drawn import in_one_line
@@ -44,6 +45,8 @@ from coursework.grading.reading.equations.systems.vectors import with_entries_na
 
 # Rows of empty cells, of which a spreadsheet may leave a million, and blanks longer than anybody types: patterns would be slow.
 _BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)
+_AXIS_APART = re.compile(r"(?<=_[A-Z]),\s?([xy])(?!\w)|(?<=_\{[A-Z]),\s?([xy])(?=\})")  # v_P,x is v_Px
+_GREEK_SIGNS = re.compile(r"(?<![^\W\d_])(ημ|συν)(?=\s?(?:[\[(]|[α-ω]_?\d?(?![^\W\d_])))")  # sine and cosine in Greece
 _TAKEN = re.compile(
     r"(?m)^[ \t]*(?:\w{1,20}\s*=\s*)?\{[\w\s,]{1,80}\}\s*/\.\s*(?=(?:\w{4,7}\[)?N?Solve\[)"
 )  # {w2, w3} /. Solve[…]
@@ -53,8 +56,12 @@ _SQUARED = re.compile(
 )  # DA² = … by the law of cosines
 
 
-def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
-    """Yield (number, line) of the lines that are neither blank nor comments nor statements of a program."""
+def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = None) -> Iterator[tuple[int, str]]:
+    """Yield (number, line) of the lines that are neither blank nor comments nor statements of a program.
+
+    Comments and statements with a sign of equality are added to `passed`.
+    """
+    passed = [] if passed is None else passed
     function, fortran = "", is_fortran(text)
     sought, spellings = names.expected.variant.sought, names.spellings
     text, numbers = with_line_ends(_BLANKS.sub("", text))
@@ -65,9 +72,12 @@ def text_lines(text: str, names: Names) -> Iterator[tuple[int, str]]:
         yield from ((number, said) for said in names_said(line, spellings))
         line = without_comments_of_fortran(line) if fortran else line
         bare = unquoted(without_constants(without_remarks(parted_at_slashes(line, names))))
+        passed += [(number, line)] if "=" in line and "=" not in bare else []
         bare = without_declarations(bare, spellings)
         bare = by_components(in_one_vector(bare), spellings.canonical) if "[" in bare else bare
+        bare = by_axes(bare)
         if is_statement(bare, sought):
+            passed.append((number, bare))
             continue
         bare = as_value(of_row(bare.strip("'") if bare.startswith("'") else bare), function, sought)
         bare = with_sign(bare, sought, spellings)
@@ -91,6 +101,7 @@ def _by_names(text: str, names: Names) -> str:
     """Return a text with matrix systems written as equations and with names in place of vector entries."""
     variant = names.expected.variant
     text = _TAKEN.sub("", text) if "/." in text else text
+    text = _GREEK_SIGNS.sub(lambda found: "sin" if found[1] == "ημ" else "cos", _AXIS_APART.sub(r"\1\2", text))
     for letter, sign in {found.groups() for found in _OF_RATES.finditer(text)}:  # J·q' = B, where q' = [w2; w3]
         text = re.sub(rf"(?<!\w){letter}{sign}", f"{letter}dotted", text)
     text = with_cells_named(text, names.spellings.angle, names.spellings.data)

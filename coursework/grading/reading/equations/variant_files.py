@@ -7,25 +7,29 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from coursework.grading.reading.equations.equations import read_constraints
+from coursework.grading.reading.equations.equations import names_for, names_in, strictly
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine
 from coursework.system.frozen import frozen
 from coursework.variant import catalogue
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.reader import MAX_CHARACTERS
+from coursework.variant.formula.tree import Formula
 from coursework.variant.formula.units import UnitFault, read
+from coursework.variant.reading.schema import Constraint
 from coursework.variant.reading.schema import VariantFile as Schema
-from coursework.variant.toml.source import MAX_BYTES, read_source
-from coursework.words.errors import InputError
+from coursework.variant.toml.source import MAX_BYTES, Source, read_source
+from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.words.sentences import closest, say
 
 _ITS_OWN = re.compile(r"^[ \t]*(?:format[ \t]*=|\[coordinates\])", re.MULTILINE)  # every variant has coordinates
 _SAME = 1e-9
+_KEYS_OF_CONSTRAINT = tuple(Constraint.keys())
 
 
 @frozen
@@ -55,7 +59,7 @@ def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantF
     known = Schema.keys().keys()
     unknown = tuple(str(key)[:40] for key in source.data if key not in known)
     differing = _differing(source.data, expected)
-    lines = tuple(read_constraints(source, name, expected))
+    lines = tuple(_constraints(source, name, expected))
     return VariantFile(lines, differing, unknown, _other_variant(source.data, differing, expected))
 
 
@@ -102,3 +106,38 @@ def _other_variant(data: dict[str, Any], differing: tuple[str, ...], expected: E
 def _catalogue() -> dict[str, str]:
     """Return the names of the catalogue's variants, by their titles."""
     return {entry.title: entry.name for entry in catalogue.entries() if entry.title}
+
+
+def _constraints(source: Source, file: str, expected: Expected) -> list[EquationLine]:
+    """Return the equations of a variant file; variant files are read strictly, without repair."""
+    entries = source.data.get("constraint")
+    names = names_for(expected)
+    lines: list[EquationLine] = []
+    for place, entry in enumerate(entries if isinstance(entries, list) else []):
+        if not isinstance(entry, dict):
+            continue
+        key = next((one for one in ("equation", "closure") if one in entry), None) or _misspelt(entry)
+        text = entry.get(key)
+        line = source.positions.find(("constraint", place, key))[0]
+        if not isinstance(text, str):
+            continue
+        if key not in _KEYS_OF_CONSTRAINT:
+            read: Formula | Fault = Fault(
+                say("fault.G067", key_=key[:40], hint=closest(key, _KEYS_OF_CONSTRAINT), known=_KEYS_OF_CONSTRAINT)
+            )
+        else:
+            read = Fault(say("fault.G062")) if key == "closure" else strictly(text, names)
+        if isinstance(read, Fault):
+            fault = Fault(read.message, file, line, read.column)
+            asks = key != "closure" and len(names_in(text, names.spellings)) > 1
+            lines.append(EquationLine(file, line, text[:MAX_CHARACTERS], fault=fault, relates=asks))
+        else:
+            lines.append(EquationLine(file, line, text, read))
+    return lines
+
+
+def _misspelt(entry: Mapping[str, object]) -> str:
+    """Return the unknown key under which a constraint has its equation, "" if there is none."""
+    return next(
+        (key for key, text in entry.items() if key not in _KEYS_OF_CONSTRAINT and isinstance(text, str) and "=" in text), ""
+    )

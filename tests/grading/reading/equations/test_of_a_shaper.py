@@ -19,8 +19,13 @@ def key():
     return key_to_mark_by(coursework.load(FOLDERS[0] / "shaper-equations.toml"))
 
 
+@cache
+def judge():
+    return Judge(key())
+
+
 def marked(text: str) -> EquationMarks:
-    return Judge(key()).mark(read_lines(text, "equations.txt", Expected(key().grid, key().variant)).equations)
+    return judge().mark(read_lines(text, "equations.txt", Expected(key().grid, key().variant)).equations)
 
 
 RODS = "w4 = -L*w3*cos(phi3)/(b*cos(phi4))\nv = -L*w3*sin(phi3) - b*w4*sin(phi4)\n"

@@ -17,7 +17,7 @@ from coursework.variant.formula.reader import MAX_DEPTH
 
 _BETWEEN = re.compile(
     rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s&\s(?!\s*=)|\|\||\s\|\s|\s--\s|/\\|[∧⋀]|\\(?:land|wedge)(?![A-Za-z])|<br\s*/?>"
-    r"|(?<=[\w)])\.\s(?=[A-ZА-ЯІЇЄΑ-Ω][^\W\d_]{2,20}\s)|\s(?:and|und|et|y|и|та|і|且|和)\s"
+    r"|(?<=[\w)])\.\s(?=[A-ZА-ЯІЇЄΑ-Ω][^\W\d_]{2,20}\s)|\s(?:and|und|et|y|и|та|і|且|和|en|och|og|és|samt|serta|sekä)\s"
     r"|\se\s(?=\w{1,6}\s*=)|\s(?:d['’]où|donc|oraz|ve|iar|si|ja|και|dan|và|și|mentre|sowie|wobei|daher|somit|hence|thus|therefore|откуда"
     r"|отсюда|звідки|звідси|stąd|skąd|de donde|da cui)\s(?=.{1,30}=)"
 )
@@ -48,8 +48,16 @@ _CALLED = re.compile(r"\\?[^\W\d][\w{}\\]{0,20}")
 _ROW = re.compile(r"\|(.+)\||\d{1,3}\s*\|(.+)|\"?\d{1,3}\"?\s*;(.+)")  # a row of a table
 _ALL_ZERO = re.compile(r"(?:[vV]_?[A-Z]\w{0,18}\s*=\s*){2,12}0\s*[.;]?")  # V_Cy = V_Dx = 0
 _LONGEST = 4000
-_LEADS_ON = re.compile(rf"(?<!\s)(?:\s{{0,9}}(?:{ARROWS.pattern})|\s{{1,9}}(?:and|und|et|и|oraz))\s*$")  # to the next piece
+_LEADS_ON = re.compile(
+    rf"(?<!\s)(?:\s{{0,9}}(?:{ARROWS.pattern})|\s{{1,9}}(?:and|und|et|и|oraz)|\\(?:text|mbox)\s*\{{\s*[^\W\d_]{{2,12}}\s*\}})\s*$"
+)  # to the next piece
 _MOST_ROWS, _MOST_WITHIN = 12, 3  # most rows of a matrix; most brackets around it
+# sin ψ (ψ = φ3 - β), or "for the second loop (ψ = φ3 - β):"
+_SAID_BESIDE = re.compile(
+    r"^(.*?)(?:(?<=\s)|^)\(\s*(?:(?:with|where|mit|wobei|где|де|avec|où|con|donde)\s+)?"
+    r"([^\W\d]\w{0,9}\s*=\s*(?=[^=,;]*[^\W\d])(?:[^()=,;]|\([^()=]*\)){1,80})\)\s*([.,;:]?\s*)$"
+)
+_FORMULA = re.compile(r"^[^=]*[*/·^][^=]*$")
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
 
 
@@ -69,6 +77,8 @@ def parts_of(line: str) -> list[str]:
         return [f"{name.strip()} = 0" for name in line.split("=")[:-1]]
     if len(line) > EQUATION_CHARACTERS:
         return [line]
+    if (said := _SAID_BESIDE.search(line)) and "$" not in line and not _FORMULA.search(said[1] + said[3].strip()):
+        return [*(parts_of(said[1]) if relates_two_sides(said[1]) else []), said[2].strip()]
     line = with_formulas_joined(line)
     if line.count("$") > 2 and not relates_two_sides(_BETWEEN_DOLLARS.sub(" ", line)):
         # Prose around formulas: take only the formulas that relate two sides.

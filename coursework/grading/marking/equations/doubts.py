@@ -1,0 +1,71 @@
+"""A line that is wrong as it was read -> the question to a person whether it was read as it is meant.
+
+Enters: a line, whether a single slip explains it, a test for right formulas.  Leaves: the line as a question, or None.
+Used by `equations.py` and `meant_together.py`.
+A slip of the pen is one edit, or leaves an equation between quantities of one dimension; what was misread seldom does.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+
+from coursework.grading.reading.student_work import EquationLine
+from coursework.variant.dimensions.formulas import Clash, Measurer
+from coursework.variant.formula.reader import FUNCTION_WORDS
+from coursework.variant.formula.tree import Formula, constant, spelled, terms
+from coursework.variant.record.places import measures
+from coursework.variant.record.variant import Variant
+from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+_NAME = re.compile(r"[^\W\d]\w*")
+_CONTINUES = re.compile(r"\s*[+*/·]")
+_TWO_SIDES = 1  # signs of equality in a line with two sides
+
+
+def question_of(line: EquationLine, variant: Variant, tells: Callable[[Formula], bool], *, is_named: bool) -> EquationLine | None:
+    """Return a wrong line as a question to a person, None if it is an equation and wrong.
+
+    It is right without a word or letter at its edge; or no single slip explains it (`is_named`) and it was completed, is a chain
+    of which some sides were passed over, begins with a sign as if it continued another, or was rewritten to be read.
+    """
+    if meant := next((other for other in line.others if other.asks and tells(other.tree)), None):
+        return asked(line, say("fault.G069", text=meant.text))
+    is_cut = line.guessed or line.text.count("=") > _TWO_SIDES or _CONTINUES.match(line.text) is not None
+    if is_named or not (is_cut or _is_rewritten(line, variant)):
+        return None
+    return asked(line, say("fault.G071", text=line.repaired or " = ".join(map(spelled, line.difference.args))))
+
+
+def part_of_chain(line: EquationLine) -> EquationLine:
+    """Return the question about a side of a chain a = b = c that could not be read."""
+    return asked(line, say("fault.G073", text=line.repaired))
+
+
+def asked(line: EquationLine, question: Sentence, column: int = 1) -> EquationLine:
+    """Return a line as one that could not be read, with the question to a person as its fault."""
+    fault = Fault(question, line.file, line.line, column)
+    return replace(line, tree=None, repaired="", fault=fault, others=(), relates=True)
+
+
+def _is_rewritten(line: EquationLine, variant: Variant) -> bool:
+    """Return whether a line has not one name for each name of its formula, or others and no one dimension.
+
+    So it has names of the student, glued ones, or words that were left out; "1- r*ω" has other names, and 1 is no r*ω.
+    """
+    typed = [word for word in _NAME.findall(line.text) if word.lower() not in FUNCTION_WORDS]
+    read = [node.name for node in line.difference.walk() if node.op == "name"]
+    if len(typed) != len(read):
+        return True
+    if {*typed} <= {*read}:
+        return False
+    if any(constant(term) not in {None, 0} for side in line.difference.args for term in terms(side)):
+        return True
+    try:
+        Measurer(measures(variant), frozenset(one.name for one in variant.given if one.si)).measure(line.difference)
+    except Clash:
+        return True
+    return False
