@@ -41,6 +41,11 @@ def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> Array:
     return columns
 
 
+def cross(one: Array, other: Array) -> Array:
+    """Return the cross products (…) of vectors (…, 2): positive where the other one lies anticlockwise of the first."""
+    return np.asarray(one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0])
+
+
 def neighbours(flags: Flags) -> Flags:
     """Return for each row of `flags` (n, …) whether both adjacent rows are set; beyond the first and last row counts as set.
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Flags, cross
 
 Segment = tuple[complex, complex]
 Rectangle = tuple[float, float, float, float]
@@ -93,10 +93,6 @@ class Lines:
         """Return how many segments each line from `begin` (n, 2) by `step` (n, 2) crosses, as (n,)."""
         between = self.begin - begin[:, None]
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            turned = _cross(step[:, None], self.step)
-            along, across = _cross(between, self.step) / turned, _cross(between, step[:, None]) / turned
+            turned = cross(step[:, None], self.step)
+            along, across = cross(between, self.step) / turned, cross(between, step[:, None]) / turned
         return np.asarray(np.count_nonzero((along > 0) & (along < 1) & (across > 0) & (across < 1), axis=1))
-
-
-def _cross(a: Array, b: Array) -> Array:
-    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])

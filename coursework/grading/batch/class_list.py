@@ -30,6 +30,7 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 _DECIMALS = re.compile(r"(?:[0-9]|1[0-5])?")
+MOST = 500  # variants: with more the class is a whole university, and to compare a table with all of them helps nobody
 
 
 @frozen
@@ -175,9 +176,6 @@ def _is_variant(path: Path) -> bool:
 
 def _by_id(places: Sequence[Place]) -> tuple[Place, ...]:
     return tuple(sorted(places, key=lambda place: place.id))
-
-
-MOST = 500  # variants: with more the class is a whole university, and to compare a table with all of them helps nobody
 
 
 def class_tables(variants: Mapping[str, Variant]) -> dict[str, list[list[float]]]:

@@ -209,8 +209,7 @@ class Marker:
 
     def _right(self, student: StudentTable) -> int:
         """Return how many cells of a table are right."""
-        cells = marked(self.key, student)
-        return int((cells.counted & ~cells.wrong & ~cells.missing).sum())
+        return int(marked(self.key, student).right.sum())
 
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
         """Return the marks of a table; digits that were cut off are put back, unless that earns less."""

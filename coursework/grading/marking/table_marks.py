@@ -59,9 +59,8 @@ class TableMarks:
     def open_question(self, names: Sequence[str]) -> Sentence | None:
         """Return the question about columns whose heads name none of `names`, None if their numbers answer it."""
         asked = [names.index(column.name) for column in self.table.columns if column.by == "position"]
-        shown = (self.cells.counted & ~self.cells.missing)[:, asked]
-        right = shown & ~self.cells.wrong[:, asked]
-        return None if np.all(right.sum(axis=0) >= _SHOWS * shown.sum(axis=0)) else self.table.asked
+        shown, right = (cells[:, asked].sum(axis=0) for cells in (self.cells.judged, self.cells.right))
+        return None if np.all(right >= _SHOWS * shown) else self.table.asked
 
 
 def is_of_other_step(marks: TableMarks | None) -> bool:

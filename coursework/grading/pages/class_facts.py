@@ -7,12 +7,15 @@ Only a few numbers are kept of each submission, so that the class of a universit
 from __future__ import annotations
 
 import statistics
-from collections import Counter, defaultdict
-from collections.abc import Container, Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 from coursework.grading.marking.rubric import PARTS
+from coursework.system.frozen import changing, frozen
+
+_Kept = TypeVar("_Kept")
 
 # Work of these kinds with all its points is alike by nature, as long as its file is plain text: a file of an office program
 # holds times and names of its own.
@@ -20,92 +23,146 @@ _ALIKE, _PLAIN = {"table", "equations"}, (".csv", ".txt", ".tsv", ".prn", ".md")
 SAME_FILE_KINDS = ("table", "equations", "answers", "variant", "attachment")
 
 
-@dataclass
-class ClassFacts:
-    """Counts over the class; `names` and `pages` by id; `everyone` lists (id, state, points, points of the parts, first wrong
-    cell).
+@frozen
+class Listed:
+    """One submission: its state, its points and those of its parts (None without a number).
+
+    `first` are row and column of its first wrong cell, `misconception` is a code, "" if none is named; `reason` says why it has
+    no number.
     """
 
-    states: Counter[str] = field(default_factory=Counter)
-    scores: list[float] = field(default_factory=list)
+    id: str
+    name: str
+    variant: str
+    page: str
+    state: str
+    score: float | None
+    parts: tuple[float | None, ...]
+    first: tuple[int, str] | None
+    misconception: str
+    reason: str
+
+
+@changing
+class HandedIn:
+    """A file by its bytes: its name at first, who handed it in; `is_chosen`: it would not be the same by nature."""
+
+    name: str
+    ids: list[str]
+    is_chosen: bool = False
+
+
+@dataclass
+class ClassFacts:
+    """Everyone in the class, the most points that anyone could have, and the files by their hash."""
+
+    everyone: list[Listed] = field(default_factory=list)
     most: float = 0.0
-    misconceptions: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
-    first_rows: Counter[int] = field(default_factory=Counter)
-    first_columns: Counter[str] = field(default_factory=Counter)
-    by_variant: dict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
-    files: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
-    other_data: list[tuple[str, str]] = field(default_factory=list)
-    to_look_at: list[tuple[str, str, str]] = field(default_factory=list)
-    names: dict[str, str] = field(default_factory=dict)
-    variants: dict[str, None] = field(default_factory=dict)
-    pages: dict[str, str] = field(default_factory=dict)
-    everyone: list[tuple[str, str, float | None, tuple[float | None, ...], str]] = field(default_factory=list)
-    file_names: dict[str, str] = field(default_factory=dict)
-    chosen: set[str] = field(default_factory=set)  # files that would not be the same by nature
+    files: dict[str, HandedIn] = field(default_factory=dict)
 
     def add(self, entry: Mapping[str, Any], reason: str = "") -> None:
         """Count one submission, given as grades.json writes it; `reason` says why it has no number."""
-        self.states[entry["status"]] += 1
-        if entry["variant"]:
-            self.variants[entry["variant"]] = None
-        self.names[entry["id"]] = entry["name"] or entry["id"]
-        if entry["page"]:
-            self.pages[entry["id"]] = entry["page"]
         parts = tuple(entry[part].get("score") if entry[part] else None for part in PARTS)
-        self.everyone.append((entry["id"], entry["status"], entry["score"], parts, entry["table"]["first_wrong"] or ""))
+        first, named = entry["first_wrong"], entry["misconception"]
+        self.everyone.append(
+            Listed(
+                entry["id"], entry["name"] or entry["id"], entry["variant"] or "", entry["page"] or "", entry["status"],
+                entry["score"], parts, (first["row"], first["column"]) if first else None, named["code"] if named else "", reason,
+            )
+        )  # fmt: skip
         self.most = max(self.most, float(entry["max"] or 0.0))
-        if entry["score"] is not None:
-            self.scores.append(entry["score"])
-            self.by_variant[entry["variant"]].append(entry["score"])
-        else:
-            self.to_look_at.append((entry["id"], entry["status"], reason))
-        if named := entry["misconception"]:
-            self.misconceptions[named["code"]].append(entry["id"])
-            if named["code"].startswith("variant_"):
-                self.other_data.append((entry["id"], named["code"].removeprefix("variant_")))
-        if first := entry["first_wrong"]:
-            self.first_rows[first["row"]] += 1
-            self.first_columns[first["column"]] += 1
         for file in entry["files"]:
             if file["kind"] in SAME_FILE_KINDS and file["bytes"]:
-                self.files[file["sha256"]].append(entry["id"])
-                self.file_names.setdefault(file["sha256"], file["name"])
-                if not _is_simply_right(file, entry):
-                    self.chosen.add(file["sha256"])
+                same = self.files.setdefault(file["sha256"], HandedIn(file["name"], []))
+                same.ids.append(entry["id"])
+                same.is_chosen |= not _is_simply_right(file, entry)
+
+    @property
+    def states(self) -> Counter[str]:
+        """Return how many submissions are in each state."""
+        return Counter(one.state for one in self.everyone)
+
+    @property
+    def scores(self) -> list[float]:
+        """Return the points of all submissions with a number."""
+        return [one.score for one in self.everyone if one.score is not None]
+
+    @property
+    def to_look_at(self) -> list[Listed]:
+        """Return the submissions without a number."""
+        return [one for one in self.everyone if one.score is None]
+
+    @property
+    def by_variant(self) -> dict[str, list[float]]:
+        """Return the points of all submissions with a number, by variant."""
+        return _gathered((one.variant, one.score) for one in self.everyone if one.score is not None)
+
+    @property
+    def misconceptions(self) -> dict[str, list[str]]:
+        """Return the ids by the code of their misconception."""
+        return _gathered((one.misconception, one.id) for one in self.everyone if one.misconception)
+
+    @property
+    def other_data(self) -> list[tuple[str, str]]:
+        """Return the ids of those who worked with the data of another variant, and its name."""
+        return [
+            (one.id, name) for one in self.everyone if (name := one.misconception.removeprefix("variant_")) != one.misconception
+        ]
+
+    @property
+    def first_rows(self) -> Counter[int]:
+        """Return how many submissions have their first wrong cell in each row."""
+        return Counter(one.first[0] for one in self.everyone if one.first)
+
+    @property
+    def first_columns(self) -> Counter[str]:
+        """Return how many submissions have their first wrong cell in each column."""
+        return Counter(one.first[1] for one in self.everyone if one.first)
 
     @property
     def same_files(self) -> list[list[str]]:
         """Return groups of ids that handed in the same bytes, each group once."""
-        return [list(group) for group in sorted(self._shared(self.files))]
+        return [list(group) for group in sorted(_shared(self.files.values()))]
 
     @property
     def shared(self) -> dict[tuple[str, ...], list[str]]:
         """Return for each group of ids the names of the files that they share, except those that are simply right."""
-        return self._shared(self.chosen)
-
-    def _shared(self, among: Container[str]) -> dict[tuple[str, ...], list[str]]:
-        groups: dict[tuple[str, ...], list[str]] = {}
-        for sha256, ids in self.files.items():
-            if len(set(ids)) > 1 and sha256 in among:
-                groups.setdefault(tuple(sorted(set(ids))), []).append(self.file_names[sha256])
-        return groups
+        return _shared(file for file in self.files.values() if file.is_chosen)
 
     @property
     def hardest_column(self) -> str | None:
         """Return the column with the most first wrong cells, by name if several have as many; None if no cell is wrong."""
-        return min(self.first_columns, key=lambda name: (-self.first_columns[name], name)) if self.first_columns else None
+        counts = self.first_columns
+        return min(counts, key=lambda name: (-counts[name], name), default=None)
 
     def plain(self) -> dict[str, Any]:
         """Return the facts as grades.json writes them under `class`."""
+        scores = self.scores
         return {
-            "graded": len(self.scores),
-            "mean": round(statistics.fmean(self.scores), 2) if self.scores else None,
-            "median": round(statistics.median(self.scores), 2) if self.scores else None,
+            "graded": len(scores),
+            "mean": round(statistics.fmean(scores), 2) if scores else None,
+            "median": round(statistics.median(scores), 2) if scores else None,
             "misconceptions": {code: len(ids) for code, ids in sorted(self.misconceptions.items())},
-            "first_wrong_rows": {str(row): self.first_rows[row] for row in sorted(self.first_rows)},
+            "first_wrong_rows": {str(row): number for row, number in sorted(self.first_rows.items())},
             "hardest_column": self.hardest_column,
             "same_files": self.same_files,
         }
+
+
+def _gathered(pairs: Iterable[tuple[str, _Kept]]) -> dict[str, list[_Kept]]:
+    found: dict[str, list[_Kept]] = {}
+    for name, kept in pairs:
+        found.setdefault(name, []).append(kept)
+    return found
+
+
+def _shared(files: Iterable[HandedIn]) -> dict[tuple[str, ...], list[str]]:
+    """Return the names of the files that several people handed in, by their ids."""
+    groups: dict[tuple[str, ...], list[str]] = {}
+    for file in files:
+        if len(ids := {*file.ids}) > 1:
+            groups.setdefault(tuple(sorted(ids)), []).append(file.name)
+    return groups
 
 
 def _is_simply_right(file: Mapping[str, Any], entry: Mapping[str, Any]) -> bool:

@@ -33,44 +33,45 @@ def class_page(
     words: Phrases,
 ) -> str:  # fmt: skip
     """Return the page; `changes` are (id, before, after, reason), `not_on_roster` (name, files)."""
-    first, last = (min(facts.first_rows), max(facts.first_rows)) if facts.first_rows else (1, 0)
+    scores, first_rows = facts.scores, facts.first_rows
+    first, last = (min(first_rows), max(first_rows)) if first_rows else (1, 0)
     named = sorted(facts.misconceptions.items(), key=lambda item: (-len(item[1]), item[0]))
-    parts = [place for place in range(len(PARTS)) if any(earned[place] is not None for _, _, _, earned, _ in facts.everyone)]
+    parts = [place for place in range(len(PARTS)) if any(one.parts[place] is not None for one in facts.everyone)]
     called, alike = _called(facts), _alike(facts)
     content = {
-        "count": sum(facts.states.values()),
+        "count": len(facts.everyone),
         "states": [(_state(state), number) for state, number in sorted(facts.states.items())],
-        "graded": len(facts.scores),
-        "mean": shown_points(statistics.fmean(facts.scores), words) if facts.scores else "–",
-        "median": shown_points(statistics.median(facts.scores), words) if facts.scores else "–",
+        "graded": len(scores),
+        "mean": shown_points(statistics.fmean(scores), words) if scores else "–",
+        "median": shown_points(statistics.median(scores), words) if scores else "–",
         "most": shown_points(facts.most, words),
-        "distribution": _tenths(facts, words),
-        "first_rows": [(str(row), facts.first_rows[row]) for row in range(first, last + 1)],
-        "heading": _heading(facts, len({who for who, *_ in facts.to_look_at} | alike), words),
-        "points": _strip(facts.scores, 0.0, facts.most, [shown_points(end, words) for end in (0.0, facts.most)], words),
-        "firsts": _strip(list(facts.first_rows.elements()), first, last, [str(first), str(last)], words),
+        "distribution": _tenths(scores, facts.most, words),
+        "first_rows": [(str(row), first_rows[row]) for row in range(first, last + 1)],
+        "heading": _heading(facts, len({one.id for one in facts.to_look_at} | alike), words),
+        "points": _strip(scores, 0.0, facts.most, [shown_points(end, words) for end in (0.0, facts.most)], words),
+        "firsts": _strip(list(first_rows.elements()), first, last, [str(first), str(last)], words),
         "hardest": _hardest(facts, words),
         "columns": [(runs(_symbol(name)), number) for name, number in facts.first_columns.most_common()],
         "misconceptions": [
             (misconception_sentence(code), len(ids), _listed([called[who] for who in ids])) for code, ids in named
         ],
         "to_look_at": [
-            (called[who], facts.pages.get(who), _state(s), clean(why)) for who, s, why in facts.to_look_at[:MOST_LISTED]
+            (called[one.id], one.page, _state(one.state), clean(one.reason)) for one in facts.to_look_at[:MOST_LISTED]
         ],
         "same_files": [_same(files, ids, called) for ids, files in sorted(facts.shared.items())[:MOST_LISTED]],
         "other_data": [(called[who], clean(whose)) for who, whose in facts.other_data[:MOST_LISTED]],
         "parts": [say(f"feedback.part.{PARTS[place]}") for place in parts],
         "everyone": [
             (
-                called[who],
-                facts.pages.get(who),
-                _state(state),
-                who in alike,
-                shown_points(score, words),
-                [shown_points(earned[place], words) for place in parts],
-                runs(_cell(first, words)),
+                called[one.id],
+                one.page,
+                _state(one.state),
+                one.id in alike,
+                shown_points(one.score, words),
+                [shown_points(one.parts[place], words) for place in parts],
+                runs(f"{words.said('gate.row', row=one.first[0])} {_symbol(one.first[1])}" if one.first else ""),
             )
-            for who, state, score, earned, first in facts.everyone
+            for one in facts.everyone
         ],
         "variants": _by_variant(facts, words),
         "changes": [
@@ -85,7 +86,7 @@ def class_page(
 def _by_variant(facts: ClassFacts, words: Phrases) -> list[tuple[str, int, str]]:
     """Return each variant with the number and mean of its scores; none if all have the same one, or each another."""
     variants = sorted(facts.by_variant.items())
-    if not 1 < len(variants) < len(facts.scores):
+    if not 1 < len(variants) < sum(len(scores) for _, scores in variants):
         return []
     return [(clean(name), len(scores), shown_points(statistics.fmean(scores), words)) for name, scores in variants[:MOST_LISTED]]
 
@@ -101,33 +102,28 @@ def _mark(mark: str, words: Phrases) -> str:
     return shown_points(float(mark), words) if mark[:1].isdigit() else _state(mark)
 
 
-def _cell(first: str, words: Phrases) -> str:
-    """Return a cell of grades.json such as "row 11 w2" as the page names it."""
-    _, row, column = first.split(" ", 2) if first else ("", "", "")
-    return f"{words.said('gate.row', row=row)} {_symbol(column)}" if row else ""
-
-
 def _alike(facts: ClassFacts) -> set[str]:
     """Return who handed in work that is alike, which a person should look at; not who shares a file that was handed out."""
-    shared = {who for ids in facts.shared if not _was_given(ids, facts.names) for who in ids}
+    shared = {who for ids in facts.shared if not _was_given(ids, facts.everyone) for who in ids}
     return shared | {who for who, _ in facts.other_data}
 
 
-def _was_given(ids: Sequence[str], everyone: Collection[str]) -> bool:
+def _was_given(ids: Sequence[str], everyone: Collection[object]) -> bool:
     return len(ids) > max(FEW, GIVEN * len(everyone))
 
 
 def _heading(facts: ClassFacts, look: int, words: Phrases) -> str:
     """Return the heading: the variant, the number of submissions, and how many of them need a person."""
-    names = [clean(name) for name in facts.variants]
+    names = [clean(name) for name in dict.fromkeys(one.variant for one in facts.everyone if one.variant)]
     key = "class.heading" if len(names) == 1 else "class.heading_several"
-    return words.said(key, variant=names[0] if names else "", count=sum(facts.states.values()), look=look)
+    return words.said(key, variant=names[0] if names else "", count=len(facts.everyone), look=look)
 
 
 def _hardest(facts: ClassFacts, words: Phrases) -> list[Run]:
     """Return a sentence on the column with the most first wrong cells, or on all of them if several are equal."""
-    most = max(facts.first_columns.values(), default=0)
-    names = [_symbol(name) for name, number in sorted(facts.first_columns.items()) if number == most]
+    counts = facts.first_columns
+    most = max(counts.values(), default=0)
+    names = [_symbol(name) for name, number in sorted(counts.items()) if number == most]
     return runs(words.said("class.hardest" if len(names) == 1 else "class.hardest_alike", name=words.listing(names)))
 
 
@@ -145,8 +141,8 @@ def _symbol(name: str) -> str:
 
 def _called(facts: ClassFacts) -> dict[str, str]:
     """Return how the page calls each id: by name, or by the id if the name is missing or not unique."""
-    times = Counter(facts.names.values())
-    return {who: clean(name if times[name] == 1 else who, 80) for who, name in facts.names.items()}
+    times = Counter(one.name for one in facts.everyone)
+    return {one.id: clean(one.name if times[one.name] == 1 else one.id, 80) for one in facts.everyone}
 
 
 def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -> Sentence:
@@ -157,10 +153,10 @@ def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -
     return say("class.same", files=named, who=_listed([called[who] for who in ids]))
 
 
-def _tenths(facts: ClassFacts, words: Phrases) -> list[tuple[str, int]]:
-    """Return how many scores lie in each tenth of the points; full points are in the last one."""
-    counts = Counter(min(int(TENTHS * score / (facts.most or 1.0)), TENTHS - 1) for score in facts.scores)
-    edges = [shown_points(facts.most * part / TENTHS, words) for part in range(TENTHS + 1)]
+def _tenths(scores: Sequence[float], most: float, words: Phrases) -> list[tuple[str, int]]:
+    """Return how many scores lie in each tenth of the most points; full points are in the last one."""
+    counts = Counter(min(int(TENTHS * score / (most or 1.0)), TENTHS - 1) for score in scores)
+    edges = [shown_points(most * part / TENTHS, words) for part in range(TENTHS + 1)]
     return [(f"{edges[part]}–{edges[part + 1]}", counts[part]) for part in range(TENTHS)]
 
 

@@ -140,9 +140,6 @@ def _text(text: str) -> str:
     return plain if len(plain) <= _MOST_TEXT else plain[: _MOST_TEXT - 1] + "…"
 
 
-PLATFORMS = {"gradescope": gradescope, "prairielearn": prairielearn}
-
-
 def autograder_results(grade: Mapping[str, Any], rubric: Rubric, platform: str, path: Path, language: str) -> None:
     """Write the results of one submission for a platform, in the given language; a part not handed in is a part too."""
     words = load_phrases(language)
@@ -156,7 +153,7 @@ def autograder_results(grade: Mapping[str, Any], rubric: Rubric, platform: str, 
     output = "\n".join([told(grade, words, "total"), *(entry["text"] for entry in grade["notes"])]).strip()
     problems = [text] if (text := told(grade, words, "")) else []
     outcome = Outcome(grade["status"], grade["score"], float(grade["max"]), output, parts, problems)
-    write_bytes(path, results_json(PLATFORMS[platform](outcome, language)))
+    write_bytes(path, results_json(_RESULTS[platform](outcome, language)))
 
 
 def _told(grade: Mapping[str, Any], part: str, words: Phrases) -> str:
@@ -169,3 +166,6 @@ def _told(grade: Mapping[str, Any], part: str, words: Phrases) -> str:
     if part == "answers" and grade[part]:
         lines += [f"{item['name']}: {words.said('feedback.answer.' + item['verdict'])}" for item in grade[part]["items"]]
     return "\n".join(line for line in lines if line)
+
+
+_RESULTS = {"gradescope": gradescope, "prairielearn": prairielearn}

@@ -22,7 +22,7 @@ from coursework.equations.reduction.tidying.tidy import as_sum
 from coursework.motion.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, cross
 from coursework.variant.formula.made import as_read
 from coursework.variant.formula.tree import evaluate
 from coursework.variant.record.entries import Link, reached
@@ -192,9 +192,9 @@ def lines_meet(equations: VelocityEquations, unknowns: Sequence[str], time: floa
         lines = lines / np.linalg.norm(lines, axis=1)[:, None]
         arms = ends[:, 0] - ends[0, 0]
         size = float(np.max(np.linalg.norm(arms, axis=1)))
-        if abs(np.linalg.det(np.column_stack([lines, _cross(arms, lines) / size]))) > _MEET:
+        if abs(np.linalg.det(np.column_stack([lines, cross(arms, lines) / size]))) > _MEET:
             continue
-        turned = max(abs(_cross(one, other)) for one in lines for other in lines)
+        turned = max(abs(cross(one, other)) for one in lines for other in lines)
         key = f"determinant.{'guide' if rails else 'rods'}_{'meet' if turned > _MEET else 'parallel'}"
         return say(key, rods=tuple(rod.name for rod in rods), plate=plate.name, **({"point": rails[0][0]} if rails else {}))
     return None
@@ -217,7 +217,7 @@ def dyad_straight(
                 parts = [part for name in (joint, here, there) for part in vectors[name]]
                 at, *ends = np.array(compile_values(equations, parts)[0](time, *position), dtype=float).reshape(3, 2)
                 lines = [end - at for end in ends]
-                if abs(_cross(*lines)) < _MEET * math.prod(np.linalg.norm(line) for line in lines):
+                if abs(cross(*lines)) < _MEET * math.prod(np.linalg.norm(line) for line in lines):
                     named = (say("determinant.link", name=link.name) for link in (first, second))
                     return say("determinant.one_line", first=next(named), second=next(named))
     return None
@@ -228,7 +228,3 @@ def _ends(rod: Link, plate: Link, equations: VelocityEquations, time: float, pos
     names = sorted(rod.held, key=lambda name: name not in plate.held)
     parts = [part for name in names for part in equations.symbols.vectors[name]]
     return np.array(compile_values(equations, parts)[0](time, *position), dtype=float).reshape(2, 2)
-
-
-def _cross(one: Array, other: Array) -> Array:
-    return np.asarray(one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0])

@@ -17,7 +17,7 @@ from coursework.words.sentences import load_phrases
     (0.0, [0.0], [1, 0, 0, 0, 0, 0, 0, 0, 0, 0]),
 ])  # fmt: skip
 def test_scores_lie_in_the_tenths_of_the_points(most: float, scores: list[float], counts: list[int]) -> None:
-    tenths = _tenths(ClassFacts(most=most, scores=list(scores)), load_phrases("en"))
+    tenths = _tenths(scores, most, load_phrases("en"))
     assert [count for _, count in tenths] == counts
     if most == 60:
         assert [label for label, _ in tenths][:2] == ["0–6", "6–12"] and tenths[-1][0] == "54–60"

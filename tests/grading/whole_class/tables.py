@@ -157,12 +157,12 @@ def is_a_table(table: np.ndarray, machine: Machine) -> bool:
     return bool(np.isfinite(table).all()) and np.abs(table).max() < 1e3 and not np.allclose(table, machine.table(), atol=1e-4)
 
 
-def against_itself(machine: Machine, table: np.ndarray, unit: float) -> tuple[np.ndarray, np.ndarray]:
+def against_itself(machine: Machine, table: np.ndarray, unit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return which cells of a printed table surely do not follow from others in it, and which surely do (n, m + r).
 
     A velocity follows from the row's own angles, or fulfils an equation with the other velocities of the row; a coordinate
     follows from the row before, by the velocity that stands there or that belongs there; either is right where the key says so.
-    The tolerances are those of printing, several times over for "surely not".
+    The tolerances are those of printing with `unit` (m + r) of the last places, several times over for "surely not".
     """
     m, h, right = machine.m, machine.h, machine.table()
     off, tolerance = np.abs(table - right), 2e-4 * np.ptp(right, axis=0) + 2 * unit
@@ -172,15 +172,15 @@ def against_itself(machine: Machine, table: np.ndarray, unit: float) -> tuple[np
     for k, row in enumerate(table):
         q, w = row[:m], row[m:]
         made = machine.velocities(k * h, q)
-        slack = sum(np.abs(machine.velocities(k * h, q + unit * (np.arange(m) == place)) - made) for place in range(m))
+        slack = sum(np.abs(machine.velocities(k * h, q + unit[:m] * (np.arange(m) == place)) - made) for place in range(m))
         near = tolerance[m:] + slack
         surely[k, m:] |= np.abs(w - made) < 0.2 * near
-        held = machine.fulfilled(k * h, q, w, unit + 2e-4 * np.abs(w))
+        held = machine.fulfilled(k * h, q, w, unit[m:] + 2e-4 * np.abs(w))
         not_so[k, m:] &= (np.abs(w - made) > 6 * near) & ~held
         if k:
             steps = [table[k - 1, :m] + h * rates[:m] for rates in (table[k - 1, m:], before)]
             slip = np.min([np.abs(q - step) for step in steps], axis=0)
-            near = 2 * unit + 3e-4 * h * np.abs(table[k - 1, m : 2 * m]) + h * (unit + doubt[:m])
+            near = 2 * unit[:m] + 3e-4 * h * np.abs(table[k - 1, m : 2 * m]) + h * (unit[m : 2 * m] + doubt[:m])
             surely[k, :m] |= slip < 0.2 * near
             not_so[k, :m] &= slip > 6 * near
         before, doubt = made, slack

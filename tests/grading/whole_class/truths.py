@@ -15,6 +15,7 @@ import pytest
 
 from tests.grading.marking.machines import Machine
 from tests.grading.reading.equations.notation.notations import PLAIN
+from tests.grading.reading.table.test_dialects import OF_SPREADSHEETS
 from tests.grading.whole_class.graded import Seen
 from tests.grading.whole_class.pupils import DIGITS, Pupil, Truth
 from tests.grading.whole_class.sentences import Said, Values, of_page, sentences
@@ -34,7 +35,7 @@ _LETTERS = str.maketrans({"α": "alpha", "β": "beta", "ω": "w", "φ": "phi", "
 OF_QUESTIONS = (
     "feedback.line_adds_nothing", "feedback.lack", "feedback.status.needs_review", "feedback.earned.unread",
     "feedback.line_unread", "feedback.equation.asked", "reading.review", "reading.note.no_part",
-    "reading.note.fewer_decimals", "reading.note.too_coarse", "reading.trouble", "fault",
+    "reading.note.too_coarse", "reading.trouble", "fault",
 )  # fmt: skip
 # Said of how a page is read, with nothing in it that could be false.
 OF_ANY = (
@@ -72,6 +73,14 @@ class Held:
         return np.round(self.pupil.table, DIGITS)
 
     @cached_property
+    def units(self) -> np.ndarray:
+        """The units of the last places of the columns: a spreadsheet stores numbers without the zeros at their end."""
+        printed = [[f"{value:.{DIGITS}f}" for value in column] for column in self.table.T]
+        if self.pupil.kind in OF_SPREADSHEETS:
+            printed = [[text.rstrip("0") for text in column] for column in printed]
+        return np.array([10.0 ** -max(len(text.partition(".")[2]) for text in column) for column in printed])
+
+    @cached_property
     def names(self) -> list[str]:
         m = self.machine.m
         return [*(c.name for c in self.machine.variant.coordinates), *self.machine.variant.columns[m:]]
@@ -84,7 +93,7 @@ class Held:
             for cell in self.truth.wrong:
                 wrong[cell] = True
             return wrong, ~wrong
-        return against_itself(self.machine, self.table, 10.0**-DIGITS)
+        return against_itself(self.machine, self.table, self.units)
 
     @cached_property
     def steps(self) -> tuple[int, int]:
@@ -92,8 +101,8 @@ class Held:
         m, h = self.machine.m, self.machine.h
         q, w = self.table[:, :m], self.table[:, m : 2 * m]
         off = np.abs(np.diff(q, axis=0) - h * w[:-1])
-        unit = 10.0**-DIGITS
-        return int((off < 1.01 * unit).sum()), int((off < 2 * unit + h * unit + 4e-4 * h * np.abs(w[:-1])).sum())
+        unit, of_rates = self.units[:m], self.units[m : 2 * m]
+        return int((off < 1.01 * unit).sum()), int((off < 2 * unit + h * of_rates + 4e-4 * h * np.abs(w[:-1])).sum())
 
     @property
     def counted(self) -> int:
@@ -239,6 +248,11 @@ def _unread(held: Held, values: Values) -> bool:
     return held.truth.kind == "worthless" or held.seen.row["status"] == "needs-review"
 
 
+def _fewer_decimals(held: Held, values: Values) -> bool:
+    fewer = int((held.units > 2 * 10.0 ** -int(values["least"])).sum()) * len(held.table)
+    return held.truth.kind == "worthless" or int(values["count"]) == fewer
+
+
 def _wrong_rule(held: Held, values: Values) -> bool:
     return held.truth.wrong is None
 
@@ -278,6 +292,7 @@ CHECKS: dict[str, Check] = {
     "feedback.read_as": lambda held, values: (
         (int(values["present"]), int(values["needed"])) == (len(held.table), held.machine.rows)
     ),
+    "reading.note.fewer_decimals": _fewer_decimals,
     "reading.note.rows_missing": lambda held, values: bool(held.truth.absent),
     **dict.fromkeys(OF_QUESTIONS, _unread),
     **dict.fromkeys(OF_ANY, _true),

@@ -24,6 +24,7 @@ _LIKELIEST = ("sign", "function", "removed", "name", "factor")
 _OTHER = {"sin": "cos", "cos": "sin"}
 _OPPOSITE = {"+": "-", "-": "+"}
 _SUMS = {*_OPPOSITE, "neg"}
+_BEGINS_MINUS = re.compile(r"^\(-([\w.]+)\)(?=[*/])")
 
 
 @frozen
@@ -192,9 +193,6 @@ def unlikeliness(tree: Formula, edit: Edit, *, is_new_sign: bool) -> tuple[int, 
     after = [node.op for node in applied(tree, edit).walk()] if edit.kind == "factor" else []
     kind = "removed" if after and len(after) < sum(1 for _ in tree.walk()) else edit.kind
     return _LIKELIEST.index(kind), is_new_sign, after.count("name"), len(after), edit.column
-
-
-_BEGINS_MINUS = re.compile(r"^\(-([\w.]+)\)(?=[*/])")
 
 
 def written(tree: Formula) -> str:

@@ -20,9 +20,9 @@ from coursework.grading.marking.equations.doubts import part_of_chain, question_
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness, written
 from coursework.grading.marking.equations.hints import Hint
 from coursework.grading.marking.equations.lacks import lack_of, law_of
-from coursework.grading.marking.equations.linear import Linear, differing, is_one_slip, linear, rank, says_more
+from coursework.grading.marking.equations.linear import Linear, differing, is_one_slip, linear, rank, says_more, usual_size
 from coursework.grading.marking.equations.meant_together import as_lists_or_minus, as_others_of_their_kind
-from coursework.grading.marking.equations.numbers import NoValue, real, size_of
+from coursework.grading.marking.equations.numbers import NoValue
 from coursework.grading.marking.equations.other_forms import with_other_sign, without_ratios
 from coursework.grading.marking.equations.own_numbers import own_numbers
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
@@ -276,7 +276,7 @@ class Judge:
         """Return all single edits that make a wrong line right, the likeliest first; `read` is the text of the line as read."""
         try:
             values = Values(tree, self.off_closure.names)
-            scale = float(np.median(real(size_of(tree, self.off_closure.names), self.off_closure.count))) or 1.0
+            scale = usual_size(tree, self.off_closure)
         except NoValue:
             return []
         found: list[Edit] = []

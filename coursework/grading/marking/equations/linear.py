@@ -100,6 +100,11 @@ def linear(tree: Formula, probe: Probe) -> Linear:
     return Linear(slopes if affine else np.full_like(slopes, np.nan), rest, size, probe)
 
 
+def usual_size(tree: Formula, probe: Probe) -> float:
+    """Return the size of the terms of `left - right` as written, in the middle of the points; 1 if there is none."""
+    return float(np.median(real(size_of(tree, probe.names), probe.count))) or 1.0
+
+
 def rank(lines: Sequence[Linear]) -> int:
     """Return how many of the lines are independent at the point where they are fewest."""
     if not lines:

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.equations.edits import Values, places
-from coursework.grading.marking.equations.linear import linear
-from coursework.grading.marking.equations.numbers import NoValue, are_same, computed, real, size_of, value_of
+from coursework.grading.marking.equations.linear import linear, usual_size
+from coursework.grading.marking.equations.numbers import NoValue, are_same, computed, real, value_of
 from coursework.grading.marking.equations.probe import Probe, with_data
 from coursework.grading.marking.key.key import Key
 from coursework.system.arrays import Array
@@ -58,7 +58,7 @@ def own_numbers(tree: Formula, key: Key, probe: Probe, near: float) -> Iterator[
     try:
         told = {one.name: f"{one.name} = {one.text} {one.unit}".rstrip() for one in variant.given}
         told |= {law.name: f"{law.name} = {spelled(law.formula)}" for law in variant.drive if law.formula is not None}
-        allowed = near * (float(np.median(real(size_of(tree, probe.names), probe.count))) or 1.0)
+        allowed = near * usual_size(tree, probe)
         read = [*islice(_as_rounded(tree, variant, probe), _ROUNDED)]
         known: dict[int, Any] = {}  # values of the parts of all lines into which something is put
         for base in (tree, *(base for base, _ in read)):

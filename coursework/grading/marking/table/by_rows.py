@@ -75,7 +75,7 @@ def _own(key: Key, student: StudentTable) -> tuple[Way, Way]:
 
 def _points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     """Return the points of a table; a cell that is right only from the student's own counts if the state of its row is right."""
-    right = ~cells.wrong & ~cells.missing & cells.counted
+    right = cells.right
     assert key.free is not None
     state = list(key.free.state)
     moves = np.asarray(np.all((~cells.wrong & ~cells.missing)[:, state], axis=1))

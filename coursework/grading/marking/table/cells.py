@@ -82,6 +82,16 @@ class Cells:
         return np.asarray(self.marks == MISSING)
 
     @property
+    def judged(self) -> Flags:
+        """Return the cells that count and can be judged."""
+        return self.counted & ~self.missing
+
+    @property
+    def right(self) -> Flags:
+        """Return the cells that count and are right in some way."""
+        return self.judged & ~self.wrong
+
+    @property
     def carried(self) -> Flags:
         """Return the cells that are right only from the student's own earlier cells."""
         return np.isin(self.marks, CARRIED)

@@ -19,16 +19,17 @@ from coursework.grading.marking.table.ways import ANGLES, KEY, put_right
 from coursework.system.arrays import Array, Flags
 
 # A wrong cell is a near miss up to so many tolerances; few of the near misses are this part of those on the side of what was cut
-# off; the part of all cells that lie on that side if digits were cut off: of rounded ones about half do.
-_NEAR, _FEW, _MOST = 2.0, 0.25, 0.75
+# off; the parts of the right cells that lie on that side if digits were cut off, where few cells missed and where many did: of
+# rounded ones about half do.
+_NEAR, _FEW, _MOST, _MORE = 2.0, 0.25, 0.75, 0.55
 
 
 def with_the_rest(key: Key, cells: Cells) -> Cells | None:
     """Return the table marked with what was cut off put back, except in cells that agree with the key as they are printed.
 
     Wrong cells must miss the key, or the velocity at their own angles, by little and on the side of what was cut off, few on the
-    other, and few may stay wrong: more than slips can explain, or as many in a table right but for slips, of which most cells lie
-    on that side. Steps tell nothing: both of their rows were cut off.
+    other, and few may stay wrong: more than slips can explain, or as many in a table right but for slips. More of the right cells
+    must lie on that side than rounded ones do. Steps tell nothing: both of their rows were cut off.
     """
     student, slips = cells.student, max(FEWEST, FEWEST_SHARE * cells.marks.size)
     ways = [cells.way(KEY), cells.way(ANGLES)]
@@ -48,7 +49,7 @@ def with_the_rest(key: Key, cells: Cells) -> Cells | None:
             continue
         lies, opposite = (on(by, ~cells.wrong, student.units).sum() for by in (side, -side))
         few = missed.sum() <= slips
-        if few and lies <= _MOST * (lies + opposite):
+        if lies <= (_MOST if few else _MORE) * (lies + opposite):
             continue
         values = np.where(alike(key, student, key.table), student.values, student.values + side * student.units / 2)
         made = marked(key, replace(student, values=values))

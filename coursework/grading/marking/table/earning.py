@@ -20,10 +20,11 @@ from coursework.grading.marking.table.causes.hypotheses import (
     OTHER_STEP,
     PI_ROUNDED,
     RADIAN_MODE,
+    ROUNDED_OMEGA,
     SCHEMES_TRIED,
     STEPS_IN_DEGREES,
 )
-from coursework.grading.marking.table.causes.misconceptions import NAMED, ROUNDED_OMEGA, TIE, Found
+from coursework.grading.marking.table.causes.misconceptions import NAMED, TIE, Found
 from coursework.grading.marking.table.causes.other_data import DATA_ROUNDED, DATUM
 from coursework.grading.marking.table.causes.own_equations import OWN
 from coursework.grading.marking.table.causes.printed_otherwise import COLUMN_SLIPPED, ROW_BELOW, SIGN, SWAPPED_COLUMNS

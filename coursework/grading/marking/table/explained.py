@@ -63,10 +63,10 @@ class Explained:
         one that the explanation makes, None if unknown: where it has another value, a cell of the key was put right.
         """
         m, rows = len(self.key.coordinates), self._rows
-        explained = (holds | self._by_key) & self._spoken
+        explained = (holds | self.by_key) & self.spoken
         counts = self._in_runs.copy()
         if not as_it_is:
-            counts |= self._by_key & self.cells.counted & ~constant(self.key)
+            counts |= self.by_key & self.cells.counted & ~constant(self.key)
             explained |= self._as_before(holds if table is None else alike(self.key, self.cells.student, table), explained)
         steps = explained[rows[1:], :m] & explained[rows[:-1], m : 2 * m] & (self._moves | self._hardly)
         counts[rows[1:], :m] |= steps
@@ -85,8 +85,8 @@ class Explained:
         """
         rows = self._rows
         beside = np.zeros(len(holds), dtype=bool)
-        beside[rows] = self._beside_put(put_right(self._by_key[rows]) & (~holds & self._spoken)[rows], explained[rows])
-        others, lost = self._spoken & ~beside[:, None], self._spoken & beside[:, None] & ~explained
+        beside[rows] = self._beside_put(put_right(self.by_key[rows]) & (~holds & self.spoken)[rows], explained[rows])
+        others, lost = self.spoken & ~beside[:, None], self.spoken & beside[:, None] & ~explained
         usual = (explained & others).sum(axis=0) / np.maximum(_FEW * len(rows), others.sum(axis=0))
         before = np.zeros_like(explained)
         for column in np.flatnonzero(lost.any(axis=0) & (usual > _FEW)).tolist():
@@ -102,7 +102,7 @@ class Explained:
         be explained as soon as that angle is right.
         """
         m = len(self.key.coordinates)
-        unexplained = self._spoken[self._rows, :m] & ~explained[:, :m]
+        unexplained = self.spoken[self._rows, :m] & ~explained[:, :m]
         angles, rates, astray = (np.asarray(part.any(axis=1)) for part in (put[:, :m], put[:, m:], unexplained))
         beside = np.zeros(len(put), dtype=bool)
         for row in np.flatnonzero(angles | rates).tolist():
@@ -114,12 +114,14 @@ class Explained:
         return handed_in(self.cells)
 
     @cached_property
-    def _by_key(self) -> Flags:
+    def by_key(self) -> Flags:
+        """Return which cells (n, m + r) agree with the key."""
         return np.asarray(self.cells.marks == KEY)
 
     @cached_property
-    def _spoken(self) -> Flags:
-        return ~self.cells.missing & self.cells.counted
+    def spoken(self) -> Flags:
+        """Return the cells (n, m + r) about which anything can be said: all that are shown except start values."""
+        return self.cells.judged
 
     @cached_property
     def _count(self) -> int:
@@ -143,7 +145,7 @@ class Explained:
     @cached_property
     def _in_runs(self) -> Flags:
         """Return the cells that agree with the key in runs of rows: they count whatever explains the others."""
-        return np.asarray(self._by_key & self.cells.counted & in_a_run(self._by_key, self._rows) & ~constant(self.key))
+        return np.asarray(self.by_key & self.cells.counted & in_a_run(self.by_key, self._rows) & ~constant(self.key))
 
 
 def share_of(explained: Flags, spoken: Flags) -> float:
@@ -151,8 +153,7 @@ def share_of(explained: Flags, spoken: Flags) -> float:
     return float(explained.sum()) / float(spoken.sum()) if spoken.any() else 0.0
 
 
-def euler_cells(key: Key, cells: Cells) -> tuple[Flags, Flags]:
+def euler_cells(cells: Cells) -> tuple[Flags, Flags]:
     """Return which cells follow Euler's rules, and which cells these speak about: all that are shown except start values."""
-    spoken = ~cells.missing
-    spoken[0, : len(key.coordinates)] = False
+    spoken = cells.judged
     return cells.follows & spoken, spoken

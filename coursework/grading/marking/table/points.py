@@ -74,7 +74,7 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
     m = len(key.coordinates)
     marks, counted = cells.marks, cells.counted
     untold = np.zeros_like(counted) if untold is None else untold
-    right = ~cells.wrong & ~cells.missing & counted
+    right = cells.right
     sound, rows = (right & ~untold) | cells.fitted, handed_in(cells)  # `fitted` were right before others were put right
     made = sound[rows, m:]
     excused = put_right(marks[rows, :m] == KEY).any(axis=1, keepdims=True)  # all may have been made from what stood there

@@ -49,7 +49,7 @@ def untold_cells(key: Key, cells: Cells, expected: Array, holds: Flags, table: A
     m = len(key.coordinates)
     of_euler = np.hstack([cells.way(STEP).expected[:, :m], cells.way(ANGLES).expected[:, m:]])
     with np.errstate(invalid="ignore"):
-        other = (np.abs(expected - of_euler) > _SAME * key.ranges) & cells.counted & ~cells.missing
+        other = (np.abs(expected - of_euler) > _SAME * key.ranges) & cells.judged
     other &= ~_right_with_all_digits(key, table) if table is not None else cells.marks != KEY
     right = ~cells.wrong
     told, untold = other & ~(right & holds), other & right & holds

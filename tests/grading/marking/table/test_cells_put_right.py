@@ -249,20 +249,21 @@ def test_a_velocity_put_right_does_not_keep_a_cause_from_being_looked_at():
 
 # Pairs that lost once: a variant, the slip that was carried on in its table, cells put right before, cells with another number,
 # the cell put right. The first needs an exchange taken back beside an angle as it is printed, the second a slip of one row told
-# by that of the next, the third a misprint below a cell put right, the last two several coordinates told by the next row.
+# by that of the next, the third a misprint below a cell put right, the fourth and the last several coordinates told by the next
+# row: the fourth cost two cells as long as rows found once were taken for told whether or not the last pass had changed them.
 LOST = [
     (2, (7, 4, -0.1), [], {(8, 0): 0.298, (8, 2): 1.5005}, (7, 4)),
     (3, (17, 0, 0.1), [], {(18, 0): 3.1654}, (17, 0)),
     (1, (4, 4, 0.1), [(4, 4), (5, 1)], {(8, 1): 3.297, (20, 3): 1.5507}, (6, 1)),
+    (0, (16, 2, -0.1), [(16, 2), (16, 3), (16, 4), (16, 5), (16, 6), (17, 0)], {}, (17, 1)),
     (5, (28, 3, 0.1), [], {(30, 2): 0.9603}, (28, 3)),
     (2, (19, 1, -0.1), [(19, 1), (19, 3), (19, 4), (21, 1)], {(21, 5): 2.8511}, (20, 0)),
     (1, (14, 1, 0.1), [(14, 1), (14, 3), (14, 4), (16, 4)], {}, (15, 0)),
-    (0, (16, 2, -0.1), [(16, 2), (16, 3), (16, 4), (16, 5), (16, 6), (17, 0)], {}, (17, 1)),
     (4, (3, 0, -0.1), [(3, 0), (3, 3), (3, 4), (4, 0), (12, 1), (12, 3)], {}, (4, 1)),
 ]
 
 
-@pytest.mark.parametrize(("number", "slip", "put", "other", "cell"), first(3, LOST))
+@pytest.mark.parametrize(("number", "slip", "put", "other", "cell"), first(4, LOST))
 def test_what_lost_once_loses_no_more(number, slip, put, other, cell):
     desk = variants()[number]
     table = put_right(desk, np.round(desk.machine.table(slip=slip), 4), put)

@@ -8,9 +8,12 @@ import pytest
 import coursework
 from coursework.grading.marking.reasons.table import table_reasons
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.cells import mark_cells
+from coursework.grading.marking.table.cut_off import with_the_rest
 from coursework.grading.marking.table.earning import ROUNDED
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.table.desks import Desk, close, codes
+from tests.grading.marking.table.test_cells import printed
 from tests.grading.marking.table.test_twelve_variants import desk_of
 from tests.grading.whole_class.tables import from_rows_before, slopes
 from tests.sample import first
@@ -114,11 +117,18 @@ def test_cells_put_right_are_none_against_what_made_the_table_as_a_whole(last):
     table = Machine(desk.variant, drive_sign=-1.0).table()
     places = chance.permutation(np.argwhere(np.ones((25, 4)))) + np.array([0, desk.machine.m])
     table[tuple(places[:29].T)] += 0.4
-    points = [desk.marked(table, digits=2)[0]]
-    for place in map(tuple, places[29:last]):
-        table[place] = desk.key.table[place]
-        points.append(desk.marked(table, digits=2)[0])
-    assert min(np.diff(points)) >= 0 and points[0] > 15, points
+    before = desk.marked(table, digits=2)[0]
+    chosen = tuple(places[29:last].T)
+    table[chosen] = desk.key.table[chosen]
+    assert desk.marked(table, digits=2)[0] >= before > 15
+
+
+def test_numbers_of_which_half_are_too_large_were_not_cut_off():
+    """A longer r2 makes w2 smaller in every row: that looked like digits cut off, and 57 points became 59.65."""
+    desk = of(2)
+    table = Machine(desk.variant, data={"r2": 1.13 * desk.variant.values["r2"]}).table()
+    cells = mark_cells(desk.key, printed(table, 2))
+    assert cells.wrong.sum() > 3 and with_the_rest(desk.key, cells) is None
 
 
 def test_no_wrong_table_earns_more_than_the_right_one_with_the_same_digits():

@@ -64,7 +64,7 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
         was, cost = search.cheapest(pool)
         if cost >= least:
             break
-        told, least = told | (was.other & last.other), cost
+        told, least = told | (was.other & _other(was.table, last.table)), cost
     was, _ = search.cheapest(pool, velocities_first=True)
     made = beside_makers(search.wrong & was.held, m)
     costs = was.slips.sum(axis=1) + beside_makers(sure & ~was.held, m).sum(axis=1)

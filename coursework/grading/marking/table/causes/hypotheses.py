@@ -28,7 +28,7 @@ from coursework.system.arrays import Array, shifted
 
 # Schemes that students take for Euler's; their names are the codes of the misconceptions.
 SCHEMES_TRIED = ("heun", "midpoint", "ralston", "rk4")
-ROUNDED_TO = (1, 2, 3)
+ROUNDED_OMEGA, _ROUNDED_TO = "rounded_omega_", (1, 2, 3)
 # With these causes only the velocities of a table are right.
 OTHER_STEP, DEGREE_STEPS, STEPS_IN_DEGREES = "other_step", "degree_steps", "steps_in_degrees"
 # An implicit step is iterated at most so often, until it changes by less than _STANDS (rad or m).
@@ -181,10 +181,10 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
     """Yield claims of steps with rounded velocities, with rad/s added to degrees, or of another length."""
     h, m = printed.key.step, printed.m
     units = printed.w_units[:, :m]
-    for decimals in ROUNDED_TO:
+    for decimals in _ROUNDED_TO:
         if np.nanmax(np.where(units > 0, units, np.nan), initial=0.0) < 10.0**-decimals * 0.99:
             claim = printed.claim(
-                f"rounded_omega_{decimals}", printed.steps(h * np.round(printed.w, decimals), np.zeros_like(units))
+                f"{ROUNDED_OMEGA}{decimals}", printed.steps(h * np.round(printed.w, decimals), np.zeros_like(units))
             )
             yield replace(claim, table=printed.marched(printed.key.velocities_at, partial(_rounded, h, decimals)))
     lacking = _of_degrees(printed.key)
@@ -195,7 +195,7 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
     for part in parts_of_step(printed):
         step = printed.steps(part * h * printed.w, part * h * units)
         longer = partial(_longer, part * h)
-        claims = [printed.claim("other_step", step)]
+        claims = [printed.claim(OTHER_STEP, step)]
         made: list[Velocities] = [printed.key.velocities_at, partial(_of_times, printed.key, part, 0.0)]
         at = printed.stacked(made[1])
         if printed.nearly(found := at(printed.q)):

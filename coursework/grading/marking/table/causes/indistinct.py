@@ -37,7 +37,7 @@ def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = 
     for claim in claims(TableUnderTest(key, right.student, closely=False), confusions or {}, {}):
         if claim.student is not None:
             differs.add(claim.code)
-            alike = share_of(*euler_cells(key, mark_cells(key, claim.student)))
+            alike = share_of(*euler_cells(mark_cells(key, claim.student)))
         else:
             apart = np.abs(claim.expected - key.table)
             if np.any(apart > nothing):

@@ -1,6 +1,6 @@
 """The key for a table made with other velocities or another step: by it the table is marked as if these were the task's.
 
-Enters: a `Key`, a `Claim`.  Leaves: `MisreadKey`.  Used by `misconceptions.py`.
+Enters: a `Key`, a `Claim`.  Leaves: `MisreadKey`.  Used by `closer.py`.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ equation is tried by itself on the student's own numbers, so that slips in sever
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -141,25 +141,27 @@ def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
         if not there.any():
             continue
         holds = float(np.mean(np.abs(here[there, place]) <= limit[there]))
-        best, used = holds, Used(line.tree, holds, line.name if line.is_wrong else "")
-        values = Values(line.tree, names) if holds < _HOLDS else None
-        closest = np.inf
-        for edit in line.edits if values else ():
-            after = values.after(edit) if values else None
-            if after is None or np.iscomplexobj(after):
-                continue
-            off = np.abs(after) / limit  # nan where there is no value: such a row does not hold
-            share = float(np.count_nonzero(off <= 1.0)) / int(there.sum())
-            if share <= holds + _BETTER or share < best:
-                continue
-            far = float(
-                np.nanmean(np.minimum(off, _FAR) ** 2)
-            )  # with few digits several edits fit every row: the nearest one is taken
-            if (share, -far) > (best, -closest):
-                best, closest = share, far
-                used = Used(applied(line.tree, edit), share, line.name)
-        found.append(used)
+        slip = _with_slip(line, names, limit, holds, int(there.sum())) if holds < _HOLDS else None
+        found.append(slip or Used(line.tree, holds, line.name if line.is_wrong else ""))
     return found
+
+
+def _with_slip(line: Line, names: Mapping[str, Any], limit: Array, holds: float, count: int) -> Used | None:
+    """Return a line with the single slip that explains clearly more of `count` rows than it `holds` in; None if none does."""
+    values, found = Values(line.tree, names), []
+    for edit in line.edits:
+        after = values.after(edit)
+        if after is None or np.iscomplexobj(after):
+            continue
+        off = np.abs(after) / limit  # nan where there is no value: such a row does not hold
+        share = float(np.count_nonzero(off <= 1.0)) / count
+        if share > holds + _BETTER:
+            # With few digits several edits fit every row: the nearest one is taken.
+            found.append((share, -float(np.nanmean(np.minimum(off, _FAR) ** 2)), edit))
+    if not found:
+        return None
+    share, _, edit = max(found, key=lambda one: one[:2])
+    return Used(applied(line.tree, edit), share, line.name)
 
 
 def _solved(key: Key, trees: Sequence[Formula], t: Array, q: Array) -> Array:

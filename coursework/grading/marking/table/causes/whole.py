@@ -62,7 +62,7 @@ def as_made(key: Key, cells: Cells, told: Callable[[StudentTable], Iterable[Clai
     by = _AS_ASKED if looked_for(key, cells, cells.marks.size) else _FEWER
     if not fewer_decimals(key, cells, by):
         return None
-    spoken = cells.counted & ~cells.missing
+    spoken = cells.judged
     right = alike(key, cells.student, key.table)
     by_key = share_of(right & spoken, spoken)
     least = max(_MOST, by_key + max(_MORE, _OF_REST * (1.0 - by_key)))
@@ -97,7 +97,7 @@ def untold_points(cells: Cells, points: TablePoints, made: Cells, carried: float
 
     A cell too coarse to be shown earns nothing in a right table, so it earns nothing here; `carried` is as in `table_points`.
     """
-    right, fine = (~one.wrong & ~one.missing & one.counted for one in (cells, made))
+    right, fine = cells.right, made.right
     assert points.uncounted is not None
     counts = fine & ~points.uncounted
     lost = np.where(made.carried, carried, 1.0)[counts & cells.missing].sum() / max(points.cells, 1)
