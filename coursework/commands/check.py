@@ -10,7 +10,9 @@ from coursework.commands.contradictions import terms_named
 from coursework.commands.line.screen import tell, tell_own_file, title_of
 from coursework.commands.mobility import of_mobility
 from coursework.commands.run_on_screen import tell_remarks
+from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.textbook.cramer import cramer
+from coursework.motion.singular.lines import always_told
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_ties
 from coursework.run import Run
@@ -18,6 +20,7 @@ from coursework.scene.quantities import ENERGY, FORCES
 from coursework.scene.scene import Scene
 from coursework.variant.formula.made import as_read
 from coursework.variant.record.held import followed
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
 
@@ -72,6 +75,8 @@ def _tell(run: Run) -> int:
         if begun.verdict == "FAIL":
             return 1  # links that do not close cannot move
         tell(say("screen.possible", end=chosen.time.end))
+        for note in scene.passed:
+            tell(note)
         return 0
     tell(say("screen.not_possible", kind=stop.name, sentence=stop.sentence))
     if scene.phases:
@@ -81,13 +86,22 @@ def _tell(run: Run) -> int:
 
 def _tell_blocks(scene: Scene) -> None:
     pairs = cramer(scene.equations, scene.reduction, [bool(solution) for solution in scene.solutions])
-    for block, solution, pair in zip(scene.reduction.blocks, scene.solutions, pairs, strict=True):
+    for place, (block, solution, pair) in enumerate(zip(scene.reduction.blocks, scene.solutions, pairs, strict=True)):
         tell(say("screen.block", unknowns=tuple(block.unknowns), equations=tuple(block.equations)))
         for name, formula in solution:
             tell(f"    {name} = {as_read(formula)}")
         found = pair.determinant if pair is not None else block.determinant  # of a pair with the signs of the page
         determinant = as_read(found) if solution and found is not None else say("screen.numerical")
         if block.meaning != say("determinant.never"):
-            tell(say("screen.determinant", determinant=determinant, meaning=block.meaning))
+            lines = always_told(scene.flow, scene.closure, place, block) if block.meaning == _bare(block) else None
+            meaning = lines or block.meaning
+            tell(say("screen.determinant", determinant=determinant, meaning=meaning))
         else:
             tell(say("screen.never_zero", determinant=determinant))
+
+
+def _bare(block: Block) -> Sentence:
+    """Return what is said of a block where nothing is known of the lines of its links."""
+    if block.condition is None:
+        return say("determinant.large", count=block.size, names=", ".join(block.equations))
+    return say("determinant.zero", formula=as_read(block.condition))

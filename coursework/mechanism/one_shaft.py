@@ -7,7 +7,9 @@ Used by `joints.py`.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import combinations
 
 from coursework.variant.formula.tree import Formula, signed
 from coursework.variant.record.entries import Link
@@ -37,17 +39,27 @@ def fixed_links(
 
 
 def _against(link: Link, other: Link, points: Mapping[str, Formula], angle: str) -> bool:
-    """Return whether a coordinate turns one link counter-clockwise and the other clockwise, by what only one of them holds."""
-    own, its = ({name for name in one.held if name not in two.held} for one, two in ((link, other), (other, link)))
-    senses = {_sense(own, points, angle), _sense(its, points, angle)}
-    return senses == {1, -1}
+    """Return whether a coordinate turns one link counter-clockwise and the other clockwise, by vectors between their points."""
+    return {_sense(link, points, angle), _sense(other, points, angle)} == {1, -1}
 
 
-def _sense(names: Iterable[str], points: Mapping[str, Formula], angle: str) -> int:
-    """Return the sign with which an angle turns points, 0 if it has not one."""
-    nodes = [node for name in names if name in points for node in points[name].walk() if node.op == "@"]
-    signs = {sign for node in nodes for term, sign in signed(node.args[1]) if term.name == angle}
+def _sense(link: Link, points: Mapping[str, Formula], angle: str) -> int:
+    """Return the sign with which an angle turns a link, 0 if it has not one."""
+    signs = set[int]()
+    for one, two in combinations([_terms(name, points) for name in link.held], 2):
+        between = (term for term in {*one} | {*two} if one[term] != two[term])
+        nodes = (node for term in between for node in term.walk() if node.op == "@")
+        signs |= {sign for node in nodes for term, sign in signed(node.args[1]) if term.name == angle}
     return signs.pop() if len(signs) == 1 else 0
+
+
+def _terms(point: str, points: Mapping[str, Formula]) -> Counter[Formula]:
+    """Return the terms of which a point is the sum, those of other points in place of their names."""
+    found = Counter[Formula]()
+    for term, sign in signed(points[point]) if point in points else ():
+        for part, times in _terms(term.name, points).items() if term.op == "name" and term.name in points else ((term, 1),):
+            found[part] += sign * times
+    return found
 
 
 def first_parts(bodies: Iterable[str], pairs: Iterable[tuple[str, str]]) -> dict[str, str]:

@@ -6,14 +6,15 @@ Used by `exact_scene.py`, for a file with a motor only.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from coursework.effects.dynamics.dynamics import Dynamics
+from coursework.effects.dynamics.crossings import SINGLE, crossing_ahead, first_crossing
+from coursework.effects.dynamics.dynamics import TOLERANCE, Dynamics
 from coursework.effects.dynamics.dynamics_checks import Evidence, check_dynamics
 from coursework.effects.dynamics.dynamics_lesson import Moved, energy_of_rows, is_heavy, rates_of
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
@@ -21,7 +22,7 @@ from coursework.effects.dynamics.free_motion import FreeMotion
 from coursework.effects.dynamics.known_rows import COARSER, LOOKS, UNDEFINED, known_rows, up_to_values
 from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.dynamics.regime import Regime, find_regime
-from coursework.effects.dynamics.why_ended import CHANGE, LIMIT
+from coursework.effects.dynamics.why_ended import CHANGE, LIMIT, laws_of_forces, too_steep
 from coursework.effects.friction.held import Held
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.scheme import read_scheme
@@ -34,12 +35,10 @@ from coursework.scene.motion_results import MotionResults
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array
 from coursework.system.on_demand import computed
-from coursework.variant.formula.tree import Formula
 from coursework.variant.judging.bounds import refuse_unbounded
 from coursework.variant.record.forces import Motor
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
-from coursework.words.sentence import Sentence
 from coursework.words.sentences import either, say
 
 if TYPE_CHECKING:
@@ -47,9 +46,11 @@ if TYPE_CHECKING:
 
 
 _SAID = {
-    "dead point": "dead", LIMIT: "limit", CHANGE: "crossing", "not finite": "far", "too steep": "steep", TOO_LARGE: "wide",
-    UNDEFINED: "undefined",
+    "dead point": "dead", LIMIT: "limit", CHANGE: "crossing", SINGLE: "single", "not finite": "far", "too steep": "steep",
+    TOO_LARGE: "wide", UNDEFINED: "undefined",
 }  # fmt: skip
+
+_LATE = 0.9  # share of its time: rows that go off the scale before lack a shorter step
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -118,7 +119,7 @@ class MotorScene(Scene):
     def regime(self) -> Regime | None:
         """Return the steady motion of a crank turned by forces, None if the exact rows tend to none."""
         motion, rates = self.exact, self._motor.rates
-        timed = any("t" in law.names() for law in self._laws)
+        timed = any("t" in law.names() for law in laws_of_forces(self.variant))
         speed = float(motion.column(rates[0])[-1]) if len(motion.t) else 0.0
         is_crank = [self.variant.unit_of(rate) for rate in rates] == ["rad/s"]
         if not is_crank or timed or not speed or motion.stop is not None:
@@ -159,16 +160,21 @@ class MotorScene(Scene):
     def _true(self) -> FreeMotion:
         time = self.variant.time
         pace = max(1, time.steps // LOOKS)
-        fine, coarser = (
-            Dynamics(self.free_equations, list(self.closed_start)),
-            Dynamics(self.free_equations, list(self.closed_start), COARSER),
-        )
+        fine, coarser = (Dynamics(self.free_equations, list(self.closed_start), size) for size in (TOLERANCE, COARSER))
         found = up_to_values(self.variant, fine.exact(self._begin, time.step, time.steps), self._table)
-        return known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
+        known = known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
+        ahead = crossing_ahead(self.flow, self._motion_of(known, EXACT)) if known.ended == CHANGE else None
+        return known if ahead is None else replace(known, at=ahead[0], ended=SINGLE if ahead[1] == 1 else CHANGE)
 
     @cached_property
     def _exact_rows(self) -> Motion:
-        return self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop)
+        return replace(self._motion_of(self._true, EXACT, say("dynamics.exact"), self.stop), notes=self.passed)
+
+    @cached_property
+    def passed(self) -> tuple[str, ...]:
+        """Return the sentence about a change point that the exact motion goes through."""
+        time = first_crossing(self.flow, self._motion_of(self._true, EXACT), self.exact_at)
+        return () if time is None else (say("dynamics.passed", time=time),)
 
     @computed("free_equations")
     def stop(self) -> Stop | None:
@@ -181,6 +187,8 @@ class MotorScene(Scene):
         step, coordinates = self.variant.time.step, self.variant.coordinates
         last = dict(zip([c.name for c in coordinates], found.coordinates[-1].tolist(), strict=True)) if len(found.t) else {}
         key = "still" if found.ended == "held" and not found.at else _SAID.get(found.ended, found.ended)
+        if key == "far" and self._true.ended == found.ended and found.at > _LATE * self._true.at:
+            key = "runs_away"  # so does the exact motion
         means = "far" if key == "wide" else key  # a shorter step helps in both cases
         free = self.free_equations.free
         turned = tuple(coordinates[place].name for place in free)
@@ -188,34 +196,20 @@ class MotorScene(Scene):
         cause = (
             found.by
             if key == "undefined"
-            else say(f"dynamics.{key}", time=found.at, at=found.by, names=turned, causes=either(list(self._steep)))
+            else say(f"dynamics.{key}", time=found.at, at=found.by, names=turned, causes=either(list(too_steep(self.variant))))
         )
         return Stop(
-            "dead point" if found.ended == LIMIT else found.ended, found.at, found.at / step, (), last, cause,
+            {LIMIT: "dead point", SINGLE: CHANGE}.get(found.ended, found.ended), found.at, found.at / step, (), last, cause,
             say(f"dynamics.{means}_means", row=len(found.t), names=either(others) if others else ""),
         )  # fmt: skip
-
-    @property
-    def _laws(self) -> list[Formula]:
-        """Return the formulas of loads and torques."""
-        loads = self.variant.forces.loads if self.variant.forces is not None else ()
-        return [law for one in (*loads, *self._motor.torques) if (law := one.torque or one.force) is not None]
-
-    @property
-    def _steep(self) -> Iterator[Sentence]:
-        """Yield what can make the forces of this file too steep."""
-        forces, constants = self.variant.forces, {*self.variant.values, "pi"}
-        yield say("dynamics.steep_masses")
-        if any(not constants.issuperset(law.names()) for law in self._laws):
-            yield say("dynamics.steep_laws")
-        if forces is not None and forces.springs:
-            yield say("dynamics.steep_springs")
 
     def _ended_as(self, found: FreeMotion) -> FreeMotion:
         """Return the rows of a scheme; if no position closes, the exact motion decides whether links or step are the cause."""
         if found.ended != "dead point":
             return found
-        return replace(found, ended={"": TOO_LARGE, LIMIT: LIMIT, CHANGE: CHANGE}.get(self._true.ended, found.ended))
+        return replace(
+            found, ended={"": TOO_LARGE, LIMIT: LIMIT, CHANGE: CHANGE, SINGLE: SINGLE}.get(self._true.ended, found.ended)
+        )
 
     def _motion_of(self, found: FreeMotion, scheme: str, label: str = "", stop: Stop | None = None) -> Motion:
         variant, count = self.variant, len(found.t)
@@ -242,7 +236,7 @@ class MotorScene(Scene):
             return self._exact_rows
         rows = Dynamics(self.free_equations, list(self.closed_start)).rows(scheme, self._begin, time.step, time.steps)
         found = up_to_values(self.variant, rows, self._table)
-        return self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found)))
+        return replace(self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found))), notes=self.passed)
 
     @computed("free_equations", "stop", "start")
     def exact(self) -> Motion:

@@ -190,6 +190,20 @@ def test_a_division_at_which_all_motions_of_an_equation_meet_leaves_the_exact_on
             assert "divides by cos(a)" in run.summary and "not known" in run.summary
 
 
+def test_a_division_leaves_the_exact_motion_known_where_a_position_equation_tells_it():
+    """tan(b) = cos(k) tan(a): the table leaves it at 90 degrees, however good the scheme; no length is to blame."""
+    text = scene(
+        'a = { start = "0.1 rad", rate = "wa" }\nb = { start = "0.08263225806 rad", rate = "wb" }', given='k = "0.6 rad"',
+        drive='wa = "1 rad/s"', step=0.04, end=2.4, equations=["wb = wa*cos(k)*(cos(b)/cos(a))^2"],
+        more='[closure]\nholds = ["sin(b)*cos(a) - cos(k)*sin(a)*cos(b)"]',
+    )  # fmt: skip
+    run = solve(text.replace("0.08263225806", repr(math.atan(math.cos(0.6) * math.tan(0.1)))), "rk4", ("table", "checks"))
+    a = run.exact.column("a")
+    assert run.exact.column("b") == pytest.approx(np.arctan2(math.cos(0.6) * np.sin(a), np.cos(a)), abs=1e-12)
+    assert check(run, "ACCURACY").verdict == "COARSE"
+    assert "divides by cos(a)" in run.summary and "lengths" not in check(run, "CONDITION").sentence
+
+
 @pytest.mark.parametrize(
     ("end", "told"), [(0.55, None), (2.1, None), (2.2, r"tan\(1 \+ a\), which passes zero at t = 2\.14159 s")]
 )

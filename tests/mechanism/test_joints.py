@@ -18,6 +18,7 @@ from coursework.variant.catalogue import names
 from coursework.variant.formula.tree import named
 from coursework.variant.record.entries import Link
 from tests import sources
+from tests.hard.scenes import scene
 from tests.sources import PACKAGE
 
 
@@ -177,3 +178,18 @@ def test_each_link_of_a_shaft_is_fixed_to_one_before_it():
     assert [*fixed_links(gears, {}, {})] == [("1", "2", "O"), ("1", "3", "O")]
     away = [*gears[:2], Link("5", ("P", "Q"), "w", None, None, None)]
     assert [*fixed_links(away, {}, {})] == [("1", "2", "O")]
+
+
+@pytest.mark.parametrize(("folded", "freedoms"), [("pi - a", 2), ("a + pi/3", 1)])
+def test_four_links_of_one_rate_are_four_bodies_where_they_turn_both_ways(folded, freedoms):
+    """The rhombus of a jack turns two of its links at w, two at -w: 3*4 - 2*5, its foot on the frame.  In one sense: one body."""
+    points = f'A = "(0, 0)"\nB = "A + r @ a"\nC = "A + r @ ({folded})"\nE = "B + r @ ({folded})"'
+    links = "\n".join(
+        f'{place} = {{ points = ["{one}", "{other}"], rate = "w" }}'
+        for place, (one, other) in enumerate(("AB", "AC", "BE", "CE"), 1)
+    )
+    text = scene(
+        'a = { start = "0.7 rad", rate = "w" }', given='r = "0.2 m"', drive='w = "1"',
+        more=f'[points]\n{points}\n[links]\n{links}\n[frame]\nhinges = ["A"]',
+    )  # fmt: skip
+    assert build(coursework.parse_variant(text)).mobility.degrees == freedoms

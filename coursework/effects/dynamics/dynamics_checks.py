@@ -68,6 +68,8 @@ def _is_coarse(finding: Finding) -> bool:
 
 def _judged(e: Evidence) -> list[Finding]:
     found = [check.finding(e) for check in CHECKS]
+    if notes := e.own.rows.motion.notes:
+        found[-1] = replace(found[-1], headline=joined(notes))
     # A start alone shows no table to be right.
     return [one for one in found if one.code != "START" or one.verdict in {"FAIL", "COARSE"}]
 

@@ -7,12 +7,16 @@ Used by `dynamics.py`, `scene/motor_scene.py`, `regime.py` and `grading/marking/
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
 from coursework.system.arrays import Array
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Variant
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 LIMIT = "limit position"  # of the free coordinates alone: a dead point that the links pass
 CHANGE = "change point"
@@ -67,3 +71,20 @@ def _vanishes(t: Array, sizes: Array) -> float:
     twice, four = (float(t[np.flatnonzero(sizes >= times * sizes[-1])[-1]]) for times in (2, 4))
     later, before = float(t[-1]) - twice, twice - four
     return float(t[-1]) + (later**2 / (before - later) if before > later else 0.0)
+
+
+def laws_of_forces(variant: Variant) -> list[Formula]:
+    """Return the formulas of loads and torques."""
+    loads = variant.forces.loads if variant.forces is not None else ()
+    torques = variant.motor.torques if variant.motor is not None else ()
+    return [law for one in (*loads, *torques) if (law := one.torque or one.force) is not None]
+
+
+def too_steep(variant: Variant) -> Iterator[Sentence]:
+    """Yield what can make the forces of a file too steep."""
+    constants = {*variant.values, "pi"}
+    yield say("dynamics.steep_masses")
+    if any(not constants.issuperset(law.names()) for law in laws_of_forces(variant)):
+        yield say("dynamics.steep_laws")
+    if variant.forces is not None and variant.forces.springs:
+        yield say("dynamics.steep_springs")

@@ -26,6 +26,7 @@ from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.closed_start import likelier
 from coursework.motion.geometry.closure import compile_closure
 from coursework.motion.geometry.judging.misfits import misfits
+from coursework.motion.geometry.judging.rails import off_rail
 from coursework.motion.geometry.judging.rigid import may_be_hinges
 from coursework.motion.integration.motion import Motion
 from coursework.results.checks.computed_right.beginning import start_of
@@ -228,6 +229,11 @@ def _moving_guide(rows: Rows, one: Unknown, variant: Variant, share: float, doub
     index = next((k for k, group in enumerate(variant.groups) if angle in [guide.angle for guide in group.guides]), None)
     line = variant.nearest_line("frame", "rails") if index is None else variant.nearest_line("group", index, "guide")
     pin = variant.groups[index].meets if index is not None else None
+    way = rows.vector(at) - rows.vector(at)[0]
+    farthest = complex(way[int(np.argmax(np.abs(way)))])
+    if body is None and index is None and farthest and not turning.any():  # a rail of the frame is where it is
+        is_curved = bool(np.abs((way * np.conj(farthest)).imag).max() > share * abs(farthest) ** 2)
+        return Fault(off_rail(spelled(at), complex(1j * np.conj(across[0])), farthest, is_curved), variant.file, line)
     return Fault(say("fault.V736", name=one.off, point=pin or spelled(at), doubt=doubt()), variant.file, line)
 
 

@@ -14,6 +14,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from coursework.equations.reduction.system import compile_system
+from coursework.motion.geometry.closure import largest_length
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
@@ -30,6 +32,8 @@ _FLAT = 1e-6  # a coefficient of the quadratic below this share of the largest c
 _DOUBLE = 1e-10  # and so does its discriminant below this share: differences are no more exact, and two roots would be noise
 _TOLD = 1e3 * float(np.finfo(float).eps)  # relative to the matrix; smaller differences have fewer than three digits
 _ALIKE = 1e-5  # sides that differ by less, for every velocity, are alike: differences over _STEP are no more exact
+_BESIDE = 0.1  # rad, or share of the largest length; how far from a singular position coefficients have their usual size
+_OPENS = 1e-5  # share of the fastest; a motion at which an equation that was not solved opens faster is none of the mechanism
 # Two-point Gauss rule for the closure error between two positions; exact to the fourth order of their distance.
 _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
 
@@ -98,7 +102,7 @@ class _Crossing:
 
     def solved(self, farthest: float) -> Array | None:
         """Return the displacement to the crossing, None if Newton leaves the neighbourhood or does not converge to one."""
-        x = np.zeros(len(self.left) + 1)
+        x = self._along_the_motion(farthest)
         nudges = _NUDGE * np.eye(len(x))
         for _ in range(MAX_NEWTON):
             jacobian = np.array([(self.at(x + d)[0] - self.at(x - d)[0]) / (2 * _NUDGE) for d in nudges]).T
@@ -112,6 +116,18 @@ class _Crossing:
             if np.max(np.abs(step)) > 1e3 * _CLOSE:
                 return None
         return x if np.max(np.abs(self.at(x)[0][:2])) <= _ZERO else None
+
+    def _along_the_motion(self, farthest: float) -> Array:
+        """Return the displacement after which the determinant would vanish if the motion went on evenly; none if that is far.
+
+        Where a whole line of positions are change points, it leads to the one that the motion meets.
+        """
+        matrix, right, _ = self._part(0.0, np.zeros(len(self.left) + 1), self.rates)
+        moving = np.append(np.linalg.lstsq(matrix, right, rcond=None)[0] / self.pace, 1.0)
+        size = float(np.linalg.det(matrix))
+        after, before = (float(np.linalg.det(self._part(1.0, side * _NUDGE * moving, self.rates)[0])) for side in (1, -1))
+        length = -size * 2 * _NUDGE / (after - before) if after != before else 0.0
+        return length * moving if np.max(np.abs(length * moving)) < farthest else 0.0 * moving
 
     def missed(self, x: Array) -> float:
         """Return the relative error by which the lost equation fails to lead to the crossing."""
@@ -154,7 +170,33 @@ def branches_at(
     fastest = max([known, *(abs(value) for one in found or () for value in one.values())])
     if found is not None and fastest and not 1 / _PACES < fastest / pace < _PACES:
         found = _branches(flow, block, time, start, fastest, min(1.0 / fastest, end)) or found
-    return found
+    return _kept_closed(flow, time, start, found) if found is not None and len(found) > 1 else found
+
+
+def _kept_closed(flow: Flow, time: float, start: Array, found: tuple[dict[str, float], ...]) -> tuple[dict[str, float], ...]:
+    """Return the motions that no equation beside those solved opens, such as one of [closure]; all if none is left."""
+    equations, unknowns = flow.equations, flow.system.unknowns
+    beside = [one for one in (*equations.equations, *equations.from_closure) if one.name not in flow.system.names]
+    if not beside:
+        return found
+    system, size = compile_system(equations, beside), largest_length(equations.variant)
+    away = _BESIDE * np.array([1.0 if one.unit == "rad" else size for one in equations.variant.coordinates])
+    try:
+        matrix, right, _ = system.matrix(time, start.tolist())
+        # The equations of a singular position may be nothing but round-off there.
+        around = [system.matrix(time, (start + off).tolist())[0] for off in (-away, away)]
+    except (ArithmeticError, ValueError):
+        return found
+    most = np.max(np.abs([matrix, *around]), axis=(0, 2), initial=0.0)
+
+    def is_closed(branch: dict[str, float]) -> bool:
+        u = np.array([branch.get(name, np.nan) for name in unknowns])  # beyond a later singular block nothing is known
+        told = ~np.any((matrix != 0) & np.isnan(u), axis=1)
+        fastest = max(map(abs, branch.values()))
+        gaps = np.abs(matrix @ np.nan_to_num(u) - right)
+        return bool(np.all(gaps[told] <= _OPENS * most[told] * fastest))
+
+    return tuple(branch for branch in found if is_closed(branch)) or found
 
 
 def _branches(flow: Flow, block: int, time: float, start: Array, pace: float, span: float) -> tuple[dict[str, float], ...] | None:

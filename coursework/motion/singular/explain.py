@@ -6,26 +6,20 @@ Enters: an `Event`, the reduction.  Leaves: words with units.  Used by `way_to_m
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
-from itertools import combinations, product
-
-import numpy as np
 
 from coursework.equations.algebra.expression import add
 from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.meaning import meaning as meaning_of
 from coursework.equations.reduction.meaning import vanishing
-from coursework.equations.reduction.system import compile_values
 from coursework.equations.reduction.tidying.tidy import as_sum
 from coursework.motion.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event
-from coursework.system.arrays import Array, cross
+from coursework.motion.singular.lines import dyad_straight, lines_meet
 from coursework.variant.formula.made import as_read
-from coursework.variant.formula.tree import evaluate
-from coursework.variant.record.entries import Link, reached
 from coursework.variant.record.held import unit_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -36,9 +30,6 @@ _ROUNDING = 1e-9
 _MULTIPLIED = 10
 # A slide longer than this multiple of the longest length has left every guide: two guides have become parallel.
 _AWAY = 1e4
-_RODS = 3
-# Share of the plate's size: lines that pass closer to one point meet there; the position is found to about 1e-10.
-_MEET = 1e-6
 
 
 def explain(
@@ -167,64 +158,3 @@ def _tidied_rates(branch: Mapping[str, float]) -> dict[str, float]:
 def _tidied(value: float, size: float = 1.0) -> float:
     """Return a value (rad, m, or per second) with rounding errors around zero removed, which are a share of a `size`."""
     return 0.0 if abs(value) <= _ROUNDING * size else value
-
-
-def lines_meet(equations: VelocityEquations, unknowns: Sequence[str], time: float, position: Sequence[float]) -> Sentence | None:
-    """Return that the lines of three rods of a plate meet at a `position` (m,), None if they do not or there is no such plate.
-
-    The plate can then turn a little about that point, or be moved across the lines if they are parallel, while the other ends of
-    the rods stand still: the dead point of a class III group.  A guide for a point of the plate stands for a rod across it.
-    """
-    variant, vectors = equations.variant, equations.symbols.vectors
-    links = [link for link in equations.variant.links if link.rate in unknowns]
-    for plate in (link for link in links if len(link.held) >= _RODS):
-        rods = [link for link in links if len(link.held) == 2 and len({*link.held} & {*plate.held}) == 1]
-        held = {name for rod in rods for name in rod.held}
-        rails = [(at.name, way) for at, way in variant.frame.rails if at.name in {*plate.held} - held][: _RODS - 2]
-        if len(rods) + len(rails) != _RODS:
-            continue
-        ends = np.array([_ends(rod, plate, equations, time, position) for rod in rods])
-        for name, way in rails:
-            angle = evaluate(way, variant.values)
-            at = np.array(compile_values(equations, vectors[name])[0](time, *position), dtype=float)
-            ends = np.concatenate([ends, [[at, at + np.array((-math.sin(angle), math.cos(angle)))]]])
-        lines = ends[:, 1] - ends[:, 0]
-        lines = lines / np.linalg.norm(lines, axis=1)[:, None]
-        arms = ends[:, 0] - ends[0, 0]
-        size = float(np.max(np.linalg.norm(arms, axis=1)))
-        if abs(np.linalg.det(np.column_stack([lines, cross(arms, lines) / size]))) > _MEET:
-            continue
-        turned = max(abs(cross(one, other)) for one in lines for other in lines)
-        key = f"determinant.{'guide' if rails else 'rods'}_{'meet' if turned > _MEET else 'parallel'}"
-        return say(key, rods=tuple(rod.name for rod in rods), plate=plate.name, **({"point": rails[0][0]} if rails else {}))
-    return None
-
-
-def dyad_straight(
-    equations: VelocityEquations, unknowns: Sequence[str], time: float, position: Sequence[float]
-) -> Sentence | None:
-    """Return that two links lie on one line at a `position` (m,) whose joint moves with the `unknowns` and whose ends do not.
-
-    It needs no angles: in a linkage whose points move by x and y the determinant is a sum that nobody recognises.
-    """
-    variant, vectors = equations.variant, equations.symbols.vectors
-    moved = {one.name for one in variant.coordinates if one.rate in unknowns}
-    places = dict(variant.points)
-    loose = {name for name in vectors if moved & {name, *reached([name], places)}}
-    for first, second in combinations(variant.links, 2):
-        for joint in sorted({*first.held} & {*second.held} & loose):
-            for here, there in product(*([name for name in link.held if name not in loose] for link in (first, second))):
-                parts = [part for name in (joint, here, there) for part in vectors[name]]
-                at, *ends = np.array(compile_values(equations, parts)[0](time, *position), dtype=float).reshape(3, 2)
-                lines = [end - at for end in ends]
-                if abs(cross(*lines)) < _MEET * math.prod(np.linalg.norm(line) for line in lines):
-                    named = (say("determinant.link", name=link.name) for link in (first, second))
-                    return say("determinant.one_line", first=next(named), second=next(named))
-    return None
-
-
-def _ends(rod: Link, plate: Link, equations: VelocityEquations, time: float, position: Sequence[float]) -> Array:
-    """Return the ends (2, 2) of a rod in m, first the one on the plate."""
-    names = sorted(rod.held, key=lambda name: name not in plate.held)
-    parts = [part for name in names for part in equations.symbols.vectors[name]]
-    return np.array(compile_values(equations, parts)[0](time, *position), dtype=float).reshape(2, 2)

@@ -10,12 +10,16 @@ third power, and the error in the singular block decays after it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from coursework.equations.codegen.tabulated import OutsideTable
+from coursework.motion.geometry.closure import compile_closure
 from coursework.motion.integration.adaptive import integrate_adaptive
+from coursework.motion.integration.crossing import crossing
 from coursework.motion.integration.passage import FLANKS, Passage, State
 from coursework.motion.singular.change_point import branches_at
 from coursework.motion.singular.event import Event
@@ -31,6 +35,8 @@ _STRAIGHT = 2.0
 _SMALLEST = 1e-5
 _NUDGE = 1e-6
 _TOLERANCE = 1e-13
+# Positions of a closure better conditioned than this are its only ones nearby; shares of the run within which an event is sought.
+_REGULAR, _ASTRAY = 1e6, (1e-4, 1e-3, 1e-2)
 
 
 def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, within: tuple[float, float]) -> Passage | None:
@@ -41,6 +47,7 @@ def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, withi
     """
     if event.kind != "change point" or len(event.together) > 1:
         return None
+    event = _by_closure(flow, event, end)
     branches = branches_at(flow, event.block, event.time, event.position.tolist(), end) or ()
     if len(branches) != 1 or set(branches[0]) != set(flow.system.unknowns):
         return None
@@ -58,6 +65,38 @@ def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, withi
             pass
         flank /= 4
     return None
+
+
+def _by_closure(flow: Flow, event: Event, end: float) -> Event:
+    """Return the event where position equations place it, if they leave no choice there; else as it is.
+
+    Where a factor of a whole equation vanishes, the equation is solvable at any time and so does not tell when.
+    """
+    closure = compile_closure(flow.equations, flow.begin)
+    if closure is None or not closure.complete:
+        return event
+    guess = event.position.copy()
+
+    def position_at(time: float) -> Array | None:
+        kept, known = (each[-1] for each in closure.targets(np.array([0.0, time])))
+        guess[list(closure.driven)] = known
+        return closure.newton(time, guess, kept)
+
+    def determinant(time: float) -> float:
+        found = position_at(time)
+        return math.nan if found is None else flow.scaled(time, found.tolist())[event.block]
+
+    slopes = closure.residual(event.time, guess, closure.origin)[1]
+    sizes = np.abs(slopes).max(axis=1, keepdims=True, initial=0.0)
+    if not (np.isfinite(slopes).all() and sizes.all()) or np.linalg.cond(slopes / sizes) > _REGULAR:
+        return event
+    for share in _ASTRAY:
+        times = max(event.time - share * end, 0.0), min(event.time + share * end, end)
+        ends = determinant(times[0]), determinant(times[1])
+        if ends[0] * ends[1] < 0 and (time := crossing(determinant, times, ends, _TOLERANCE)) is not None:
+            found = position_at(time)
+            return event if found is None else replace(event, time=time, position=found)
+    return event
 
 
 def _slope(flow: Flow, event: Event, moving: Array, end: float) -> float:

@@ -54,7 +54,7 @@ class Flow:
     `largest` scales the determinant of each block.  `rates` says for each coordinate whether its rate is driven, and its index
     among the driven or the unknown rates.  `compile_clock(block)` gives (pace, *q, t) -> the flow whose clock is the determinant
     of a block times a pace.  `noise` is the share of itself by which round-off changes the flow: large where equations nearly
-    depend on each other everywhere.  `evaluations` counts right-hand sides; `equations` is what the flow was made from.
+    depend on each other everywhere.  `evaluations` counts right-hand sides; the flow was made from `equations` and `begin` (m,).
     """
 
     equations: VelocityEquations
@@ -64,6 +64,7 @@ class Flow:
     rates: tuple[tuple[bool, int], ...]
     compile_clock: Callable[[int], Callable[..., tuple[float, ...]]]
     noise: float
+    begin: Sequence[float]
     clocks: dict[int, Callable[..., tuple[float, ...]]] = field(default_factory=dict)
     evaluations: int = field(default=0)
 
@@ -178,7 +179,7 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
     largest = tuple(block.largest or _largest_seen(seen, place) for block, place in zip(reduction.blocks, places, strict=True))
     noise = max([0.0, *(_noise(seen, place, size) for place, size in zip(places, largest, strict=True))])
     return Flow(
-        equations, system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block), noise
+        equations, system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block), noise, begin
     )
 
 

@@ -18,6 +18,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.checks.close_to_motion.rows import parts_at_breaks
 from coursework.results.checks.close_to_motion.stiffness import Stiff, stiff
+from coursework.results.checks.computed_right.divided import divisions
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, percent
 from coursework.system.frozen import frozen
@@ -76,6 +77,8 @@ def with_advice(evidence: Evidence, found: Iterable[Finding], judge: Judge) -> l
     """Return the findings; those a finer step cures get that step as advice, after a trial run judged by `judge`."""
     listed = list(found)
     if not any(map(_curable, listed)) or evidence.restricted or evidence.stop is not None:
+        return listed
+    if any(one.is_own for one in divisions(evidence)):  # a table leaves the motion there with any step
         return listed
     found_stiff = stiff(evidence)
     advice = _advice(evidence, [one for one in listed if _curable(one)], judge, found_stiff)

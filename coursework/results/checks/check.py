@@ -56,8 +56,9 @@ def _too_few(evidence: Evidence) -> float | None:
 
 
 def _many_motions(evidence: Evidence) -> Division | None:
-    """Return the first division by zero at which many motions of an equation may meet, None without any."""
-    found = () if evidence.restricted else (one for one in divisions(evidence) if one.is_own)
+    """Return the first division by zero at which many motions of an equation may meet; None without any or with a closure."""
+    closed = evidence.closure is not None and evidence.closure.complete
+    found = () if evidence.restricted or closed else (one for one in divisions(evidence) if one.is_own)
     return min(found, key=lambda one: one.time, default=None)
 
 

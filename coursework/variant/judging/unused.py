@@ -1,4 +1,4 @@
-"""Parts of a file that nothing uses or counts: links and pivots left out, sleeves pinned, guides without a partner, idle data.
+"""Parts of a file that nothing uses or counts: links and pivots left out, sleeves pinned, speeds as rates, lone guides, data.
 
 Enters: a `Variant`, the dimensions of its names.  Leaves: remarks by the path of what they are about; pivots that no link has.
 Used by `plausibility.py` and `left_out.py`.
@@ -28,6 +28,7 @@ def parts_unused(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
     """Yield every such remark, and that the table ends before the requested end."""
     yield from _links_left_out(variant)
     yield from _pinned_sleeves(variant)
+    yield from _speeds_as_rates(variant)
     yield from _no_pivots(variant)
     yield from _idle(variant, dimensions)
     yield from _stiff_springs(variant)
@@ -52,6 +53,15 @@ def _pinned_sleeves(variant: Variant) -> Iterator[Found]:
         for point in link.points:
             if point in points.get(link.slides or "", ()):
                 yield "LINKS", ("links", link.name), say("remark.pinned", link=link.name, other=link.slides, point=point)
+
+
+def _speeds_as_rates(variant: Variant) -> Iterator[Found]:
+    """Yield links whose rate is a speed along a line: no column shows it, but forces and plans would turn the link so fast."""
+    speeds = {one.rate: one.name for one in variant.coordinates if one.unit == "m"}
+    for link in variant.links:
+        if link.rate in speeds:
+            told = say("remark.speed_as_rate", link=link.name, rate=link.rate, coordinate=speeds[link.rate])
+            yield "LINKS", ("links", link.name), told
 
 
 def _no_pivots(variant: Variant) -> Iterator[Found]:

@@ -47,6 +47,8 @@ def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPat
     if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
         turned = tuple(rate for rate in variant.rates if rate in laws)
         hint = say("hint.not_driven", rates=turned) if turned and len(missing) == 2 else ""
+        if len(missing) == 1:
+            hint = say("hint.one_axis", law=next(iter({f"V{variant.driven}{part}" for part in "xy"} - {*missing})))
         message = say("fault.V048", point=variant.driven, missing=tuple(missing), hint=hint)
         faults.append(source.fault(("closure", "driven"), message))
     faults += faults_of_names(variant, source) + of_groups

@@ -1,12 +1,14 @@
 """Why rows under forces end where no position closes: a limit of the free coordinate, links without mass, or the step."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
 import coursework
+from coursework.effects.dynamics.why_ended import CHANGE
 from tests.effects.dynamics.test_dynamics import rod_of
 from tests.mechanisms.library import mechanism
 
@@ -171,7 +173,7 @@ def inertia(coupler, theta):
 
 
 @pytest.mark.parametrize(("coupler", "kind", "told"), [
-    (0.5, "change point", "links lie in one line at a change point: two motions meet there, and phi1 moves on in both"),
+    (0.5, CHANGE, "links lie in one line at a change point: two motions meet there, and phi1 moves on in both"),
     (0.4995, "dead point", "(phi1) is at its limit"), (0.5005, None, ""),
 ])  # fmt: skip
 @pytest.mark.parametrize("scheme", ["exact", "rk4"])
@@ -182,7 +184,104 @@ def test_a_crank_that_comes_to_a_change_point_does_not_turn_back(coupler, kind, 
     stop = coursework.solve(coursework.parse_variant(text), scheme=scheme).scene.stop
     assert (stop.kind if stop else None) == kind
     if stop is not None:
-        last = math.pi if kind == "change point" else math.acos((1.25 - (1 + coupler) ** 2) / 1.0)
+        last = math.pi if kind == CHANGE else math.acos((1.25 - (1 + coupler) ** 2) / 1.0)
         whole, _ = quad(lambda theta: math.sqrt(inertia(coupler, theta) / inertia(coupler, 1.0)) / 6, 1.0, last, limit=200)
-        assert ("the two motions would stay apart" in stop.meaning) == (kind == "change point")
-        assert told in stop.cause and stop.time == pytest.approx(whole, abs=2e-5)
+        assert ("the two motions would stay apart" in stop.meaning) == (kind == CHANGE)
+        assert told in stop.cause and stop.time == pytest.approx(whole, abs=2e-8 if kind == CHANGE else 2e-5)
+
+
+@pytest.mark.parametrize("scheme", ["exact", "rk4"])
+def test_parallel_cranks_go_through_their_change_point_and_it_is_told(scheme):
+    """J = 2 m a^2/3 + m2 a^2 is the same everywhere: the angle grows as w t + M/J t^2/2, and at pi all links lie in one line."""
+    text = KITE.replace("COUPLER", "1.0").replace('c = "1 m"', 'c = "1 m"\nM = "2 N*m"').replace("c @ phi3", "a @ phi3")
+    text = re.sub(r'start = "[PQ1] rad"', lambda found: f'start = "{0.0 if "P" in found[0] else 2.0} rad"', text)
+    text = text.replace("[motor]", '[forces]\npush = { on = "1", torque = "M" }\n[motor]')
+    run = coursework.solve(coursework.parse_variant(text), scheme=scheme, quantities=("table", "checks"))
+    at = 2 * (math.pi - 2) / (6 + math.sqrt(36 + 4 * 2 / (2 * (2 * 0.25 / 3 + 2 * 0.25)) * (math.pi - 2)))
+    assert run.stop is None
+    told = re.search(r"At t = ([0-9.]+) s links lie in one line at a change point: two motions meet there", run.summary)
+    assert float(told[1]) == pytest.approx(at, abs=1e-6)
+    assert run.motion.notes == run.scene.passed
+
+
+SLEEVE = f"""format = 1
+[given]
+r = "0.3 m"
+[coordinates]
+a = {{ start = "-0.5 rad", rate = "w1" }}
+b = {{ start = "{math.pi / 2 - 0.25!r} rad", rate = "w" }}
+s = {{ start = "{-0.6 * math.sin(0.25)!r} m", rate = "u" }}
+[time]
+step = "0.01 s"
+end = "0.6 s"
+[points]
+O = "(0, 0)"
+A = "O + r @ a"
+S = "(r, 0)"
+E = "A + r @ b"
+[links]
+1 = {{ points = ["O", "A"], rate = "w1" }}
+2 = {{ points = ["A", "E"], rate = "w" }}
+3 = {{ points = ["S"], slides = 2, rate = "w" }}
+[frame]
+hinges = ["O", "S"]
+[[constraint]]
+name = "1"
+closure = "r @ a = (r, 0) + s @ b"
+[masses]
+1 = {{ mass = "1 kg", inertia = "rod" }}
+2 = {{ mass = "0.5 kg", inertia = "0.01 kg*m^2", centre = "A" }}
+3 = {{ mass = "0.1 kg", inertia = "0.001 kg*m^2", centre = "S" }}
+[forces]
+push = {{ on = "1", torque = "0.02 N*m" }}
+[motor]
+rates = ["w1"]
+start = {{ w1 = "1 rad/s" }}
+"""
+
+
+def test_a_crank_whose_end_comes_to_the_pivot_of_its_sleeve_has_one_motion_only():
+    """The angle at the circumference, b' = a'/2 throughout: J = m r^2/3 + m2 r^2 + (J2 + J3)/4."""
+    stop = coursework.solve(coursework.parse_variant(SLEEVE), scheme="exact").scene.stop
+    speedup = 0.02 / (0.03 + 0.045 + 0.011 / 4)
+    assert stop.time == pytest.approx((math.sqrt(1 + speedup) - 1) / speedup, abs=1e-8)
+    assert stop.kind == CHANGE and "Only one motion goes on" in stop.cause and "started there anew" in stop.meaning
+
+
+BLOCK = """format = 1
+[given]
+k = "200 N/mm"
+al = "30 deg"
+[coordinates]
+x = { start = "0.01 m", rate = "v" }
+[time]
+step = "0.5 ms"
+end = "0.1 s"
+[points]
+S = "x @ (-al)"
+[links]
+1 = { points = ["S"] }
+[frame]
+rails = [{ through = "S", angle = "-al" }]
+[masses]
+1 = "2 kg"
+[forces]
+stop = { on = "1", at = "S", force = "(-k*x) @ (-al)" }
+[motor]
+rates = ["v"]
+"""
+
+
+@pytest.mark.parametrize("scheme", ["exact", "rk4"])
+def test_a_spring_of_the_wrong_sign_is_told_not_to_need_a_shorter_step(scheme):
+    """x = x0 cosh(w t), w^2 = k/m; the scale ends at 1e9 m/s."""
+    stop = coursework.solve(coursework.parse_variant(BLOCK.replace("-k*x", "k*x")), scheme=scheme).stop
+    rate = math.sqrt(2e5 / 2)
+    assert stop.time == pytest.approx(math.acosh(1e9 / (0.01 * rate)) / rate, abs=1.1e-3)
+    assert "in the exact motion too" in stop.cause and "no shorter step helps" in stop.meaning
+
+
+def test_a_rail_across_the_motion_of_a_block_under_forces_is_told_with_both_angles():
+    text = BLOCK.replace('S", angle = "-al"', 'S", angle = "al"')
+    with pytest.raises(coursework.InputError, match=r"V316 .*lies at 30°, and S moves along -30°. Write angle = .-30 deg"):
+        _ = coursework.solve(coursework.parse_variant(text), scheme="exact", quantities=("table", "checks")).checks

@@ -8,6 +8,8 @@ import pytest
 
 from coursework.motion.singular.change_point import branches_at, nearest_change_point
 
+ALL_SOLVED = SimpleNamespace(equations=(), from_closure=())
+
 
 class Single:
     """A flow of one equation A u = b with one coordinate q, whose rate is u; A and b are functions of t and q."""
@@ -16,7 +18,8 @@ class Single:
         self.matrix, self.right, self.looks = matrix, right, 0
         self.places = [SimpleNamespace(unknowns=(0,))]
         self.rates, self.largest = [(False, 0)], [1.0]
-        self.system = SimpleNamespace(unknowns=("u",))
+        self.system = SimpleNamespace(unknowns=("u",), names=())
+        self.equations = ALL_SOLVED
 
     def part(self, t, q, block):
         self.looks += 1
@@ -79,7 +82,7 @@ def test_motions_are_told_apart_where_differences_have_digits(longest, count):
     """u^2 = 1 of size 1 beside a length: differences over 1e-5 s have three digits while 1e3 eps / 1e-5 of it is below 1."""
     flow = SimpleNamespace(
         places=[SimpleNamespace(unknowns=(0, 1))], rates=[(False, 0), (False, 1)], system=SimpleNamespace(unknowns=("u", "v")),
-        part=lambda t, q, block: (np.array([[q[0], 0.0], [0.0, longest]]), np.array([t, 0.0]), np.zeros(2)),
+        equations=ALL_SOLVED, part=lambda t, q, block: (np.array([[q[0], 0.0], [0.0, longest]]), np.array([t, 0.0]), np.zeros(2)),
         velocities=lambda t, q, block, own: own,
     )  # fmt: skip
     found = branches_at(flow, 0, 0.0, [0.0, 0.0])
@@ -100,14 +103,14 @@ def test_where_two_equations_are_lost_no_motion_is_told(longest, share, count):
 
 @pytest.mark.parametrize(("within", "given_up"), [(0.12, False), (0.08, True)])
 def test_newton_that_goes_more_than_ten_times_as_far_as_is_asked_for_is_given_up(within, given_up):
-    """The change point is 1 rad away, and Newton's first step, of ten looks, leads there."""
+    """The change point is 1 rad away, where three looks along the motion lead; Newton's first step takes ten."""
     flow = Single(lambda t, q: q - 1, lambda t, q: t)
     assert nearest_change_point(flow, 0.0, np.array([0.0]), 0, np.array([1.0]), within) is None
-    assert (flow.looks == 1 + 10) is given_up
+    assert (flow.looks == 1 + 3 + 10) is given_up
 
 
 def test_newton_is_given_up_after_twelve_steps():
     """Towards a double zero it halves its way only."""
     flow = Single(lambda t, q: (q - 1) ** 2, lambda t, q: t)
     assert nearest_change_point(flow, 0.0, np.array([0.0]), 0, np.array([1.0]), 10.0) is None
-    assert flow.looks == 1 + 12 * 5 * 2
+    assert flow.looks == 1 + 3 + 12 * 5 * 2

@@ -98,6 +98,7 @@ def flanks_tried(slope, end, monkeypatch):
     equations = SimpleNamespace(variant=SimpleNamespace(rates=()))
     flow = SimpleNamespace(equations=equations, system=SimpleNamespace(unknowns=("u",), known=()), rates=())
     event = SimpleNamespace(kind="change point", together=(0,), block=0, time=0.5, position=np.zeros(1))
+    monkeypatch.setattr(passing, "_by_closure", lambda flow, event, end: event)
     monkeypatch.setattr(passing, "branches_at", lambda *_: ({"u": 1.0},))
     monkeypatch.setattr(passing, "_state", lambda *_: middle)
     monkeypatch.setattr(passing, "_slope", lambda *_: slope)

@@ -9,6 +9,7 @@ import math
 import numpy as np
 import pytest
 
+from coursework.commands.check import check_variant
 from coursework.motion.integration.passage import FLANKS, Passage, State
 from coursework.report.output.gate import pass_gate
 from coursework.report.pages import build_model
@@ -98,12 +99,50 @@ def test_the_page_says_what_it_goes_through():
     assert "Only one motion continues there" in page
 
 
+def test_a_check_says_what_it_goes_through(folder, capsys):
+    (folder / "through.toml").write_text(past_its_pivot(BY_CLOSURE), encoding="utf-8")
+    assert check_variant("through") == 0
+    assert "is possible: no dead point.\nAt t = 0.5 s the equations do not give" in capsys.readouterr().out
+
+
 def test_where_two_motions_meet_the_run_still_ends():
     """The flat parallelogram: two motions that differ go on."""
     run = solve(four_bar(1, 2, 1, 2, (math.pi - 0.3, 0.0, math.pi - 0.3), end=1.0))
     assert run.stop.kind == "change point"
     assert len(run.stop.branches) == 2
     assert run.scene.search.passages == ()
+
+
+@pytest.mark.parametrize("size", [1.0, 2e-6, 3e3])
+@pytest.mark.parametrize("closed", [True, False])
+def test_position_equations_tell_which_motion_goes_on_where_a_factor_of_an_equation_vanishes(closed, size):
+    """The end of a crank, by d/dt(x^2 + y^2) = 0 and vx = -w y: at y = 0 any vy will do, but x = r cos(a), y = r sin(a)."""
+    x, y = size * math.cos(2.5), size * math.sin(2.5)
+    start = f'x = {{ start = "{x!r} m", rate = "vx" }}\ny = {{ start = "{y!r} m", rate = "vy" }}'
+    text = scene(
+        f'a = {{ start = "2.5 rad", rate = "w" }}\n{start}', given=f'r = "{size} m"', drive='w = "2"', step=0.05, end=1.0,
+        equations=["vx = -y*w", "vy = -x*vx/y"], more='[closure]\nholds = ["x - r*cos(a)", "y - r*sin(a)"]' if closed else "",
+    )  # fmt: skip
+    run = solve(text, "rk4")
+    middle = (math.pi - 2.5) / 2
+    if closed:
+        assert [one.middle.time for one in run.scene.search.passages] == pytest.approx([middle], abs=1e-12)
+        assert np.max(np.abs(run.motion.column("y") / size - np.sin(run.motion.column("a")))) < 1e-5
+    else:
+        assert run.stop.time == pytest.approx(middle, abs=1e-8)
+        assert len(run.stop.branches) == 2
+
+
+def test_a_position_equation_that_says_nothing_at_a_change_point_tells_no_motion():
+    """A slider on a rod as long as its crank: x (x - 2 r cos(a)) = 0, so at 90 degrees it may stay on the pivot."""
+    text = scene(
+        f'a = {{ start = "1.2 rad", rate = "w" }}\nx = {{ start = "{0.4 * math.cos(1.2)!r} m", rate = "u" }}',
+        given='r = "0.2 m"', drive='w = "1"',
+        equations=["x*u - r*u*cos(a) + r*x*w*sin(a) = 0"], more='[closure]\nholds = ["x^2 - 2*x*r*cos(a)"]',
+    )  # fmt: skip
+    stop = solve(text).stop
+    assert stop.time == pytest.approx(math.pi / 2 - 1.2, abs=1e-8)
+    assert sorted(branch["u"] for branch in stop.branches) == pytest.approx([-0.4, 0.0], abs=1e-6)
 
 
 @pytest.mark.parametrize("end", [0.5, 0.501, 0.7])

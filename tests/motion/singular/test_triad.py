@@ -1,14 +1,17 @@
 """A class III group has its dead point where the lines of its three rods meet in one point, or are parallel."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import coursework
+from coursework.commands.check import check_variant
 from tests.mechanisms.library import changed as changed_lines
 from tests.mechanisms.library import mechanism
 
+LISTED = Path(__file__).parents[2] / "mechanisms"
 AT = np.radians(70)  # from BC to BE
 CORNERS = {"C": (0.22, 0.0), "E": (0.26, -AT)}  # of the plate, from B
 
@@ -88,3 +91,14 @@ def test_a_dyad_without_angles_is_told_to_be_stretched():
     stop = coursework.solve(coursework.parse_variant(text), quantities=("table",)).stop
     assert stop.time == pytest.approx((math.acos(0.55) - 0.3) / 10, abs=1e-9)
     assert "link 2 and link 3 lie on one line (stretched or folded)" in stop.meaning
+
+
+@pytest.mark.parametrize(("name", "told"), [
+    ("plate-on-three-rods", "the lines of links 2, 4 and 5 meet in one point, about which link 3 can turn a little; or links 2"),
+    ("four-bar-by-squared-lengths", "link 2 and link 3 lie on one line (stretched or folded)"),
+    ("block-of-three-equations", "the determinant of the 3 equations 1, 2, 3 is zero"),
+])  # fmt: skip
+def test_what_lines_do_at_a_dead_point_is_told_before_the_run(name, told, capsys):
+    """A check lists it for each block; of three equations without links nothing better is known than their determinant."""
+    check_variant(str(LISTED / f"{name}.toml"))
+    assert f"zero when {told}" in capsys.readouterr().out

@@ -6,7 +6,9 @@ import pytest
 
 import coursework
 from coursework.commands.contradictions import terms_named
+from tests.mechanisms.library import mechanism
 
+ONE_AXIS = mechanism("crank-driven-along-one-axis")
 SAW = """
 format = 1
 title = "Frame saw"
@@ -114,6 +116,7 @@ MOTOR = SAW.replace('[drive]\nom = "n"\n', "") + FORCES + '[motor]\nrates = ["om
         (PLAIN, '"m/s"', '""', "V111", 'found "". Known units: m/s,', None),
         (SAW, '["B.y"]', '["B.y = 0"]', "V146", 'a formula has no "=". Write the formula alone.', None),
         (SAW, "[closure]", '[closure]\ndriven = "A"', "V048", "Where om is what is driven, leave driven out.", None),
+        (ONE_AXIS, "[ask]", '[closure]\ndriven = "M"\n[ask]', "V048", "VMx alone then drives it.", None),
         (SAW, '"(0, 0)"', '"0, 0"', "V145", "a place is written in parentheses: (x, y).", None),
         (RETURN, 'meets = "A"\n', "", "V053", "Declare it once: in [points], or as what a group meets.", None),
         (RETURN, '["z", "x"]', '["z"]', "V343", "RPR takes 2 coordinates (found 1).", None),

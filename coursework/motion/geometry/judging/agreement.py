@@ -97,7 +97,8 @@ def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreem
         others = replace(equations, variant=replace(variant, given=given))
         near = compile_closure(others, closure.start.tolist())
         if near is not None and len(near.configurations[0]) == CONFIGURATIONS:
-            return _judged(others, *looked_at(others, near))
+            looked = looked_at(others, near)
+            return _judged(others, *looked) if len(looked[0]) > 1 else None  # a start with drives at rest hides every sign
     return None
 
 

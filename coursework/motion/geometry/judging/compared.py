@@ -6,6 +6,7 @@ Enters: velocity equations and their closure.  Leaves: times and positions.  Use
 from __future__ import annotations
 
 from contextlib import suppress
+from itertools import pairwise
 
 import numpy as np
 
@@ -77,11 +78,23 @@ def _moved(equations: VelocityEquations, start: Array, time: float, goes_on: boo
         rates = np.array([found[one.rate] for one in variant.coordinates])
         return rates, bool(np.all(np.abs(matrix @ values - right) <= _FITS * terms))
 
-    ends = [at for at in (*breaks(variant), variant.time.end) if at > time]
+    def at_last(now: float, q: Array) -> float:
+        """Return the last time known before something moves, or a break at which it does."""
+        moments = {*np.linspace(0.0, variant.time.end, _LOOKS + 1).tolist(), *breaks(variant)}
+        ahead = sorted(float(at) for at in moments if now < at < variant.time.end)
+        for before, at in pairwise([now, *ahead]):
+            if solved(at, q)[0].any():
+                return at if at in breaks(variant) else before
+        return now
+
     now, q, seen = time, start, list[tuple[float, Array]]()
     with suppress(np.linalg.LinAlgError, ArithmeticError, ValueError, KeyError):
         for reach in _REACHES:
             first, fits = solved(now, q)
+            if goes_on and fits and not first.any():
+                now = at_last(now, q)
+                first, fits = solved(now, q)
+            ends = [at for at in (*breaks(variant), variant.time.end) if at > now]
             fastest = float(np.max(np.abs(first)))
             step = reach / fastest if fastest else 0.0
             if goes_on:  # a drive that starts from rest has no speed yet

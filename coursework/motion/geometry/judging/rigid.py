@@ -22,6 +22,7 @@ from coursework.motion.geometry.closed_start import OPEN, closed_start
 from coursework.motion.geometry.closure import Closure, compile_closure, largest_length
 from coursework.motion.geometry.judging.agreement import agrees
 from coursework.motion.geometry.judging.open_loops import where_judged
+from coursework.motion.geometry.judging.rails import off_rail
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import evaluate
@@ -206,9 +207,8 @@ class _Seen:
             way = track - track[0]
             farthest = way[int(np.argmax(np.abs(way)))]
             if self._leaves(way, along):
-                known = {"point": through.name, "angle": _degrees(along), "way": _degrees(farthest)}
-                told = say("fault.V316.curved" if self._leaves(way, farthest / abs(farthest)) else "fault.V316.straight", **known)
-                yield self._fault(("frame", "rails", place), told)
+                is_curved = self._leaves(way, farthest / abs(farthest))
+                yield self._fault(("frame", "rails", place), off_rail(through.name, along, farthest, is_curved))
             elif wheel := wheels.get(through.name):
                 yield from self._touched(wheel, np.full_like(track, 1j * along))
 
@@ -293,8 +293,3 @@ class _Seen:
 
     def _fault(self, path: Sequence[str | int], told: Sentence) -> Fault:
         return Fault(told, self.variant.file, self.variant.nearest_line(*path))
-
-
-def _degrees(along: complex) -> float:
-    """Return the angle of a line in degrees, above -90 and up to 90, to the digits that a path has."""
-    return float(90.0 - (90.0 - np.round(np.degrees(np.angle(along)), 6)) % 180.0)

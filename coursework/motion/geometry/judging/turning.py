@@ -19,6 +19,7 @@ from coursework.equations.reduction.bound import Speed, Turn, rate_of, speed_of
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.closure import Closure, largest_length
+from coursework.motion.geometry.drives.drive import drive_values
 from coursework.motion.geometry.judging.agreement import given_by_geometry, gives
 from coursework.motion.geometry.judging.compared import looked_at
 from coursework.motion.geometry.judging.misfits import row_of
@@ -97,13 +98,20 @@ def said_otherwise(equations: VelocityEquations, times: Array, positions: Array)
     first = len(every) + len(turns)
     both = (matrix[:, first:] @ velocities)[:, :, 0] - right[:, first:]
     terms = np.max((np.abs(matrix[:, first:]) @ np.abs(velocities))[:, :, 0] + np.abs(right[:, first:]), initial=0.0)
-    links, points = [], []
+    links, points, laws = [], [], [law.name for law in variant.drive]
+    driven_rates = np.abs(np.nan_to_num(drive_values(equations, laws, times)))
+    share = driven_rates / np.maximum(np.sum(driven_rates, axis=1, keepdims=True), 1e-300)
+    led = np.argmax(share, axis=0).tolist()  # for each drive the row in which it moves most beside the others
+    rolls = {link.name for link in variant.links if link.contact}
     for place, (one, other) in enumerate(both.T.reshape(-1, 2, len(times))):
         size = np.maximum(np.abs(one), np.abs(other))
-        row = int(np.argmax(size > _MOVING * np.max(size)))  # the first in which it moves: later ones drift
+        first_row = int(np.argmax(size > _MOVING * np.max(size)))  # the first in which it moves: later ones drift
         senses = (-1, 1) if place < len(turns) and not _counted_as_vectors(turns[place].link, equations) else (1,)
-        least = max(_APART * size[row], _TOLERANCE * terms)
-        apart = all(abs(one[row] - sense * other[row]) > least for sense in senses)
+        # A contact does not drift: there a wheel keeps to one sense, also where another drive leads.
+        moved = [first_row, *(led if place < len(turns) and turns[place].link in rolls else ())]
+        least = np.maximum(_APART * size[moved], _TOLERANCE * terms)
+        off = [np.abs(one[moved] - sense * other[moved]) > least for sense in senses]
+        apart, row = all(each.any() for each in off), max(moved[int(np.argmax(each))] for each in off)
         if not apart or (place < len(turns) and grows[place] > _TOLERANCE * largest_length(variant) ** 2):
             continue
         known = {"found": float(one[row]), "named": float(other[row]), "time": float(times[row])}

@@ -130,8 +130,9 @@ def _of_positions(evidence: Evidence) -> tuple[float, int, str, float] | None:
     )
     row, place = np.unravel_index(int(np.argmax(moved / sizes)), moved.shape)
     digits = -np.log10(max(float(moved[row, place] / sizes[place]), 10.0**-DIGITS))
-    alike = np.linalg.cond(equilibrated(jacobian[rows], np.max(np.abs(jacobian[rows]), axis=0)))[row]
-    return float(np.clip(digits, 0.0, DIGITS)), int(rows[row]), coordinates[place].name, DIGITS - float(np.log10(alike))
+    alike = np.linalg.svd(equilibrated(jacobian[rows], np.max(np.abs(jacobian[rows]), axis=0)), compute_uv=False)[row]
+    lost = float(np.log10(max(alike[0], 1.0) / alike[-1]))  # a position at which every slope is small is singular, too
+    return float(np.clip(digits, 0.0, DIGITS)), int(rows[row]), coordinates[place].name, DIGITS - lost
 
 
 def _formula(coefficient: Expression, equations: VelocityEquations) -> Formula:

@@ -1,6 +1,6 @@
 """Where an equation of a table divides by zero: a row that says x/0, or a denominator that passes zero between two rows.
 
-Enters: `Evidence`.  Leaves: `Division`s.  Used by `conditioning.py`, `equations.py` and `check.py`.
+Enters: `Evidence`.  Leaves: `Division`s.  Used by `advice.py`, `conditioning.py`, `equations.py`, `check.py`.
 A motion goes on there only if what is divided is zero too.  Beside such a point a small error of an angle becomes a large one of
 the velocity, whatever the scheme, and no determinant shows it.
 """

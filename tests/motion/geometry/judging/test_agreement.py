@@ -257,3 +257,13 @@ def test_a_clash_fixes_each_velocity_that_occurs_and_has_no_solution(rows, clash
     """The singular values of (1, 1), (1, 1 + x) have the product x and nearly the ratio x/4, of which a hundredth is allowed."""
     assert agreement._clashing(np.array(rows, dtype=float)).tolist() is clash
     assert agreement._clashing(np.array([rows, rows], dtype=float)).tolist() == [clash, clash]
+
+
+@pytest.mark.parametrize("moves", ["n1", "n1*sin(n1*(t - 0.3))"])
+def test_a_sign_is_seen_also_of_a_drive_that_rests_at_first(moves):
+    """For 0.3 s, a third of the run; the crank's angle of then is written as a formula of time."""
+    drive = f'{{ pieces = [["0 s", "0"], ["0.3 s", "{moves}"]] }}'
+    timed = CRANK.replace("phi1", "n1*(t - 0.3)" if moves == "n1" else "(1 - cos(n1*(t - 0.3)))")
+    assert confirmed(wiper("(B - D - r3 @ phi3)", (CRANK, timed), w1=drive)) == ("1", "2")
+    with pytest.raises(coursework.InputError, match=r"V302 .*equation 1 contradicts"):
+        confirmed(wiper("(B - D - r3 @ phi3)", (CRANK, timed[1:]), w1=drive))

@@ -7,7 +7,7 @@ import re
 import pytest
 
 import coursework
-from coursework.motion.geometry.judging.rigid import _degrees
+from coursework.motion.geometry.judging.rails import _degrees
 from coursework.variant.formula.reader import parse
 from coursework.variant.record.held import is_arm
 from tests.commands.test_cli import call

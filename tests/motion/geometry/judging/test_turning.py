@@ -117,3 +117,42 @@ def test_a_start_that_does_not_close_changes_no_rate(off):
     assert closure(mechanism("windshield-wiper"), start) is not None
     with pytest.raises(coursework.InputError, match=r"V309 .*link 5 turns at"):
         closure(mechanism("windshield-wiper"), start, ('"Q"], rate = "w5"', '"Q"], rate = "w4"'))
+
+
+TRAIN = """
+[given]
+z1 = "24"
+z2 = "18"
+m = "3 mm"
+[drive]
+w1 = "40*sin(2*t)"
+wc = { pieces = [["0 s", "0"], ["0.7 s", "5*(t - 0.7)"]] }
+[coordinates]
+p1 = { start = "0 rad", rate = "w1" }
+pc = { start = "90 deg", rate = "wc" }
+p2 = { start = "0 rad", rate = "w2" }
+[time]
+step = "0.05 s"
+end = "1.2 s"
+[[constraint]]
+equation = "(w2 - wc)*z2 = -(w1 - wc)*z1"
+[points]
+O = "(0, 0)"
+P = "m*(z1 + z2)/2 @ pc"
+Q = "m*z1/2 @ pc"
+[links]
+1 = { wheel = "O", contact = "Q", rate = "w1" }
+2 = { wheel = "P", contact = "Q", rate = "w2" }
+4 = { points = ["O", "P"], rate = "wc" }
+[frame]
+hinges = ["O"]
+"""
+
+
+@pytest.mark.parametrize(("written", "told"), [
+    ("= -(w1", None), ("= (w1", r"Link 2 turns at -30\.1914 rad/s at t = 1\.2 s .* its rate w2 is 35\.1914 rad/s"),
+])  # fmt: skip
+def test_a_planet_is_judged_where_each_drive_leads(written, told):
+    """While the carrier waits, the wrong sign looks like an angle counted clockwise; Willis: w2 = wc - (w1 - wc) z1/z2."""
+    run = coursework.solve(coursework.parse_variant(TRAIN.replace("= -(w1", written)), "rk4", quantities=("table", "checks"))
+    assert re.search(told, run.summary) if told else "Link" not in run.summary
