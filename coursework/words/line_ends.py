@@ -22,6 +22,7 @@ _OF_QUOTIENT = r"[\w.,;·()|²³√−-]"
 _BEGIN = rf"(?<!{_SIGN})"
 _THIN, _NARROW = "\u2009", "\u202f"
 _GAP = " \u00a0\x1f"  # the last stands for both of these during the search: where they are named, compiling takes twice as long
+_DIGITS = "0123456789"
 _NUMBER = r"(?:[−-]?\d[\d.,]*(?:·10[−-]?\d+)?|\{\w+\})"  # or a gap of a sentence, filled by a script
 _NAMED = r"[NН]|rad|deg|rpm|min|mm|cm|ms|µs|m|s|рад|град|мин|хв|мм|см|мкс|мс|м|с"
 _UNIT = rf"(?:(?:{_NAMED})(?:/(?:{_NAMED})[²2]?)?|1/(?:s|с)|%)"
@@ -45,11 +46,11 @@ _TOGETHER = (
     (_JOINING, rf"{_BEGIN}{_JOINED}[{_GAP}]{_PRODUCT}(?!{_SIGN})"),  # in a longer sum, its sign and the term after it
     ("-", r"(?<![\w-])\w{2,12}(?:-\w{1,12}){1,2}(?![\w-])(?:[ \u00a0]\d(?:\(\d\))?(?!\w|\.\d))?"),  # Runge-Kutta 4
     ("-", rf"{_APART}-{_APART}"),  # the same in Chinese, where a line may break at any other place of the name
-    (_GAP, rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*"),
+    (f"{_DIGITS}{{", rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*"),
     ("/", rf"{_BEGIN}{_OF_QUOTIENT}+(?:/{_OF_QUOTIENT}+)+(?!{_SIGN})"),  # (m/s)/mm too
-    (_GAP, rf"(?<!\w)(?:\w{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}"),
+    (f"{_DIGITS}{{", rf"(?<!\w)(?:\w{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}"),
     (_FUNCTIONS, rf"{_FUNCTION}[{_GAP}]{_SIGN}{{1,12}}(?!{_SIGN})"),
-    (_GAP, rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})"),
+    (_DIGITS, rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})"),
 )
 _JOINTS = re.compile(rf"[{_GAP}/-]")  # every piece to keep contains one; table cells rarely do
 _WORTH_A_LOOK = re.compile(rf"[{_RELATIONS}{_JOINING}/%{{]|\d|\w-\w|{_FUNCTION}")
@@ -112,7 +113,8 @@ def _together(text: str) -> tuple[tuple[int, int], ...]:
         return ()
     text = without_chinese(text, _APART)
     kept: list[tuple[int, int]] = []
-    asked = (_made(pattern) for pieces, pattern in _TOGETHER if any(piece in text for piece in pieces))
+    held = {*text, *(name for name in _FUNCTIONS if name in text)}
+    asked = (_made(pattern) for pieces, pattern in _TOGETHER if not held.isdisjoint(pieces))
     for begin, end in sorted(match.span() for pattern in asked for match in pattern.finditer(text)):
         first, last = kept[-1] if kept else (0, 0)
         if kept and begin < last:

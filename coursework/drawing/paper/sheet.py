@@ -16,6 +16,7 @@ import numpy as np
 from coursework.drawing.paper.cover import Rectangle, Segment
 from coursework.drawing.paper.placing import BEYOND, MARGIN, Owner, Place, Taken
 from coursework.drawing.paper.ways import numbers_of, way
+from coursework.words.html_table import escaped
 
 AXIS = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'  # the pen of axes and construction lines
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
@@ -42,10 +43,8 @@ Word = tuple[str, str, str]  # text, its subscript, what follows
 
 def plain(text: str) -> str:
     """Return text fit for SVG: printable letters only, escaped, at most `LONGEST` letters."""
-    from html import escape  # imported here, as only a drawing needs it, not its readings
-
     kept = "".join(letter for letter in text if letter.isprintable())
-    return escape(kept if len(kept) <= LONGEST else kept[: LONGEST - 1] + "…")
+    return escaped(kept if len(kept) <= LONGEST else kept[: LONGEST - 1] + "…")
 
 
 def width(text: str) -> float:

@@ -10,7 +10,6 @@ import functools
 import math
 import operator
 from collections.abc import Callable, Iterable, Iterator
-from html import escape
 from itertools import accumulate, pairwise
 
 import numpy as np
@@ -21,6 +20,7 @@ from coursework.report.graphs.graph_paper import INK, LETTERS, picture, words
 from coursework.report.graphs.log_paper import RISE, Points, Scale, across, marks, scale_for, upward, way_of
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
+from coursework.words.html_table import escaped
 
 # Colours that stay apart for colour-blind readers (Okabe and Ito); dashes (mm) and marks keep them apart in print.
 STYLES = (
@@ -125,8 +125,8 @@ def _ground(page: Chart, x: Scale, y: Scale) -> tuple[str, list[Named]]:
         inside = f'<path {ROUND_OFF} d="M{x.begin:g} {low:.2f}H{x.end:g}V{y.begin:g}H{x.begin:g}z"/>'
         piece = f'<path {ROUND_OFF} d="M0-1.5h{KEY_WIDE:g}v3h{-KEY_WIDE:g}z"/>'
         named.append((page.labels["floor_legend"], (x.end - 1.5, (low + y.begin) / 2), piece))
-    inside += across(x, y.begin, y.end, escape(page.labels["seconds" if page.timed else "evaluations"]))
-    return inside + upward(y, x.begin, x.end, escape(page.error_label)), named
+    inside += across(x, y.begin, y.end, escaped(page.labels["seconds" if page.timed else "evaluations"]))
+    return inside + upward(y, x.begin, x.end, escaped(page.error_label)), named
 
 
 def _names(named: list[Named], dots: Array, taken: list[Box]) -> str:
@@ -216,7 +216,7 @@ def _written(stand: Stand, piece: str, below: int) -> str:
     """
     left, top, _, bottom = stand.box
     base, more = LINE / 2 + RISE * LETTERS - (bottom - top) / 2, HALO if stand.covers else ""
-    rows = (words(stand.before, base + LINE * k, escape(row), more=more) for k, row in enumerate(stand.rows))
+    rows = (words(stand.before, base + LINE * k, escaped(row), more=more) for k, row in enumerate(stand.rows))
     at = f'style="--at:{below}" transform="translate({left:.4g} {(top + bottom) / 2:.4g})"'
     shown = piece if stand.before else f'<g display="none">{piece}</g>'
     return f'<g class="called{"" if stand.before else " end"}" {at}>{shown}{"".join(rows)}</g>'

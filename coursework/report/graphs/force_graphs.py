@@ -5,8 +5,6 @@ Enters: a `PageContext`, a `ForceAnalysis`.  Leaves: figures of panels.  Used by
 
 from __future__ import annotations
 
-from html import escape
-
 import numpy as np
 
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
@@ -15,6 +13,7 @@ from coursework.report.graphs.graph_paper import BOTTOM, EXACT_PEN, FAINT, INK, 
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part, Runs
 from coursework.system.arrays import Array
+from coursework.words.html_table import escaped
 
 SIZE, SQUARE = (82.0, 34.0), (82.0, 66.0)  # mm
 MOST = 6  # polar curves in one figure
@@ -89,7 +88,7 @@ def _polar(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis | No
     if dotted:
         inside += graph_paper.line_of_rows(field, x, y)
     inside += f'<circle cx="{at_x[0]:.2f}" cy="{at_y[0]:.2f}" r="1.2" fill="{SCHEME_INK}"/>'
-    inside += graph_paper.words(field.left + 1.2, TOP - 2.2, graph_paper.letters(symbol) + escape(context.words.behind(unit)))
+    inside += graph_paper.words(field.left + 1.2, TOP - 2.2, graph_paper.letters(symbol) + escaped(context.words.behind(unit)))
     largest = context.quantity(float(np.hypot(x, y).max()), "N", 4)
     alt = context.words("forces.polar_alt", symbol=symbol.text, size=largest)
     return Panel(pair, graph_paper.picture(*SQUARE, inside), alt)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from html import escape
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +20,7 @@ from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol
 from coursework.system.arrays import Array, distinct
 from coursework.system.frozen import frozen
+from coursework.words.html_table import escaped
 
 if TYPE_CHECKING:
     from coursework.report.text.page_context import PageContext
@@ -188,11 +188,11 @@ def dots(field: Field, t: Array, values: Array) -> str:
 def letters(symbol: Symbol) -> str:
     """Return a symbol as the inside of an SVG text, its subscript lowered."""
     slant = "" if symbol.is_word else ' font-style="italic"'
-    head = f"<tspan{slant}>{escape(symbol.head)}</tspan>"
+    head = f"<tspan{slant}>{escaped(symbol.head)}</tspan>"
     if not symbol.subscript:
         return head
     upright = symbol.subscript.isdigit()
-    low = f'<tspan dy="0.75" font-size="2.3"{"" if upright else slant}>{escape(symbol.subscript)}</tspan>'
+    low = f'<tspan dy="0.75" font-size="2.3"{"" if upright else slant}>{escaped(symbol.subscript)}</tspan>'
     return f'{head}{low}<tspan dy="-0.75">\u200a</tspan>'
 
 
@@ -226,8 +226,8 @@ def axes(field: Field, numbers: Numbers, label: str, time: str) -> str:
 
 def framed(context: PageContext, field: Field, symbol: Symbol, unit: str) -> str:
     """Return the axes of a graph on a page: a symbol with its unit above, t with its unit at the end of the time axis."""
-    label = letters(symbol) + escape(context.words.behind(unit))
-    time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
+    label = letters(symbol) + escaped(context.words.behind(unit))
+    time = letters(context.symbol("t")) + escaped(context.words.behind(context.unit("s")))
     return axes(field, context.numbers, label, time)
 
 

@@ -5,8 +5,6 @@ Enters: a `PageContext`.  Leaves: `figure#tangent`.  Used by `results.py`.
 
 from __future__ import annotations
 
-from html import escape
-
 import numpy as np
 
 from coursework.report.graphs import graph_paper
@@ -15,6 +13,7 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Figure
 from coursework.report.wording.closeness import LocalError, evidence
 from coursework.system.arrays import Array
+from coursework.words.html_table import escaped
 
 SIZE = (96.0, 24.0)  # mm; the screen of a phone shows it whole
 LETTER = 1.9  # mm, the mean width of a letter
@@ -87,4 +86,4 @@ def _gap_words(field: Field, top: tuple[float, float], t: Array, curve: Array, g
     middle = (first + last) / 2
     if abs(last - first) < NARROW:
         middle = max(first, *after) + CLEAR if first >= last else min(first, *after) - CLEAR
-    return words(field.x(top[0]) + 1.8, middle + graph_paper.LETTERS / 3, escape(gap))
+    return words(field.x(top[0]) + 1.8, middle + graph_paper.LETTERS / 3, escaped(gap))

@@ -6,7 +6,6 @@ Enters: a `PageContext`.  Leaves: figures of panels.  Used by `sections.py` and 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from html import escape
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from coursework.scene.motion_results import given_constants
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 from coursework.variant.record.vocabulary import EXACT
+from coursework.words.html_table import escaped
 
 SIZE = (82.0, 34.0)  # mm; two stand side by side in 170 mm
 MOST_PANELS = 8  # of one figure: as many as fit a page
@@ -140,7 +140,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
         inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'
         # The stop is named above the end of its line, on the side that has room.
         side = "end" if x > field.width / 2 else "start"
-        inside += graph_paper.words(x, graph_paper.TOP - 2.2, escape(context.event(run.stop.kind)), side, STOP_WORDS)
+        inside += graph_paper.words(x, graph_paper.TOP - 2.2, escaped(context.event(run.stop.kind)), side, STOP_WORDS)
     if len(rows.curve):
         inside += f'<path {EXACT_PEN} d="{field.curve(rows.curve_t, rows.curve)}"/>'
     if len(rows.t):
