@@ -77,7 +77,8 @@ def test_a_shaper_is_shown_where_crank_and_lever_are_apart() -> None:
 
 
 def test_rows_that_coincide_less_are_not_looked_for_where_the_start_is_fine() -> None:
-    assert "in row 1, t = 0," in drawing_of("31").caption
+    assert "in row 1, t = 0," in drawing_of("31").caption and "bent arrow" not in drawing_of("31").caption
+    assert "The bent arrow is the given" in drawing_of("example-2").caption  # a crank; in 31 a point is driven
     assert "row 1, t = 0" not in drawing_of("example-2").caption  # crank and rod along the guide
 
 

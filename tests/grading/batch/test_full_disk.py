@@ -54,3 +54,10 @@ def test_a_journal_that_there_is_no_room_to_tidy_stays_as_it_is(tmp_path, monkey
         journal.rewrite([place])
     assert [path.name for path in tmp_path.iterdir()] == ["journal.jsonl"]
     assert (tmp_path / "journal.jsonl").read_bytes() == before
+
+
+def test_a_line_torn_off_by_a_crash_spoils_none_behind_it(tmp_path):
+    (tmp_path / "journal.jsonl").write_bytes(b'{"sum": "half of a li')
+    with Journal(tmp_path) as journal:
+        place = journal.add(Entry("k1", "a", {"status": "graded", "score": 1.0}))
+        assert (journal.places()[0], journal.read(place).id) == ({"k1": place}, "a")

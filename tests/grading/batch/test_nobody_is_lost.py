@@ -198,13 +198,6 @@ def test_a_line_stands_where_the_journal_says_even_if_the_file_has_grown(tmp_pat
         assert journal.places()[0] == {"k1": first, "k2": second}
 
 
-def test_a_line_torn_off_by_a_crash_spoils_none_behind_it(tmp_path):
-    (tmp_path / "journal.jsonl").write_bytes(b'{"sum": "half of a li')
-    with Journal(tmp_path) as journal:
-        place = journal.add(Entry("k1", "a", {"status": "graded", "score": 1.0}))
-        assert (journal.places()[0], journal.read(place).id) == ({"k1": place}, "a")
-
-
 def test_a_rubric_of_brackets_is_one_sentence(tmp_path):
     hand_in(tmp_path / "in" / "ada")
     (tmp_path / "rubric.toml").write_text("points = " + "[" * 9_999, encoding="utf-8")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.grading.reading.equations.labels import bare_equations, without_labels, without_words
+from coursework.grading.reading.equations.labels import _is_aside, bare_equations, without_labels, without_words
 
 NAMES = {"w1", "w3", "r1", "x", "C", "v", "length", "s", "в"}.__contains__
 
@@ -89,3 +89,12 @@ def test_the_whole_line_is_tried_last_and_a_point_in_parentheses_may_be_one() ->
     assert [*bare_equations("so w3 = 2", NAMES)][-1] == "so w3 = 2"
     assert "w3 = v" in [*bare_equations("w3 = v (C)", NAMES)]
     assert [*bare_equations("3  w3 = 2", NAMES)][:3] == ["3  w3 = 2", "w3 = 2", "3  w3 = 2"]
+
+
+@pytest.mark.parametrize(("text", "holds"), [
+    ("x axis", False), ("the x axis", True), ("r1 is the crank", True), ("length the", False), ("r1 w3 and the others", False),
+    ("r1*w3 the crank", False), ("", False),
+])  # fmt: skip
+def test_a_remark_in_parentheses_begins_with_a_word_or_has_several_behind_a_name(text: str, holds: bool) -> None:
+    """One word alone behind a name may be a factor."""
+    assert _is_aside(text, NAMES) is holds

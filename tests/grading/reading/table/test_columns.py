@@ -72,6 +72,7 @@ def test_each_column_stands_where_its_head_or_its_place_says(
     ("0 0.1 0.2 0.3", 0.1052, True), ("0 0.1 0.2 0.3", 0.1054, False), ("0.1 0.2 0.3 0.4", 0.1, False),
     ("0.0 0.1 0.9 0.3", 0.3, False),  # these do not rise in equal steps
     ("0 0.1 0.3 0.4", 0.1, True), ("0.1 0.2 0.4 0.5", 0.1, False), ("0 0.2 0.1 0.4", 0.1, False), ("0 0 0 0", 0.1, False),
+    ("0 0.1 bad bad", 0.1, False),  # two numbers tell nothing
     ("0 0.1 0.309 0.4", 0.1, True), ("0 0.1 0.311 0.4", 0.1, False),  # a row left out, and rounded by a tenth of the step
 ])  # fmt: skip
 def test_numbers_before_too_few_columns_are_the_time_where_they_are_that_of_the_task(
