@@ -249,8 +249,7 @@ def test_a_velocity_put_right_does_not_keep_a_cause_from_being_looked_at():
 
 # Pairs that lost once: a variant, the slip that was carried on in its table, cells put right before, cells with another number,
 # the cell put right. The first needs an exchange taken back beside an angle as it is printed, the second a slip of one row told
-# by that of the next, the third a misprint below a cell put right, the fourth and the last several coordinates told by the next
-# row: the fourth cost two cells as long as rows found once were taken for told whether or not the last pass had changed them.
+# by that of the next, the third a misprint below a cell put right, the fourth and the last several coordinates told by the next.
 LOST = [
     (2, (7, 4, -0.1), [], {(8, 0): 0.298, (8, 2): 1.5005}, (7, 4)),
     (3, (17, 0, 0.1), [], {(18, 0): 3.1654}, (17, 0)),
