@@ -11,7 +11,7 @@ from coursework.effects.rows import SECOND
 from coursework.report.pages import build_model, render_html
 from coursework.variant.formula.reader import parse
 from tests.effects.massed import of_text
-from tests.mechanisms.library import mechanism
+from tests.mechanisms.library import changed, mechanism
 
 # A slider-crank whose crank turns clockwise and has a driven length.
 REACHING = mechanism(
@@ -65,6 +65,19 @@ def test_a_bar_that_turns_against_its_angle_is_turned_by_a_couple_on_it():
     assert found.by_power[:, 0] == pytest.approx(wanted, abs=1e-12)
     with pytest.raises(coursework.InputError, match=r"V309 .*declare a name in \[unknowns\], set it equal to -w in"):
         of_text(text.replace('rate = "om"', 'rate = "w"') + weight)
+
+
+def test_a_link_that_forces_move_and_that_turns_the_other_way_round_is_told_and_its_advice_holds():
+    """An angle from the vertical, clockwise: at 20 degrees the end is where the file's own angle has it at 70."""
+    begun = ('"rod" }', '"rod", centre = "B - (0.1*sin(phi), 0.1*cos(phi))" }'), ("0.6 @ phi", "(0.6*sin(phi), 0.6*cos(phi))")
+    text = mechanism("pendulum", *begun, phi='{ start = "20 deg", rate = "w" }')
+    with pytest.raises(coursework.InputError, match=r"V731 .*link 1 turns just the other way round than its rate w: .* to -w in"):
+        of_text(text, scheme="exact")
+    named = ("[points]", '[[constraint]]\nequation = "wc = -w"\n[points]'), ("[time]", '[unknowns]\nwc = "1/s"\n[time]')
+    followed = changed(text, *named, ('"B"], rate = "w"', '"B"], rate = "wc"'))
+    plain = mechanism("pendulum", ('"rod" }', '"rod", centre = "B - 0.1 @ phi" }'), phi='{ start = "70 deg", rate = "w" }')
+    own, other = (of_text(each, scheme="exact").rows.motion.column("phi") for each in (followed, plain))
+    assert own + other == pytest.approx(np.full(len(own), np.pi / 2), abs=1e-9)
 
 
 def test_a_bar_that_a_wheel_rolls_on_is_no_disc():

@@ -175,10 +175,12 @@ def _require_rigid(rows: Rows, equations: VelocityEquations) -> None:
         body = scheme.by_name[scheme.body_named(name)]
         if at is None or not rows.count or _is_fixed(rows, body, scheme.own_point(name), at, share):
             continue
+        turned_back = body.rate and _is_fixed(rows, body, scheme.own_point(name), at, share, sense=-1)
+        why = say("fault.doubt.turned_back", name=body.name, rate=body.rate) if turned_back else doubt()
         if path[0] == "forces":
-            told = say("fault.V732", name=body.name, held=", ".join(scheme.holds.get(body.name, ())), doubt=doubt())
+            told = say("fault.V732", name=body.name, held=", ".join(scheme.holds.get(body.name, ())), doubt=why)
         else:
-            told = say("fault.V731" if len(path) > 2 else "fault.V735", name=body.name, point=spelled(at), doubt=doubt())
+            told = say("fault.V731" if len(path) > 2 else "fault.V735", name=body.name, point=spelled(at), doubt=why)
         faults.append(Fault(told, variant.file, variant.nearest_line(*path), 0, ".".join(path)))
     faults += [fault for one in scheme.unknowns if (fault := _moving_guide(rows, one, variant, share, doubt)) is not None]
     if faults:
@@ -195,11 +197,11 @@ def _open_start(rows: Rows, equations: VelocityEquations) -> Fault | None:
     )
 
 
-def _is_fixed(rows: Rows, body: Body, own: Formula | None, at: Formula, share: float) -> bool:
-    """Return whether a point moves with a body, as its `own` point does."""
+def _is_fixed(rows: Rows, body: Body, own: Formula | None, at: Formula, share: float, *, sense: int = 1) -> bool:
+    """Return whether a point moves with a body, as its `own` point does, for a `sense` of -1 if it turned the other way round."""
     if own is None or own == at:
         return True
-    turned = 1j * rows.omega(body) * (rows.vector(at) - rows.vector(own))
+    turned = 1j * sense * rows.omega(body) * (rows.vector(at) - rows.vector(own))
     return _are_equal(rows, share, rows.vector(at, RATE), rows.vector(own, RATE) + turned, turned)
 
 

@@ -247,14 +247,6 @@ def test_a_negative_ordinate_that_no_equation_contains_is_no_length_of_a_link() 
     assert not [one for one in parse_variant(text).plausibility if one.code == "LENGTH"]
 
 
-def test_a_speed_is_no_rate_of_a_link():
-    """The slider of a crank: v is how fast x grows."""
-    text = mechanism("jack", ("[frame]", '3 = { points = ["E"], rate = "vx" }\n[frame]'))
-    told = [str(one.sentence) for one in parse_variant(text).plausibility]
-    assert [one[:77] for one in told] == ["the rate of link 3 is how fast it turns, and vx is how fast x grows, in m/s. "]
-    assert not parse_variant(text.replace('rate = "vx" }\n[frame]', 'rate = "w2" }\n[frame]')).plausibility
-
-
 @pytest.mark.parametrize("points", ['["D", "B"]', '["D", "A", "B"]'])
 def test_a_block_that_is_pinned_to_its_guide_cannot_slide(points):
     variant = parse_variant(mechanism("shaper-equations", ('3 = { points = ["D", "B"]', f"3 = {{ points = {points}")))

@@ -138,3 +138,11 @@ def test_a_forgotten_pivot_is_one_fault_with_the_line_to_add(name: str, point: s
     mended = wrong.split("\n")
     mended[mend["line"] - 1] += mend["text"]
     assert point in dict(coursework.parse_variant("\n".join(mended)).points)
+
+
+def test_a_speed_is_no_rate_of_a_link():
+    """The slider of a crank: v is how fast x grows."""
+    text = mechanism("jack", ("[frame]", '3 = { points = ["E"], rate = "vx" }\n[frame]'))
+    told = [str(one.sentence) for one in coursework.parse_variant(text).plausibility]
+    assert [one[:77] for one in told] == ["the rate of link 3 is how fast it turns, and vx is how fast x grows, in m/s. "]
+    assert not coursework.parse_variant(text.replace('rate = "vx" }\n[frame]', 'rate = "w2" }\n[frame]')).plausibility
