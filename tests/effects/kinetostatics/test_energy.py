@@ -42,10 +42,13 @@ def test_the_reduced_inertia_of_a_crank_a_slide_and_a_gear_is_that_by_hand():
 
 
 def still(**more):
-    """Return two rows: a body of 2 kg and 0.5 kg m^2 at (1, 2) and (3, -1) m, with (0, 4) and (-3, 0) m/s, that turns."""
+    """Return two rows: a body of 2 kg and 0.5 kg m^2 at (1, 2) and (3, -1) m, with (1, 4) and (-3, 0) m/s, that turns."""
     body = SimpleNamespace(centre="S", mass=2.0)
-    places = {"S": ([1 + 2j, 3 - 1j], [4j, -3 + 0j]), "A": ([0j, 0j], [0j, 0j]), "B": ([3 + 4j, 6 + 8j], [1j, 2 + 1j])}
-    spring = SimpleNamespace(ends=("A", "B"), stiffness=100.0, free=4.0, damping=5.0)
+    places = {
+        "S": ([1 + 2j, 3 - 1j], [1 + 4j, -3 + 0j]), "B": ([3 + 4j, 6 + 8j], [1j, 2 + 1j]),
+        "C": ([1 + 2j, 2 - 1j], [1 + 0j, -1j]), "D": ([4 + 6j, 8 + 7j], [1 + 1j, 2 + 0j]),
+    }  # fmt: skip
+    spring = SimpleNamespace(ends=("C", "D"), stiffness=100.0, free=4.0, damping=5.0)
     forces = SimpleNamespace(gravity=(3.0, -10.0), springs=[spring])
     rows = SimpleNamespace(
         count=2, scheme=SimpleNamespace(bodies=[body], by_name={"1": body}, forces=forces),
@@ -77,7 +80,7 @@ def test_energies_and_powers_are_those_by_hand(monkeypatch):
     monkeypatch.setattr(energy, "MOTOR", SimpleNamespace(acts=lambda _: acts[1:]))
     rows = still()
     found = energy_of(rows, {drive(): np.array([2.0, 3.0]), drive("couple"): np.array([1.0, 1.0])}, (*acts, acts[1]))
-    assert found.kinetic == pytest.approx([16 + 1.0, 9 + 0.25])
+    assert found.kinetic == pytest.approx([17 + 1.0, 9 + 0.25])
     assert found.potential == pytest.approx([-2 * (3 - 20) + 50, -2 * (9 + 10) + 50 * 36])
     assert found.dampers == pytest.approx([-5 * 0.8**2, -5 * (0.6 * 2 + 0.8) ** 2])
     assert found.loads == pytest.approx([1.0, 10.0])
@@ -91,7 +94,7 @@ def test_energies_and_powers_are_those_by_hand(monkeypatch):
 def test_a_drive_on_a_moving_body_moves_relative_to_it():
     """B is at (2, 2) and (3, 9) m from S, which goes along and turns by 2 and -1 rad/s; a couple has both bodies' rates."""
     rows = still()
-    assert velocity_of_drive(rows, drive(off="1")) == pytest.approx([0 - 0 + 4, 1 - 0 + 3])
+    assert velocity_of_drive(rows, drive(off="1")) == pytest.approx([0 - 1 + 4, 1 - 0 + 3])
     assert velocity_of_drive(rows, drive(coordinate="s")).tolist() == [7.0, 8.0]
     assert velocity_of_drive(rows, drive("couple", off="1")).tolist() == [0.0, 0.0]
     assert velocity_of_drive(rows, drive("couple")).tolist() == [2.0, -1.0]

@@ -36,3 +36,12 @@ def test_a_group_drafted_on_a_point_takes_letters_and_numbers_that_are_free(take
     assert [*group.points, group.meets] == ["B", *new]
     assert [coordinate.name for coordinate in group.coordinates] == ["phi5", "phi6"]
     assert group.lengths == ("r5", "r6")
+
+
+def test_each_crank_stands_beside_what_was_drawn_last():
+    """A pin that goes right round has its pivot in the middle; the next pivot stands four cranks to the right of that."""
+    drafting = chain._Drafting(set())
+    for _ in range(3):
+        drafting.add(group_kind("crank"))
+    pivots = [drafting.draft.places[group.points[0]] for group in drafting.draft.groups]
+    assert pivots == pytest.approx([0, 4 * chain.CRANK, 8 * chain.CRANK])

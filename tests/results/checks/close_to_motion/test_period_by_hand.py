@@ -128,7 +128,26 @@ def test_a_wheel_that_is_not_back_with_its_crank_is_back_later(given, back, monk
     assert (found and (found.periods, found.time)) == (back and (back[0], pytest.approx(back[1])))
 
 
+def test_what_hangs_on_a_wheel_or_does_not_keep_its_speed_is_no_wheel(monkeypatch):
+    """A wheel whose speed is not back, or whose turns differ from period to period, says nothing of when the mechanism is."""
+    monkeypatch.setattr(several_periods, "after", lambda evidence, time: evidence.row(time) + np.array([0, 0, 0, 0, 0.031, 0]))
+    assert several_periods._later(wheels(0.5)) is None
+    monkeypatch.setattr(several_periods, "after", lambda evidence, time: evidence.row(time) + np.array([0, 0, 0, 0, 0.029, 0]))
+    assert several_periods._later(wheels(0.5)).periods == 2
+
+
 @pytest.mark.parametrize(("run", "is_back"), [(2.0, False), (1.99, True)])
 def test_behind_twice_the_run_whole_turns_are_enough(run, is_back, monkeypatch):
     monkeypatch.setattr(several_periods, "after", lambda evidence, time: evidence.row(time) + 0.1)
     assert several_periods._is_back(wheels(0.5, run=run), 4.0) is is_back
+
+
+@pytest.mark.parametrize(("size", "share"), [(0.9e-10, 0.0), (-1.1e-10, 0.55e-10), (-3.0, 1.5)])
+def test_what_is_missed_by_round_off_is_not_missed(size, share):
+    assert several_periods.share_of(size, 2.0) == pytest.approx(share)
+
+
+def test_whole_turns_of_an_angle_are_taken_off_and_those_of_a_length_are_not():
+    row = np.array([0.4 + 6 * math.pi, 0.2, 0.5 + 2 * math.pi, 9.0, 4.0, 0.0])
+    assert several_periods.ends(wheels(0.5), row, "q") == pytest.approx((0.3, 0.4))
+    assert several_periods.ends(wheels(0.5), row, "s") == pytest.approx((0.5, 0.5 + 2 * math.pi))
