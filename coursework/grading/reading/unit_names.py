@@ -1,7 +1,7 @@
 """The spellings of units, in several languages and with look-alike letters -> the unit.
 
 Enters: a text.  Leaves: the unit's name, "" if it is none; the folded form in which texts are compared.
-Used by `numbers.py`, `headers.py`, `layout.py`, `answers.py`, `labels.py`, `lines.py`, `line_kinds.py`, `columns.py` and
+Used by `numbers.py`, `headers.py`, `layout.py`, `answers.py`, `labels.py`, `row_values.py`, `line_kinds.py`, `columns.py` and
 `names_in_text.py`.
 """
 

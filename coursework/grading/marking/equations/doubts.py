@@ -13,6 +13,7 @@ from dataclasses import replace
 
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.dimensions.formulas import Clash, Measurer
+from coursework.variant.formula.alphabet import greek
 from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.formula.tree import Formula, constant, spelled, terms
 from coursework.variant.record.places import measures
@@ -23,7 +24,7 @@ from coursework.words.sentences import say
 
 _NAME = re.compile(r"[^\W\d]\w*")
 _CONTINUES = re.compile(r"\s*[+*/·]")
-_TWO_SIDES = 1  # signs of equality in a line with two sides
+_SHORT, _TWO_SIDES = 2, 1  # signs of equality in a line with two sides
 
 
 def question_of(line: EquationLine, variant: Variant, tells: Callable[[Formula], bool], *, is_named: bool) -> EquationLine | None:
@@ -58,7 +59,8 @@ def _is_rewritten(line: EquationLine, variant: Variant) -> bool:
     """
     typed = [word for word in _NAME.findall(line.text) if word.lower() not in FUNCTION_WORDS]
     read = [node.name for node in line.difference.walk() if node.op == "name"]
-    if len(typed) != len(read):
+    words = (word for word in typed if len(word) > _SHORT and word.isascii() and word.isalpha() and greek(word) == word)
+    if len(typed) != len(read) or any(word not in read for word in words):
         return True
     if {*typed} <= {*read}:
         return False

@@ -15,7 +15,7 @@ from coursework.grading.reading.equations.notation.signs import depths
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.formula.reader import FUNCTION_WORDS
 
-_WORD = r"[^\W\d_]{1,20}(?:['’][^\W\d_]{1,20})?"
+_WORD = r"[^\W\d_]{1,20}(?:['’-][^\W\d_]{1,20})?"
 _FIRST = re.compile(rf"\s*(?:({_WORD})[.,:;!]{{0,3}}(?=\s)|([^\w\s(\[{{$\\+\-−–—*/=^'’]{{1,3}})|([*•+]\)))\s*")
 _LAST = re.compile(
     rf"(?:(?<=[\s)\]}}])({_WORD})[.,:;!]{{0,3}}|(?<=\s)(?:\([^()]{{1,60}}\)|\[[^\[\]]{{1,60}}\]|\{{[^{{}}]{{1,40}}\}}|<[^<>]{{1,20}}>)[.,;]?"
@@ -30,6 +30,7 @@ _DENIED = re.compile(
 _GREEK = re.compile(r"phi|psi|alpha|beta|gamma|delta|theta|chi|eps|omega|" + "|".join(FUNCTION_WORDS), re.I)
 _OPERATOR, _BEFORE_SIGN = re.compile(r"[*/^=·⋅×)]|[-+−–]\s"), re.compile(r"[-+*/^=·⋅×(]\s*$")
 _ROMAN = re.compile("[IVX]+")
+_COLON = re.compile(r"[^=:]{0,60}[^\W\d_]{3}[^=:]{0,20}:\s+(?=[^=:]+=)")  # "Step 4: and v = …"
 _SHORT, _CUTS, _MOST, _LONG = 3, 6, 12, 300
 
 
@@ -60,6 +61,9 @@ def _begun(text: str, is_single: Callable[[str], bool]) -> Iterator[tuple[str, b
     """Yield a line, and the line from behind each of its first words; a name of the task among them asks."""
     yield text, False
     start, asks = 0, False
+    if colon := _COLON.match(text):
+        start = colon.end()
+        yield text[start:], False
     for _ in range(_CUTS):
         found = _FIRST.match(text, start)
         if not found or "=" not in text[found.end() :] or _changes(found[0]):
@@ -101,6 +105,8 @@ def _changes(cut: str) -> bool:
 
 def _is_name(word: str, is_single: Callable[[str], bool]) -> bool:
     """Return whether a word may be a factor: a name, the length between two points, or a chain with a function or Greek name."""
+    if "-" in word:
+        return any(_is_name(part, is_single) for part in word.split("-"))
     if is_single(word) or _GREEK.search(word) or (word.isupper() and 1 < len(word) <= _SHORT and not _ROMAN.fullmatch(word)):
         return True
     return bool(word) and not word.isascii() and any("\u0370" <= sign <= "\u03ff" for sign in word) and len(word) <= _SHORT

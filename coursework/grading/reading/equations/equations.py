@@ -7,6 +7,7 @@ Used by `read_submission.py`, `lines.py` and the readers of the parts of a text.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import field, replace
 from functools import lru_cache, partial
 from itertools import combinations, pairwise
@@ -43,6 +44,7 @@ _NATURAL, _SEVERAL = (
     re.compile(r"[一-鿿]{2}|[^\W\d_]{3,}"),
     3,
 )  # words of a sentence, two signs each in Chinese; how many make one
+_SINES = re.compile(r"sin|cos|sen", re.IGNORECASE)
 TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # a mark of an equation even if its names are unknown
 
 
@@ -80,7 +82,10 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
         for meant, asks in without_edges(text, names.is_single)
         for one in _readings(meant, names)[0]
     ]
-    found = sorted([*found, *shorter], key=lambda one: one.is_partial)  # a word before a chain is cut rather than its first side
+    found += shorter
+    if text.count("=") > 1 and _is_cut(text, found):
+        found = [replace(one, is_partial=True) for one in found]
+    found.sort(key=lambda one: one.is_partial)  # a word before a chain is cut rather than its first side
     first = next((one for one in found if not one.is_loose), None)
     if first is not None:
         found += map(_loosely, in_smaller_units(first.tree, variant))
@@ -94,6 +99,12 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and TURNED.search(short) is not None)
     is_prose = not relates and _is_prose(short, names)
     return EquationLine(file, line, short, fault=told, others=tuple(found), relates=relates, is_prose=is_prose)
+
+
+def _is_cut(text: str, found: Sequence[EquationReading]) -> bool:
+    """Return whether a text has more sines and cosines than all sides that were read of it."""
+    sides = {side.strip() for one in found for side in (one.text or text).split("=")}
+    return sum(len(_SINES.findall(side)) for side in sides) < len(_SINES.findall(text))
 
 
 def _loosely(tree: Formula) -> EquationReading:

@@ -26,7 +26,7 @@ from coursework.grading.reading.equations.repair import is_name, is_product
 from coursework.grading.reading.files.printed import PAIR
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.unit_names import unit_of
-from coursework.variant.formula.tree import Formula, evaluate_any
+from coursework.variant.formula.tree import Formula, constant, evaluate_any
 from coursework.words.errors import Fault
 
 _QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*(?:[^\d\s=*+()]{0,8}(?:[-^]?\d)?|(.{1,12}?))\s*[.,;]?\s*")
@@ -82,7 +82,7 @@ def definition(text: str, names: Names) -> tuple[str, Formula] | None:
         return None
     read = [read_as_one(f"0 = {in_si(side)}", names) for side in formula.split("=", _MOST_SIDES)]
     trees = [one.tree.args[1] for one in read if not isinstance(one, Fault)]
-    said = [tree for tree in trees if [*tree.names()]] or trees  # D = R + r = 0.12 m says what D is, and its value
+    said = [tree for tree in trees if constant(tree) in {None, 0}] or trees  # D = R + r = 0.12 m says what D is, and its value
     is_same = len(trees) == len(read) and all(_are_equal(said[0], tree) for tree in said[1:])
     return (plain_name(name), said[0]) if is_same else None
 

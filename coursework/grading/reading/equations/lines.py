@@ -102,7 +102,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
         again = _read_lines(said, name, expected, beside, kept)
         if any(line.tree is not None for line in again.equations):
             lines = (replace(line, may_be_datum=line.tree is not None) for line in again.equations)
-            found.equations = [line for line in lines if line.tree is not None or line.relates]
+            found.equations, found.passed = [line for line in lines if line.tree is not None or line.relates], again.passed
     if beside is None and found.equations:
         found.equations += filter(None, map(kept, found.passed))
     return found

@@ -29,7 +29,7 @@ def as_questions(
 ) -> list[EquationLine]:
     """Return the first lines that may be velocity equations: with a sine, a sought velocity and another name than velocities.
 
-    Those `named`, taken for a definition of the student's own name, were put in where it stands: they are but a part.
+    Those `named` were taken for the definition of a name of the student, and asked about only if no equation has that name.
     """
     taken = {line.line for line in read}
     found = [
@@ -39,9 +39,17 @@ def as_questions(
         )
         for lines in (passed, named)
         for number, line in lines
-        if number not in taken and _may_be_one(line[:EQUATION_CHARACTERS], names)
+        if number not in taken
+        and not (lines is named and _is_used(line, read))
+        and _may_be_one(line[:EQUATION_CHARACTERS], names)
     ]  # fmt: skip
     return found[:_MOST]
+
+
+def _is_used(line: str, read: Sequence[EquationLine]) -> bool:
+    """Return whether the name that a line defines stands in an equation, so that its formula is read there."""
+    name = line.partition("=")[0].strip(" :$\\{}")
+    return any(name in one.text for one in read)
 
 
 def _may_be_one(text: str, names: Names) -> bool:

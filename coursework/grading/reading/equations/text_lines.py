@@ -72,7 +72,7 @@ def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = N
         yield from ((number, said) for said in names_said(line, spellings))
         line = without_comments_of_fortran(line) if fortran else line
         bare = unquoted(without_constants(without_remarks(parted_at_slashes(line, names))))
-        passed += [(number, line)] if "=" in line and "=" not in bare else []
+        passed += [(number, line)] if "=" in line and "=" not in bare and "~~" not in line else []  # not what was struck out
         bare = without_declarations(bare, spellings)
         bare = by_components(in_one_vector(bare), spellings.canonical) if "[" in bare else bare
         bare = by_axes(bare)

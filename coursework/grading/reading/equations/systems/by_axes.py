@@ -61,7 +61,7 @@ def _term(term: str) -> tuple[str, str] | None:
         content = rest[begin + 1 : end]
         cut = _cut(content)
         before, behind = rest[:begin].strip(" *·"), rest[end + 1 :].strip(" *·.'ᵀ")
-        if cut and "," not in before + behind:
+        if cut and {*",;["}.isdisjoint(before + behind):
             factors = "".join(f"{one}*" for one in (before, behind) if one)
             return f"{sign}{factors}({content[:cut].strip()})", f"{sign}{factors}({content[cut + 1 :].strip()})"
     return None

@@ -1,4 +1,4 @@
-"""A product of matrices drawn over several lines, [ a  b ] [x] = [e] above [ c  d ] [y]   [f] -> the product in one line.
+"""What is drawn over several lines -> one line: [ a  b ] [x] = [e] above [ c  d ] [y]   [f], or a fraction with its bar.
 
 Enters: a text.  Leaves: the text with such a block in its first line; other text is unchanged.  Used by `text_lines.py`.
 """
@@ -17,18 +17,23 @@ _LINE = re.compile(
 )
 _BETWEEN = re.compile(r"[\s\[\]()|⎡⎢⎣⎛⎜⎝⎤⎥⎦⎞⎟⎠*·⋅×]*(=?)[\s\[\]()|⎡⎢⎣⎛⎜⎝⎤⎥⎦⎞⎟⎠]*")  # with the signs of the drawing alone
 _APART = re.compile(r"\s{2,}|\t|,|&")
+# A quotient whose bar begins behind the sign of equality: no title that is underlined.
+_FRACTION = re.compile(r"(?m)^([^\n=]{1,80}=)([^\n=]{1,200})\n([ \t]*)[-–—―_─]{4,80}[ \t]*\n([^\n=]{1,200})$")
+_PROSE = re.compile(r"[^\W\d_]{3,}\s+[^\W\d_]{3,}")
 _FEWEST, _MOST, _LONGEST = 2, 12, 600
 
 
 def in_one_line(text: str) -> str:
-    r"""Return a text in which each product of matrices that is drawn over several lines stands in one.
+    r"""Return a text in which each product of matrices or fraction that is drawn over several lines stands in one.
 
     >>> in_one_line("[ 2*a   0 ] [w1]   [ -e ]\n[ c  -d ] [w2] = [ 0 ]\nx = 1")
     '[2*a, 0; c, -d]*[w1; w2] = [-e; 0]\n\nx = 1'
     >>> in_one_line("[a 0] [w1]   [e]\n[c + d  -b] [w2] = [f]")
     '[a, 0; c + d, -b]*[w1; w2] = [e; f]\n'
+    >>> in_one_line("w3 = a*w1\n     ----\n      b\n"), in_one_line("w3 = a\n------\nb\n")
+    ('w3 = (a*w1)/(b)\n\n\n', 'w3 = a\n------\nb\n')
     """
-    lines = text.split("\n")
+    lines = _FRACTION.sub(_quotient, text).split("\n")
     begun = (len(line) < _LONGEST and sum(map(line.count, "[|(⎡⎢⎣⎛⎝")) > _FEWEST for line in lines)
     found = [_LINE.fullmatch(line) if may_be else None for line, may_be in zip(lines, begun, strict=True)]
     place = 0
@@ -45,6 +50,12 @@ def in_one_line(text: str) -> str:
             lines[place:end] = [said, *[""] * (end - place - 1)]
         place = max(end, place + 1)
     return "\n".join(lines)
+
+
+def _quotient(found: re.Match[str]) -> str:
+    """Return the quotient that is drawn with its bar, in as many lines."""
+    is_one = len(found[3].expandtabs()) >= len(found[1]) - 1 and any(map(str.isalpha, found[4])) and not _PROSE.search(found[4])
+    return f"{found[1]} ({found[2].strip()})/({found[4].strip()})\n\n" if is_one else found[0]
 
 
 def _said(rows: Sequence[re.Match[str]]) -> str:

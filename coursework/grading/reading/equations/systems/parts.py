@@ -17,7 +17,7 @@ from coursework.variant.formula.reader import MAX_DEPTH
 
 _BETWEEN = re.compile(
     rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s&\s(?!\s*=)|\|\||\s\|\s|\s--\s|/\\|[∧⋀]|\\(?:land|wedge)(?![A-Za-z])|<br\s*/?>"
-    r"|(?<=[\w)])\.\s(?=[A-ZА-ЯІЇЄΑ-Ω][^\W\d_]{2,20}\s)|\s(?:and|und|et|y|и|та|і|且|和|en|och|og|és|samt|serta|sekä)\s"
+    r"|(?<=[\w)]):\s+(?=[^\W\d]\w{0,20}\s*:=)|(?<=[\w)])\.\s(?=[A-ZА-ЯІЇЄΑ-Ω][^\W\d_]{2,20}\s)|\s(?:and|und|et|y|и|та|і|且|和|en|och|og|és|samt|serta|sekä)\s"
     r"|\se\s(?=\w{1,6}\s*=)|\s(?:d['’]où|donc|oraz|ve|iar|si|ja|και|dan|và|și|mentre|sowie|wobei|daher|somit|hence|thus|therefore|откуда"
     r"|отсюда|звідки|звідси|stąd|skąd|de donde|da cui)\s(?=.{1,30}=)"
 )
