@@ -148,6 +148,7 @@ class EquationLine:
     stands in a document, for a person.  A line that `may_be_datum`, such as "w1 = 6.5" in a report, counts as an equation only if
     it is right.  One that was `passed_over` as a comment or the like is told only if equations are missing; so is one that
     `is_partial`, a chain a = b = c of which a side could not be read.
+    `source` is the line of the file if `text` is only a part of it or written out from it, else "".
     """
 
     file: str
@@ -164,6 +165,7 @@ class EquationLine:
     guessed: bool = False
     passed_over: bool = False
     is_partial: bool = False
+    source: str = ""
 
     @property
     def may_be_one(self) -> bool:

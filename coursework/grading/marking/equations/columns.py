@@ -15,6 +15,7 @@ _SIGNS = re.compile(f"[{_MINUS}+＋]")
 _SIGN_BEFORE = re.compile(rf"[{_MINUS}+][\s(]*\Z")
 _WORDS = re.compile(r"\\?[^\W\d_][^\W_]*(?:_\{?\w+\}?)?")
 _COMMANDS = {r"\frac", r"\dfrac", r"\tfrac", r"\cdot", r"\left", r"\right", r"\quad", r"\dot", r"\times", r"\mathrm", r"\text"}
+_LEAST = 3  # characters by which a place is known
 _LABEL = 2  # words that a line may have before its equation
 
 
@@ -43,6 +44,33 @@ def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = F
         if block.size and block.b + block.size <= place:
             best = block.a + block.size
     return min(best + 1, max(len(typed), 1))
+
+
+def column_in_source(source: str, typed: str, read: str, column: int, *, is_sign: bool = False) -> int:
+    """Return the column in the line of the file of which `typed` is a part, or from which it was written out, row by row.
+
+    >>> column_in_source("a = b; c - d = e", "c - d = e", "c - d = e", 5, is_sign=True)
+    10
+    >>> column_in_source("A = [c - d, 0; e, f]", "(c - d)*(w) + (0)*(u) = p", "(c - d)*(w) + (0)*(u) = p", 6, is_sign=True)
+    8
+    """
+    if (begun := source.find(typed)) >= 0:
+        return begun + column_as_handed_in(typed, read, column, is_sign=is_sign)
+    place = column_as_handed_in(typed, read, column)
+    if (found := _by_what_stands_around(source, typed, place)) == 0:
+        return column_as_handed_in(source, read, column, is_sign=is_sign)
+    return _sign_before(source, found) if is_sign else found
+
+
+def _by_what_stands_around(source: str, text: str, column: int) -> int:
+    """Return the column of the longest part of a text around a place that stands once in another text, 0 if there is none."""
+    begin, end = column - 1, column
+    while end < len(text) and text[begin : end + 1] in source:
+        end += 1
+    while begin and text[begin - 1 : end] in source:
+        begin -= 1
+    part = text[begin:end]
+    return source.index(part) + column - begin if len(part) >= _LEAST and source.count(part) == 1 else 0
 
 
 def has_sign(text: str, column: int) -> bool:

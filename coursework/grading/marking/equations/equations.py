@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
+from coursework.grading.marking.equations.columns import column_in_source, has_sign
 from coursework.grading.marking.equations.doubts import part_of_chain, question_of
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness, written
 from coursework.grading.marking.equations.hints import Hint
@@ -269,7 +269,7 @@ class Judge:
         if not (found := self.slips(tree, read)):
             return None
         best = found[0]
-        column = column_as_handed_in(line.text, read, best.column, is_sign=best.kind == "sign")
+        column = column_in_source(line.source or line.text, line.text, read, best.column, is_sign=best.kind == "sign")
         return Hint(best.kind, column, written(applied(tree, best)), len(found) - 1, term=spelled(term_of(tree, best)))
 
     def slips(self, tree: Formula, read: str) -> list[Edit]:

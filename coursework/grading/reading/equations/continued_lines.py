@@ -32,23 +32,28 @@ _NEAR = 300  # characters at the end of what was joined: those of a thousand lin
 def continued(lines: Iterable[tuple[int, str]], names: Names) -> Iterator[tuple[int, str]]:
     """Yield the lines, each joined with its continuation lines; a sign repeated at the line break is kept once."""
     first, kept = 0, ""
+    is_part = False  # what was joined is known to be a part: it is not read again with each of a thousand terms
     for number, line in lines:
-        if kept and line.strip() and len(kept) < EQUATION_CHARACTERS and _goes_on(kept, line, names):
+        if kept and line.strip() and len(kept) < EQUATION_CHARACTERS and _goes_on(kept, line, names, is_part):
             begun = (kept[:-_NEAR] + _GOES_ON_SIGN.sub("", kept[-_NEAR:])).rstrip()
             # The sixth sign of such a line is no part of the equation where the first one begins in the seventh column.
             mark = _FIXED.match(line) if kept.startswith(_STATEMENT) else None
             rest = _ALIGNED.sub("", mark[1] if mark else line)
+            is_part = "=" not in kept and _BEGINS.match(rest) is not None and is_part_of_equation(rest, names)
             kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()
             continue
         if kept:
             yield first, kept
-        first, kept = number, line
+        first, kept, is_part = number, line, False
     if kept:
         yield first, kept
 
 
-def _goes_on(kept: str, line: str, names: Names) -> bool:
-    """Return whether `line` continues `kept`: `kept` ends with a sign or in an open parenthesis, or `line` begins with a sign."""
+def _goes_on(kept: str, line: str, names: Names, is_part: bool) -> bool:
+    """Return whether `line` continues `kept`: `kept` ends with a sign or in an open parenthesis, or `line` begins with a sign.
+
+    `is_part` says that `kept` is known to be a part of an equation.
+    """
     if _FIXED.match(line) and "=" in kept:
         return True
     near = max(len(kept) - _NEAR, 0)
@@ -71,8 +76,8 @@ def _goes_on(kept: str, line: str, names: Names) -> bool:
     if both or not _BEGINS.match(rest):
         return False
     if "=" in line:
-        return line[:1].isspace() or is_part_of_equation(kept, names)
-    if "=" not in kept and rest.startswith("+") and is_part_of_equation(kept, names):
+        return line[:1].isspace() or is_part or is_part_of_equation(kept, names)
+    if "=" not in kept and rest.startswith("+") and (is_part or is_part_of_equation(kept, names)):
         return True
     rest += ")" * (rest.count("(") - rest.count(")"))  # of a quotient whose denominator goes on in the next line
     return "=" in kept and not VANISHED.search(kept) and is_equation_without_sign(rest, names)

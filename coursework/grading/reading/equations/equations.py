@@ -172,7 +172,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
                 found += [
                     replace(one, guessed=one.guessed or closely)
                     for one in read
-                    if one.text not in {o.text for o in found if not o.is_loose}
+                    if all(one.text != o.text and one.tree != o.tree for o in found if not o.is_loose)
                 ]
     for candidate in written:
         if zero := _FUNCTION_OF_ROOTS.fullmatch(without_labels(candidate)):

@@ -57,10 +57,25 @@ _ASIAN_BEHIND = re.compile(rf"(?<![{ASIAN}])[{ASIAN}][{ASIAN}\s.,;:]*$")  # "= u
 _POINTS = re.compile(r"^(?:[ :,]|\.(?!\d))+", re.ASCII)  # after the words; a point before a digit is decimal
 # Words behind an equation that change it, and a term there.
 CHANGES = re.compile(
-    r"\b(?:half|halved|twice|doubled?|minus|plus|times|squared|negated|negative|divided|multiplied|halb\w*|doppelt\w*|mal|durch(?!\s+(?:Punkt|de[nr]|das|die))|geteilt"
-    r"|половин\w*|пополам|вдвое|удво\w*|минус|плюс|умнож\w*|дел[её]н\w*|мінус|помнож\w*)\b|[半倍负負减減乘除]|加(?!速度)|절반|배|빼기|더하기",
+    r"\b(?:opposite\s+sign|half|halved|twice|doubled?|minus|plus|times|squared|negated|negative|divided|multiplied|halb\w*|doppelt\w*|mal|durch(?!\s+(?:Punkt|de[nr]|das|die))|geteilt"
+    r"|половин\w*|пополам|вдвое|удво\w*|минус|плюс|умнож\w*|дел[её]н\w*|мінус|помнож\w*)\b"
+    r"|半(?![径徑圆圓周圈])|[倍负負]|[减減](?!速)|乘(?!积)|除(?!了)|加(?!速)|절반|배|빼기|더하기",
     re.IGNORECASE,
 )
+# Such words that change nothing: part of a turn, when it holds, one length of the drawing told by another, an axis.
+_KEEPS = re.compile(
+    r"\b(?:for|in|during|after|on|every|each|first|second|für|während|nach|ersten?|на|за|в|после|перв\w{2}|втор\w{2})\s+"
+    r"(?:a\s+|the\s+|der\s+|die\s+|eine\s+)?(?:half|halbe[nr]?|половин[аеуы])\s+(?:a\s+|of\s+(?:a|the)\s+|der\s+)?"
+    r"(?:turn|revolution|period|cycle|Umdrehung|Periode|оборота|периода)\b"
+    r"|\b[A-Z]{2}\s+(?:is|ist)\s+(?:twice|half|doppelt\s+so\s+lang\s+wie)\s+(?:of\s+)?[A-Z]{2}\b|\bhalf\s+of\s+[A-Z]{2}\s+is\s+\w{1,3}\b"
+    r"|\b(?:all|these|other)\s+times\b|\btimes\s+are\s+in\b|\bprojection\s+on(?:to)?\s+the\s+negative\s+[xy](?:[\s-]axis)?\b",
+)
+# Why there is a minus, or a plus; said of an equation that has none, it may be one that is missing.
+_WHY = (
+    r"(?i:\b(?:(?:the|das)\s+)?(?:знак\s+)?(?:{})(?:\s+sign|zeichen)?\s*(?::|,?\s+(?:because|since|as|means|shows|says|weil|da|bedeutet|heißt"
+    r"|так\s+как|потому|означает|показывает|бо|оскільки|означає)\b)|{}号(?:表示|说明|意味|是因为))"
+)
+_WHY_MINUS, _WHY_PLUS = (re.compile(_WHY.format(*words)) for words in (("minus|минус|мінус", "[负負]"), ("plus|плюс", "正")))
 _TERM = re.compile(rf"[\s,.;]*(?:[^\W\d_]{{2,12}}\s+|{ARROW}|\()\s*[-+−–]\s*([^\W_]\w*)")
 _RATIO = re.compile(r"[\w)]\s*:\s*[\w(][^=:]*=[^=:]*[\w)]\s*:\s*[\w(][^=:]*$")
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
@@ -207,7 +222,14 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     ended = _cut(text, is_name)
     behind = text[len(ended) :]
     term = _TERM.match(behind)
-    return text if CHANGES.search(behind) or (term and (term[1].isdigit() or is_name(term[1]))) else ended
+    return text if _changes(behind, ended) or (term and (term[1].isdigit() or is_name(term[1]))) else ended
+
+
+def _changes(behind: str, equation: str) -> bool:
+    """Return whether words behind an equation may change it, as "halved" does, and "minus" where none stands in it."""
+    for sign, why in (("-", _WHY_MINUS), ("+", _WHY_PLUS)):
+        behind = why.sub("", behind) if sign in equation else behind
+    return CHANGES.search(_KEEPS.sub("", behind)) is not None
 
 
 def _cut(text: str, is_name: Callable[[str], bool]) -> str:

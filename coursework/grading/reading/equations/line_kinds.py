@@ -1,7 +1,7 @@
 """The kind of a line of text: a definition of the student, a datum, an equation without a sign, part of an equation …
 
 Enters: lines, `Names`.  Leaves: the answers to such questions; nothing is marked here.
-Used by `lines.py`, `text_lines.py` and `continued_lines.py`.
+Used by `lines.py`, `own_names.py`, `text_lines.py` and `continued_lines.py`.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from coursework.grading.reading.equations.repair import is_name, is_product
 from coursework.grading.reading.files.printed import PAIR
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.unit_names import unit_of
-from coursework.variant.formula.tree import Formula, constant, evaluate_any
+from coursework.variant.formula.tree import Formula, constant, evaluate_any, terms
 from coursework.words.errors import Fault
 
 _QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*(?:[^\d\s=*+()]{0,8}(?:[-^]?\d)?|(.{1,12}?))\s*[.,;]?\s*")
@@ -83,11 +83,11 @@ def definition(text: str, names: Names) -> tuple[str, Formula] | None:
     read = [read_as_one(f"0 = {in_si(side)}", names) for side in formula.split("=", _MOST_SIDES)]
     trees = [one.tree.args[1] for one in read if not isinstance(one, Fault)]
     said = [tree for tree in trees if constant(tree) in {None, 0}] or trees  # D = R + r = 0.12 m says what D is, and its value
-    is_same = len(trees) == len(read) and all(_are_equal(said[0], tree) for tree in said[1:])
+    is_same = len(trees) == len(read) and all(are_equal(said[0], tree) for tree in said[1:])
     return (plain_name(name), said[0]) if is_same else None
 
 
-def _are_equal(one: Formula, other: Formula) -> bool:
+def are_equal(one: Formula, other: Formula) -> bool:
     """Return whether two formulas have the same value with some number for each name: D = a*b - c*d = … in two steps."""
     values = {name: 0.7 + 0.13 * place for place, name in enumerate(sorted({*one.names(), *other.names()}))}
     try:
@@ -154,6 +154,14 @@ def is_equation_without_sign(text: str, names: Names) -> bool:
     if not names_in(text, names.spellings):
         return False
     return not isinstance(read_as_one(text, names), Fault) or _is_mostly_names(text, names)
+
+
+def only_names_a_term(text: str, tree: Formula, names: Names) -> bool:
+    """Return whether a line without "=" may be no equation but name a term: "we divide by r1*w1", "r1*w1"."""
+    if relates_two_sides(text):
+        return False
+    strange = [word for word in WORD.findall(plain_signs(text)) if not names.is_name(word)]
+    return len(strange) > 1 or sum(constant(term) != 0 for term in terms(tree)) == 1
 
 
 def is_part_of_equation(text: str, names: Names) -> bool:

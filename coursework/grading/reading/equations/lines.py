@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import islice, pairwise
 
@@ -34,16 +33,16 @@ from coursework.grading.reading.equations.line_kinds import (
     is_row,
     is_step,
     is_vector_sum,
-    no_velocity,
-    own_name,
+    only_names_a_term,
     says_nothing,
 )
 from coursework.grading.reading.equations.list_marks import sign_of_list
-from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.equations.notation.signs import VANISHED, plain_signs, relates_two_sides
+from coursework.grading.reading.equations.own_names import defines, definitions_of, may_vanish, sections_of
 from coursework.grading.reading.equations.passed_over import as_questions
 from coursework.grading.reading.equations.plain_text import plain
 from coursework.grading.reading.equations.row_values import is_of_one_row
+from coursework.grading.reading.equations.systems.complex_factors import by_parts
 from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.systems.parts import parts_of
 from coursework.grading.reading.equations.text_lines import text_lines
@@ -57,15 +56,12 @@ from coursework.words.errors import Fault
 _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur in equations
 # Of a table, with nothing but numbers.
 _ROW = re.compile(r"^[-+−]?\d[^;\t ,\n]*+(?:[;\t ]|,[^,\n]*+,)[-+−\d.,eE;\t ]*+$", re.MULTILINE)
-_OF_A_POINT = re.compile(r"V[a-z]{1,3}")  # V_a = a·ω1, no product with a datum V although nothing else is said of it
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
 _COMMENTED = re.compile(r"^[ \t]*(?:#+|//+|%+)[ \t]*(?=[^\s=])", re.MULTILINE)  # the sign of a line that is a comment
-_FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
-_GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*)(?:\w{1,20}\s*[,;]\s*)+\w{1,20}\s*(?:[\])}]|$)")
 # Limits on time: per equation that may be handed in, so many lines of a text are tried; in all, so many characters. A
 # line longer than a formula counts more than it has: its time grows with the square of its length.
 _TRIED, _CHARACTERS = 10, 60_000
-_MOST_LINES, _MOST_DEFINITIONS, _PASSES = 20_000, 100, 3
+_MOST_LINES, _MOST_SIDES = 20_000, 3
 
 
 @dataclass(slots=True)
@@ -114,9 +110,23 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
     passed, named = list[tuple[int, str]](), list[tuple[int, str]]()
     pieces = _pieces(text, names, passed) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
     names, lines = with_legend(list(islice(pieces, _MOST_LINES)), names)
-    sections = _sections(lines, names) if beside is None else [len(lines)]
-    meanings = _definitions(lines, names, sections) if beside is None else [{}]
+    sections = sections_of(lines, names) if beside is None else [len(lines)]
+    meanings = definitions_of(lines, names, sections) if beside is None else [{}]
     listed = sign_of_list([line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical)
+    handed_in = text.split("\n")
+
+    def read_from(number: int, line: str, names: Names) -> EquationLine:
+        """Return a line as an equation, with the line of the text that it is from."""
+        source = handed_in[number - 1] if number <= len(handed_in) else ""
+        is_other = source != line and len(source) <= EQUATION_CHARACTERS
+        return replace(read_line(line, name, number, names), source=source if is_other else "")
+
+    def at_rest(number: int, line: str, names: Names) -> Iterator[EquationLine]:
+        """Yield the line of a point's velocity, V_P = …, as it is if the point rests; it counts only if it is right so."""
+        zero = may_vanish(line, names)
+        if zero and (one := kept(read_from(number, line, names))):
+            yield one.read_as(zero, fault=None, others=(), guessed=True, may_be_datum=True)
+
     found, answers, tried, characters = Lines(), dict[str, AnswerLine](), 0, 0
     own, with_own, defined = dict[str, Formula](), names, set[str]()
     for place, (number, line) in enumerate(lines):
@@ -130,19 +140,26 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
         elif beside is not None:
-            read = read_line(line, name, number, names)
+            read = read_from(number, line, names)
             found.equations += [read] if relates(read, names) else []
-        elif _defines(line, own, names, defined) or (
+        elif defines(line, with_own, defined) or (
             line.count("=") > 1 and not VANISHED.search(line) and definition(line, with_own)
         ):
             named += [(number, line)]
-        elif not (is_datum(line, names) or is_step(line, names) or is_row(line) or is_question(line, names)):
-            one = kept(read_line(line, name, number, with_own)) if _is_equation(line, names) else None
+            found.equations += at_rest(number, line, with_own)
+        elif is_datum(line, names) or is_step(line, names) or is_row(line) or is_question(line, names):
+            found.equations += at_rest(number, line, with_own)
+        else:
+            one = kept(read_from(number, line, with_own)) if _is_equation(line, names) else None
             if one and is_vector_sum(line, names):  # of one axis, if its parts are defined so
                 one = replace(one, may_be_datum=True) if one.tree else None
-            is_one = one and (one.tree or not says_nothing(line, with_own))
-            found.equations += [one] if one and is_one else []
-            passed += [] if is_one else [(number, line)]
+            if one and one.tree is not None and only_names_a_term(line, one.tree, with_own):
+                one = replace(one, may_be_datum=True)
+            if one and (one.tree is not None or not says_nothing(line, with_own)):
+                found.equations.append(one)
+            else:
+                found.equations += at_rest(number, line, with_own)
+                passed.append((number, line))
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
     checks = [is_of_one_row(line, names) for line in found.equations]
@@ -158,13 +175,18 @@ def _pieces(text: str, names: Names, passed: list[tuple[int, str]]) -> Iterator[
     """Yield the equations and answers; one line may contain several.  What is none is added to `passed`."""
     for number, line in text_lines(text, names, passed):
         for part in parts_of(line):
-            yield from ((number, one) for one in real_and_imaginary(part) or _sides_apart(part, names))
+            yield from ((number, one) for one in _in_parts(part, names) or _sides_apart(part, names))
+
+
+def _in_parts(line: str, names: Names) -> list[str]:
+    """Return the two parts of an equation of complex numbers, [] for any other line."""
+    return real_and_imaginary(line) or by_parts(line, names.spellings)
 
 
 def _sides_apart(line: str, names: Names) -> list[str]:
     """Return vP = … = … as two equations, if they give one velocity by different others and so are no steps of one."""
     sought = {*names.expected.variant.sought}
-    name, *sides = line.split("=") if 2 <= line.count("=") <= _PASSES else [line]
+    name, *sides = line.split("=") if 2 <= line.count("=") <= _MOST_SIDES else [line]
     found = [names_in(side, names.spellings) & sought for side in sides]
     if (
         len(found) < 2
@@ -192,88 +214,6 @@ def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, st
 
 def _is_equation(line: str, names: Names) -> bool:
     return "=" in line or relates_two_sides(line[:EQUATION_CHARACTERS]) or is_equation_without_sign(line, names)
-
-
-def _sections(lines: Sequence[tuple[int, str]], names: Names) -> list[int]:
-    """Return where sections of a text end: a new one begins where a name that was used gets another formula.
-
-    A program that solves one system after another calls their matrices and determinants by the same names. Velocities (V_Bx of
-    two links) and labels of sums (V_D = … = 0) are not defined anew.
-    """
-    whole, lines = len(lines), lines[:_MOST_DEFINITIONS]
-    left = [line.partition("=")[0].strip() for _, line in lines]
-    again = {name for name, count in Counter(left).items() if count > 1 and name}
-    known: dict[str, str] = {}
-    used, ends = set[str](), list[int]()
-    for place, (_, line) in enumerate(lines) if again else ():
-        name, formula = own_name(line, names.spellings) if left[place] in again else ("", "")
-        called = plain_name(name)
-        if name and name[:1] not in "vV" and not VANISHED.search(line):
-            if known.get(called, formula) != formula and called in used:
-                ends.append(place)
-                known, used = {}, set()
-            known[called] = formula
-        used |= {*map(plain_name, WORD.findall(line.partition("=")[2]))} & known.keys()
-    return [*ends, whole]
-
-
-def _definitions(lines: Sequence[tuple[int, str]], names: Names, ends: Sequence[int]) -> list[dict[str, Formula]]:
-    """Return for each section the student's own names with their formulas, its own before those of the sections around it."""
-    words, sections = _words(lines), [lines[begin:end] for begin, end in pairwise([0, *ends])]
-    found: list[dict[str, Formula]] = []
-    for section in sections:
-        found.append(_defined(section, names, words, found[-1] if found else {}))
-    for place in reversed(range(len(found) - 1)):  # in a program the data may follow the formulas that use them
-        found[place] = _defined(sections[place], names, words, found[place + 1] | found[place])
-    return found
-
-
-def _words(lines: Sequence[tuple[int, str]]) -> Mapping[str, int]:
-    """Return in how many lines each name stands."""
-    spoken = [plain_signs(line[:EQUATION_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
-    # A list that a program only returns, as in return [f1, f2], holds residuals: it is no use of the names.
-    spoken = [_GATHERED.sub("", line) for line in spoken]
-    return Counter(plain_name(word) for line in spoken for word in {*WORD.findall(line)})
-
-
-def _defined(
-    lines: Sequence[tuple[int, str]], names: Names, words: Mapping[str, int], before: Mapping[str, Formula]
-) -> dict[str, Formula]:
-    """Return the student's own names that other lines use, with their formulas; a formula may use other such names."""
-    names_left = {plain_name(name) for line in lines[:_MOST_DEFINITIONS] if (name := own_name(line[1], names.spellings)[0])}
-    own = {name: formula for name, formula in before.items() if name not in names_left}
-    with_own = replace(names, own=own, spellings=names.spellings.with_own(dict.fromkeys([*before, *names_left])))
-    labels: set[str] = set()  # names that label several lines: V_D = … = 0 along x, and again along y
-    for turn in range(_PASSES):  # in a program the data may follow the formulas that use them
-        met, is_waiting = set[str](), False
-        for _, line in lines[:_MOST_DEFINITIONS]:
-            if {*map(plain_name, WORD.findall(line.partition("=")[2]))} & names_left - own.keys():
-                is_waiting = True
-                if turn < _PASSES - 1:
-                    met.add(plain_name(own_name(line, names.spellings)[0]))
-                    continue
-            if (found := definition(line, with_own)) and (
-                words[found[0]] > 1 or _OF_A_POINT.fullmatch(found[0]) or no_velocity(line, names)
-            ):
-                if found[0] in met:
-                    labels |= {found[0]} if VANISHED.search(line) else set()
-                else:
-                    own.setdefault(*found)
-                met.add(found[0])
-        if not is_waiting:
-            break
-    return {name: formula for name, formula in own.items() if name not in labels}
-
-
-def _defines(line: str, own: Mapping[str, Formula], names: Names, before: set[str]) -> bool:
-    """Return whether a line defines a name of the student; a second formula for a velocity (V_Bx of two links) is an equation."""
-    name, formula = own_name(line, names.spellings) if own else ("", "")
-    called = plain_name(name)
-    if called not in own or (called in before and name[:1] in "vV" and WORD.search(_FUNCTION.sub("", formula))):
-        return False
-    before.add(called)
-    # V_Cy = … = 0 is also an equation; V_Cy = 0.3*4.1 = 1.23 is its value in some row.
-    return "=" not in formula or not WORD.search(_FUNCTION.sub("", formula))
 
 
 def relates(read: EquationLine, names: Names) -> bool:

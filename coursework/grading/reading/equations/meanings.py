@@ -16,6 +16,7 @@ from coursework.grading.reading.equations.names_in_text import plain_name
 from coursework.grading.reading.expected import Expected
 from coursework.mechanism.mechanism import build
 from coursework.variant.dimensions.exponents import LENGTH
+from coursework.variant.dimensions.formulas import Clash, Measurer
 from coursework.variant.formula.reader import MAX_NODES
 from coursework.variant.formula.tree import Formula, constant, mapped, named, number, terms, with_names, with_points
 from coursework.variant.record.places import measures
@@ -24,7 +25,8 @@ from coursework.variant.record.variant import Variant
 Meanings = Mapping[str, Formula]
 _SAME = 1e-9
 _IN_A_METRE = (1000, 100)  # mm, cm
-_FACTOR = 2  # numbers up to this are factors and no lengths in mm or cm
+_FACTOR = 2  # numbers up to this are factors and no lengths in mm or cm, as are those up to such a part of the shortest length
+_LEAST_LENGTH = 0.02
 _SHORT = {"c": "cos", "s": "sin", "C": "cos", "S": "sin", "cos": "cos", "sin": "sin"}
 _KINDS = {**dict.fromkeys(("theta", "psi", "alpha", "beta", "gamma", "q", "p"), "rad"), **dict.fromkeys(("l", "L"), "m")}
 _END_POINTS = re.compile(r"[|\s]*([A-Z]\w?'?)\s*-?\s*([A-Z]\w?'?)[|\s]*")
@@ -113,18 +115,38 @@ def in_smaller_units(tree: Formula, variant: Variant) -> Iterator[Formula]:
         tree = with_names(tree, lambda name: Formula("*", (name, turns)) if name.name in speeds else name)
         yield tree
     lengths = _with_lengths(variant)
-    if lengths.keys().isdisjoint(tree.names()) or not any(
-        node.op == "number" and abs(node.value) > _FACTOR for node in tree.walk()
-    ):
-        return  # beside lengths in mm a term without one, as in … + w1, would be small enough to pass as rounding
-
+    if lengths.keys().isdisjoint(tree.names()):
+        return
     for factor in _IN_A_METRE:
+        # Beside lengths in mm a term without one, as in … + w1, would be small enough to pass as rounding.
+        if not _has_a_length_in_each_term(tree, variant, factor):
+            continue
 
         def scaled(name: Formula, factor: int = factor) -> Formula:
             exponent = lengths.get(name.name)
             return Formula("*" if exponent == 1 else "/", (name, number(factor))) if exponent else name
 
         yield with_names(tree, scaled)
+
+
+def _has_a_length_in_each_term(tree: Formula, variant: Variant, factor: int) -> bool:
+    """Return whether some number in a line is a length in mm or cm, and whether no term lacks a length that others have."""
+    least = max(_FACTOR, factor * _LEAST_LENGTH * min((one.value for one in variant.given if one.si == "m"), default=0.0))
+    is_length = [node.op == "number" and abs(node.value) > least for node in tree.walk()]
+    if not any(is_length):
+        return False
+
+    def told(node: Formula) -> Formula:
+        """Return a formula whose small numbers are plain ones; those in arguments, sin(13.08*t), may have any unit."""
+        if node.op == "call" and node.name != "sqrt":
+            return node
+        return replace(node, si="rad") if node.op == "number" and 0 < node.value <= least else mapped(node, told)
+
+    try:
+        Measurer(measures(variant), frozenset(one.name for one in variant.given if one.si)).measure(told(tree))
+    except Clash:
+        return False
+    return True
 
 
 @lru_cache(maxsize=16)

@@ -6,7 +6,7 @@ Enters: a text or a line, `Spellings`.  Leaves: it without them; what a comment 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
@@ -19,6 +19,8 @@ _DASHED = re.compile(r":[-–—](?=\s)")  # "Along the rod:- u = …": the dash
 _STRUCK = re.compile(
     r"(?<!\S)~~(?=\S)[^~\n]{1,400}(?<=\S)~~(?!\w)(?:\s+(?:wrong|falsch|неверно|no)\b[^=]*$)?"
 )  # struck out in Markdown; in TeX two blanks
+# A term behind the sign of a comment: put away, or meant as well?
+_COMMENTED_TERM = re.compile(r"(.*=[^=]*?[^=\s])\s*(?:#|%|//|/\*|\(\*|!)\s*([-+−–][\w\s.*·⋅^(){}\\]+?)(?:\*[/)])?\s*")
 # What is said or asked of the equation before it; a term is neither.
 _ASKED = re.compile(r"\s(?:<-{1,3}|←)\s(?!\s*[-+−–])(?=[^=]*$)|\s\?{2,9}(?!\s*[-+−–*/·])")
 _WITHDRAWN = re.compile(r"\b(?:crossed|struck|wrong|falsch|ungültig|cancel|ignore|неверно|зачеркнуто)|错|划掉", re.IGNORECASE)
@@ -49,10 +51,14 @@ def without_comments_of_fortran(line: str) -> str:
     return _OF_FORTRAN.sub("", line)
 
 
-def without_remarks(line: str) -> str:
-    """Return a line without its number and the comment in it or behind it."""
-    line = _DASHED.sub(":", line)
-    line = _REMARK.sub("", _NUMBERED.sub("", _STRUCK.sub("", line)).partition("#")[0]).strip()
+def without_remarks(line: str, is_name: Callable[[str], bool]) -> str:
+    """Return a line without its number and the comment in it or behind it, unless the comment may be a term, // + r1*w1."""
+    line = _NUMBERED.sub("", _STRUCK.sub("", _DASHED.sub(":", line)))
+    term = _COMMENTED_TERM.fullmatch(line) if len(line) <= EQUATION_CHARACTERS else None
+    words = re.findall(r"[^\W\d]\w*", term[2]) if term else []
+    if term and words and all(map(is_name, words)):
+        return f"{term[1]} // {term[2]}"  # a question: no reader understands it
+    line = _REMARK.sub("", line.partition("#")[0]).strip()
     line = _SAME_AS.sub(r"\1 = \2", line) if len(line) <= EQUATION_CHARACTERS else line
     asked = _ASKED.search(line) if len(line) <= EQUATION_CHARACTERS else None
     return line[: asked.start()] if asked and "=" in line[: asked.start()] and not _WITHDRAWN.search(line) else line

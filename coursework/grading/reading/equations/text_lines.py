@@ -7,13 +7,14 @@ Used by `lines.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 from coursework.grading.reading.equations.continued_lines import continued
 from coursework.grading.reading.equations.equations import Names
 from coursework.grading.reading.equations.line_kinds import is_statement
 from coursework.grading.reading.equations.list_marks import without_line_numbers
+from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.notation.escapes import unquoted, with_line_ends
 from coursework.grading.reading.equations.notation.latex import logical_lines
 from coursework.grading.reading.equations.remarks import (
@@ -32,11 +33,13 @@ from coursework.grading.reading.equations.statements import (
     with_sign,
     without_declarations,
 )
-from coursework.grading.reading.equations.systems.by_axes import by_axes
+from coursework.grading.reading.equations.systems.by_axes import along_axes
 from coursework.grading.reading.equations.systems.cells import with_cells_named
+from coursework.grading.reading.equations.systems.component_sums import by_axes
 from coursework.grading.reading.equations.systems.components import by_components, in_one_vector
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
+from coursework.grading.reading.equations.systems.negated import with_a_name
 from coursework.grading.reading.equations.systems.of_c import without_pointers
 from coursework.grading.reading.equations.systems.own_functions import as_names
 from coursework.grading.reading.equations.systems.parts import of_row
@@ -54,6 +57,7 @@ _OF_RATES = re.compile(r"(?<!\w)([A-Za-z])(['’′\u0307])(?=\s*=\s*[\[(][\w\s,
 _SQUARED = re.compile(
     r"([^\W\d]\w{0,20})\s*(?:\^\s*\{?\s*2\s*\}?|²|\*\*\s*2)\s*=\s*+([^=]*[^=\s.,;])[\s.,;]*"
 )  # DA² = … by the law of cosines
+_ADDED = re.compile(r"([^\W\d]\w{0,19})\s*(?:(?=[-+]\s*=)|:?=\s*\1\s*(?=[-+]))([-+])\s*=?(?!=)\s*([^=]+)")
 
 
 def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = None) -> Iterator[tuple[int, str]]:
@@ -71,12 +75,14 @@ def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = N
             function, line = begun
         yield from ((number, said) for said in names_said(line, spellings))
         line = without_comments_of_fortran(line) if fortran else line
-        bare = unquoted(without_constants(without_remarks(parted_at_slashes(line, names))))
+        bare = unquoted(without_constants(without_remarks(parted_at_slashes(line, names), names.is_name)))
         passed += [(number, line)] if "=" in line and "=" not in bare and "~~" not in line else []  # not what was struck out
         bare = without_declarations(bare, spellings)
         bare = by_components(in_one_vector(bare), spellings.canonical) if "[" in bare else bare
-        bare = by_axes(bare)
-        if is_statement(bare, sought):
+        bare = along_axes(bare)
+        if added := _added(bare, names.expected.variant.velocities, spellings):
+            bare = added
+        elif is_statement(bare, sought):
             passed.append((number, bare))
             continue
         bare = as_value(of_row(bare.strip("'") if bare.startswith("'") else bare), function, sought)
@@ -89,6 +95,15 @@ def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = N
         bare = closed(bare)
         if any(map(str.isalnum, bare)):  # not an underline of signs below a title
             yield number, bare
+
+
+def _added(line: str, velocities: Sequence[str], spellings: Spellings) -> str:
+    """Return "K = K + …" for a line that adds a velocity to a name of the student, "" for any other; a step in time adds none."""
+    found = _ADDED.fullmatch(line)
+    words = {*re.findall(r"\w+", found[3])} if found else set[str]()
+    if not found or spellings.canonical(found[1]) or words.isdisjoint(velocities) or words & {"h", "dt", "t"}:
+        return ""
+    return f"{found[1]} = {found[1]} {found[2]} {found[3]}"
 
 
 def _is_name(names: Names, word: str) -> bool:
@@ -106,7 +121,7 @@ def _by_names(text: str, names: Names) -> str:
         text = re.sub(rf"(?<!\w){letter}{sign}", f"{letter}dotted", text)
     text = with_cells_named(text, names.spellings.angle, names.spellings.data)
     text = without_pointers(text, names.spellings)
-    rows = in_rows(
-        in_square_brackets(in_one_line(as_names(without_line_numbers(text), partial(_is_name, names)))), variant.sought
-    )
-    return with_entries_named(with_short_names(rows, variant, names.spellings), variant, names.spellings)
+    named = with_a_name(in_square_brackets(in_one_line(as_names(without_line_numbers(text), partial(_is_name, names)))))
+    rows = in_rows(named, variant.sought)
+    named = with_entries_named(with_short_names(rows, variant, names.spellings), variant, names.spellings)
+    return by_axes(named, names.spellings.canonical, partial(_is_name, names))

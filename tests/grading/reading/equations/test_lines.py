@@ -10,10 +10,11 @@ import pytest
 from coursework.grading.reading.equations.equations import most_lines
 from coursework.grading.reading.equations.lines import read_lines
 from coursework.variant.formula.tree import evaluate_any
+from tests.grading.reading.equations.notation.test_notations import marked
 from tests.grading.scenes import expected
 
 MOST = most_lines(expected())
-EQUATION = "w3 = 2*r1*w1"
+EQUATION, EQUATION_18 = "w3 = 2*r1*w1", "r1*w1*cos(phi1) - r3*w3*sin(phi3) + r2*w2*cos(phi2)"
 KNOWN = {
     "r1": 0.3,
     "r2": 0.7,
@@ -125,3 +126,33 @@ def test_a_sum_of_velocities_of_points_counts_if_its_parts_are_defined_and_it_is
     parts = "v_M = VMx\nv_CM = (a + c)*w3*sin(phi3)\n"
     for text, found in ((f"{parts}v_C = v_M + v_CM", [("v_C = v_M + v_CM", True)]), ("v_C = v_M + v_CM", [])):
         assert [(one.text, one.may_be_datum) for one in read_lines(text, "", expected("v110")).equations] == found
+
+
+@pytest.mark.parametrize(("text", "verdicts"), [
+    # two formulas for one name of the student, of which one has a velocity, are an equation
+    ("n = w2/w1; n = 1 - R0/R", ["right"]), ("n = w2/w1\nn = 1 + R0/R", ["wrong"]), ("n = 1 - R0/R\nn = w2/w1", ["right"]),
+    ("n = w2/w1\nn = 1 - R0/R\nu = -(R0 - R)*w1*sin(phi1) - R*n*w1*sin(psi2)", ["right", "right"]),
+    ("S = (R0 - R)*w1\nS = -R*w2", ["right"]), ("S = (R0 - R)*w1\nS = R*w2", ["wrong"]), ("n = w2/w1\nn = w2/w1", []),
+    # without one, nobody can tell which of them is meant, nor what a name is to which something is added
+    ("k = R0 - R\nk = R0 + R\nk*w1 + R*w2 = 0", ["unreadable"] * 3), ("k = R0 - R\nk = -R + R0\nk*w1 + R*w2 = 0", ["right"]),
+    ("k = (R0 - R)*w1\nk = k + R0*w1\nk + R*w2 = 0", ["unreadable"] * 3),
+    ("k = (R0 - R)*w1\nk += R0*w1\nk + R*w2 = 0", ["unreadable"] * 3),
+])  # fmt: skip
+def test_a_name_with_two_formulas_relates_them_or_is_a_question(text: str, verdicts: list[str]) -> None:
+    assert [mark.verdict for mark in marked(text, "cardan").marks] == verdicts
+
+
+@pytest.mark.parametrize("text", [
+    "we divide by r1*w1", "Делим на r3*w3", "substitute r1*w1", "the speed of C is 2*r3*w3*cos(phi3) + r3*w3*sin(phi3)",
+])  # fmt: skip
+def test_a_term_that_a_sentence_names_is_no_equation(text: str) -> None:
+    right, slip = f"so {EQUATION_18}", f"so {EQUATION_18.replace('-', '+')}"
+    assert [len(marked(f"{text}\n{line}").wrong) for line in (right, slip)] == [0, 1]
+
+
+@pytest.mark.parametrize("text", [
+    "V_P = R*w2 + R0*w1 - R*w1\nV_P = V_A + V_PA", "V_A = (R0 - R)*w1\nV_PA = R*w2\nV_P = V_A + V_PA\nV_P = 0",
+    "V_P = V_A + R*w2\nV_A = (R0 - R)*w1", "V_P = R*w2 + (R0 - R)*w1\nV_A = V_P - R*w2",
+])  # fmt: skip
+def test_the_velocity_of_a_point_at_rest_is_an_equation_though_another_line_names_it(text: str) -> None:
+    assert [marked(one, "cardan").independent for one in (text, text.replace("R*w2", "2*R*w2"))] == [1, 0]

@@ -123,3 +123,20 @@ def test_a_list_without_end_that_is_returned_takes_nothing_away() -> None:
 
 def test_a_term_with_a_number_is_no_drive_that_rests() -> None:
     assert marked("r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0.5*w1").independent == 0
+
+
+@pytest.mark.parametrize("sign", ["//", "#", "%", "/*", "(*", "!"])
+def test_a_term_in_a_comment_is_a_question(sign: str) -> None:
+    """It may be meant or put away: with it, or without it, the equation is right."""
+    before = FIRST.replace(" - r3*w3*sin(phi3) = 0", " = 0")
+    for line, term in ((FIRST, "+ r1*w1"), (before, "- r3*w3*sin(phi3)")):
+        assert marked(f"{line} {sign} {term}").unread is not None
+    assert marked(f"{FIRST} // - upwards, r1 rests").independent == 1
+
+
+@pytest.mark.parametrize("remark", ["(with a minus sign)", "minus the speed of C", "and a minus before"])
+def test_a_spoken_sign_before_words_is_no_sign_of_a_remark(remark: str) -> None:
+    """As "- sign" it was cut away in silence."""
+    line = "VMy = 2*r3*w3*cos(phi3) + r3*w3*sin(phi3)"
+    assert marked(f"{line} {remark}").unread is not None
+    assert marked(line.replace("+", "plus")).independent == 1

@@ -95,6 +95,15 @@ def test_a_term_without_a_length_is_no_rounding_of_millimetres():
     assert [mark.verdict for mark in marks.marks] == ["wrong", "wrong"]
 
 
+@pytest.mark.parametrize(("more", "verdict"), [
+    ("", "right"), (" + w1", "wrong"), (" - 2*w2", "wrong"), (" + 2.7*w1", "wrong"), (" - sin(phi1)", "wrong"),
+    (" + w1*(1 - 3)", "wrong"),
+])  # fmt: skip
+def test_a_multiple_of_an_equation_is_in_no_millimetres(more, verdict):
+    """A factor is no length in mm, beside which a term without a length would be small enough to be rounded away."""
+    assert verdicts(f"12*vF + 12*a*w1*sin(phi1) + 12*m*w2*sin(phi2 + lam){more} = 0") == [verdict]
+
+
 def test_a_slip_in_an_equation_that_a_program_keeps_under_a_name_has_its_hint():
     lines = read_lines(
         "F(2) = vF - a*w1*sin(phi1) + m*w2*sin(phi2 + lam) == 0;", "f.m", Expected(KEY.grid, KEY.variant)

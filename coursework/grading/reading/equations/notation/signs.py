@@ -44,7 +44,11 @@ _WORDS = re.compile(
 )
 VANISHED = re.compile(r"(?:[=≡]|\\equiv)(?:[\s&]|\{\})*0(?:[.,]0*)?\s*+(?:[.,;]\s*+)?(?:\\\w+\s*)*$")
 _ZERO = re.compile(r"=\s+(?:zero|null|ноль|нулю|нуль|零)\b", re.I)
-_SPOKEN = re.compile(r"(?<=[\w)]\s)(plus|minus|плюс|минус|мінус)(?=\s[\w(])", re.I)
+# A spoken sign between two terms; before a word it may be one of a remark, "with a minus sign", "minus the speed of C".
+_SPOKEN = re.compile(
+    r"(?<=[\w)]\s)((?i:plus|minus|плюс|минус|мінус))(?=\s[\w(])"
+    r"(?!\s(?:the|of|as|so|in|an|at|[^\W\d_A-Z]{4,})\b(?<!alpha|gamma|delta|theta|omega)(?<!beta|sqrt))"
+)
 _UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")
 _QUOTED = re.compile(r'(?<=\w)_\s?"(\w{1,9})"')  # an index in Typst
 _OPERATOR = re.compile(r"[-+*/=^]")

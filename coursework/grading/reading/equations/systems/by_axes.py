@@ -19,12 +19,12 @@ _ZERO = re.compile(r"\s*0\s*[.,;]?\s*")
 _WORDS = re.compile(r"^(?:[^\W\d_]{3,12}\s+)?(?=v_?[A-Z{])")
 
 
-def by_axes(line: str) -> str:
+def along_axes(line: str) -> str:
     """Return a line of vectors as two equations; a line with anything else in it does not change.
 
-    >>> by_axes("v_E = v_A + w2 (-p sin f, p cos f)")
+    >>> along_axes("v_E = v_A + w2 (-p sin f, p cos f)")
     'v_Ex = v_Ax + w2*(-p sin f); v_Ey = v_Ay + w2*(p cos f)'
-    >>> by_axes("v_B - v_A = [a; b]"), by_axes("w3 = atan2(a, b)"), by_axes("v = r (a, b)")
+    >>> along_axes("v_B - v_A = [a; b]"), along_axes("w3 = atan2(a, b)"), along_axes("v = r (a, b)")
     ('v_Bx - v_Ax = (a); v_By - v_Ay = (b)', 'w3 = atan2(a, b)', 'v = r (a, b)')
     """
     if len(line) > EQUATION_CHARACTERS or "=" not in line or not ("," in line or ";" in line):

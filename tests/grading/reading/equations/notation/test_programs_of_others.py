@@ -173,7 +173,9 @@ def test_a_slip_in_what_is_to_vanish_is_one_where_the_lines_beside_it_are_right(
     ):
         found = marked(_zero(form)(PLAIN[name].replace(wrong, right)), name)
         assert sorted(mark.verdict for mark in found.marks) == ["right", "right", "right", "wrong"]
-        assert [(mark.hint.kind, mark.line.text[mark.hint.column - 1]) for mark in found.wrong] == [("sign", right[0])]
+        assert [(mark.hint.kind, (mark.line.source or mark.line.text)[mark.hint.column - 1]) for mark in found.wrong] == [
+            ("sign", right[0])
+        ]
 
 
 def test_what_a_text_defines_without_end_is_left_as_it_stands():
