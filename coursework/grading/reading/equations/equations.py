@@ -102,9 +102,10 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
 
 
 def _is_cut(text: str, found: Sequence[EquationReading]) -> bool:
-    """Return whether a text has more sines and cosines than all sides that were read of it."""
+    """Return whether a text has more sines and cosines than all sides that were read of it; those of numbers do not count."""
     sides = {side.strip() for one in found for side in (one.text or text).split("=")}
-    return sum(len(_SINES.findall(side)) for side in sides) < len(_SINES.findall(text))
+    typed = (side for side in text.split("=") if not is_value(side.strip()))
+    return sum(len(_SINES.findall(side)) for side in sides) < sum(len(_SINES.findall(side)) for side in typed)
 
 
 def _loosely(tree: Formula) -> EquationReading:
