@@ -17,7 +17,7 @@ from coursework.grading.marking.table.causes.clockwise import turned_back
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.marking.verdicts import telling_steps
-from coursework.grading.reading.equations.equations import DASH
+from coursework.grading.reading.equations.formulas.equations import DASH
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import FileEntry, StudentWork

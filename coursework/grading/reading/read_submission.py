@@ -21,7 +21,7 @@ from coursework.grading.reading.documents.read_document import (
     lines_of_document,
     tables_of_document,
 )
-from coursework.grading.reading.equations.equations import TURNED, most_lines
+from coursework.grading.reading.equations.formulas.equations import TURNED, most_lines
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.variant_files import is_variant_file, read_variant_file
 from coursework.grading.reading.expected import Expected

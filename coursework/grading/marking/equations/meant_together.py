@@ -10,8 +10,8 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 
 from coursework.grading.marking.equations.doubts import asked
-from coursework.grading.reading.equations.labels import without_labels
-from coursework.grading.reading.equations.list_marks import dash_apart
+from coursework.grading.reading.equations.formulas.labels import without_labels
+from coursework.grading.reading.equations.text.list_marks import dash_apart
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.words.sentences import say
 

@@ -21,9 +21,9 @@ from coursework.grading.reading.documents.office.odt import document_of_odt, is_
 from coursework.grading.reading.documents.office.rtf import document_of_rtf, is_rtf
 from coursework.grading.reading.documents.page import document_of_latex, document_of_page, has_tables
 from coursework.grading.reading.documents.pdf.pdf import document_of_pdf, is_pdf
-from coursework.grading.reading.equations.equations import Names, names_for, names_of
+from coursework.grading.reading.equations.formulas.equations import Names, names_for, names_of
+from coursework.grading.reading.equations.formulas.names_in_text import BUILT_IN
 from coursework.grading.reading.equations.lines import Lines, read_lines
-from coursework.grading.reading.equations.names_in_text import BUILT_IN
 from coursework.grading.reading.equations.notation.signs import ARROW, relates_two_sides
 from coursework.grading.reading.expected import Expected, Grid
 from coursework.grading.reading.files.archive import Archive

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from itertools import islice, pairwise
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import (
+from coursework.grading.reading.equations.formulas.equations import (
     TURNED,
     WORD,
     Names,
@@ -24,8 +24,13 @@ from coursework.grading.reading.equations.equations import (
     read_as_one,
     read_line,
 )
-from coursework.grading.reading.equations.legends import with_legend
-from coursework.grading.reading.equations.line_kinds import (
+from coursework.grading.reading.equations.formulas.plain_text import plain
+from coursework.grading.reading.equations.notation.signs import VANISHED, plain_signs, relates_two_sides
+from coursework.grading.reading.equations.systems.complex_factors import by_parts
+from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
+from coursework.grading.reading.equations.systems.parts import parts_of
+from coursework.grading.reading.equations.text.legends import with_legend
+from coursework.grading.reading.equations.text.line_kinds import (
     definition,
     is_datum,
     is_equation_without_sign,
@@ -36,16 +41,11 @@ from coursework.grading.reading.equations.line_kinds import (
     only_names_a_term,
     says_nothing,
 )
-from coursework.grading.reading.equations.list_marks import sign_of_list
-from coursework.grading.reading.equations.notation.signs import VANISHED, plain_signs, relates_two_sides
-from coursework.grading.reading.equations.own_names import defines, definitions_of, may_vanish, sections_of
-from coursework.grading.reading.equations.passed_over import as_questions
-from coursework.grading.reading.equations.plain_text import plain
-from coursework.grading.reading.equations.row_values import is_of_one_row
-from coursework.grading.reading.equations.systems.complex_factors import by_parts
-from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
-from coursework.grading.reading.equations.systems.parts import parts_of
-from coursework.grading.reading.equations.text_lines import text_lines
+from coursework.grading.reading.equations.text.list_marks import sign_of_list
+from coursework.grading.reading.equations.text.own_names import defines, definitions_of, may_vanish, sections_of
+from coursework.grading.reading.equations.text.passed_over import as_questions
+from coursework.grading.reading.equations.text.row_values import is_of_one_row
+from coursework.grading.reading.equations.text.text_lines import text_lines
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading

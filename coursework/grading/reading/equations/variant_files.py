@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from coursework.grading.reading.equations.equations import names_for, names_in, strictly
+from coursework.grading.reading.equations.formulas.equations import names_for, names_in, strictly
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine
 from coursework.system.frozen import frozen

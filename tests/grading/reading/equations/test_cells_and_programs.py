@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from coursework.grading.reading.equations.names_in_text import spellings_of
+from coursework.grading.reading.equations.formulas.names_in_text import spellings_of
 from coursework.variant.formula.tree import named, spelled
 from tests.grading.reading.equations.notation.test_more_notations import MATRICES
 from tests.grading.reading.table.dialects import DIALECTS, archive, workbook, written

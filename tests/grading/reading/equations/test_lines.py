@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from coursework.grading.reading.equations.equations import most_lines
+from coursework.grading.reading.equations.formulas.equations import most_lines
 from coursework.grading.reading.equations.lines import read_lines
 from coursework.variant.formula.tree import evaluate_any
 from tests.grading.reading.equations.notation.test_notations import marked

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 import pytest
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import names_for, read_line
-from coursework.grading.reading.equations.line_kinds import own_name
+from coursework.grading.reading.equations.formulas.equations import names_for, read_line
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.of_r import in_brackets
 from coursework.grading.reading.equations.systems.parts import parts_of, rows_of
+from coursework.grading.reading.equations.text.line_kinds import own_name
 from tests.grading.reading.equations.notation.test_notations import PLAIN, marked
 from tests.grading.scenes import expected
 

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import re
 
-from coursework.grading.reading.equations.equations import TURNED
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.equations import TURNED
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.repair import sides_of
 from coursework.grading.reading.equations.notation.latex import without_latex
 from coursework.grading.reading.equations.notation.signs import plain_signs
-from coursework.grading.reading.equations.repair import sides_of
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.formula.reader import parse_equation
 from coursework.variant.formula.tree import Formula, FormulaFault, number, spelled

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import re
 
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.grading.reading.equations.systems.parts import at_commas
 
 _POINTED = re.compile(r"(?<![\w.)\]])([^\W\d]\w{0,20})->([^\W\d]\w{0,20})")

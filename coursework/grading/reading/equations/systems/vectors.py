@@ -11,7 +11,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 from itertools import islice
 
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.grading.reading.equations.notation.signs import closing
 from coursework.grading.reading.equations.systems.parts import at_signs
 from coursework.variant.formula.reader import FUNCTION_WORDS

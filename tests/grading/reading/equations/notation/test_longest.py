@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import pytest
 
-from coursework.grading.reading.equations.meanings import put_in
-from coursework.grading.reading.equations.names_in_text import spellings_of
+from coursework.grading.reading.equations.formulas.meanings import put_in
+from coursework.grading.reading.equations.formulas.names_in_text import spellings_of
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.vectors import with_entries_named

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from coursework.grading.reading.equations.labels import without_words
+from coursework.grading.reading.equations.formulas.labels import without_words
 from tests.grading.reading.equations.notation.notations import NOTATIONS, PLAIN, slips
 from tests.grading.reading.equations.notation.test_notations import marked
 from tests.sample import diagonal, first

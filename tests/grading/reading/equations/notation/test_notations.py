@@ -153,7 +153,7 @@ def test_definitions_that_grow_beyond_what_may_be_typed_are_refused():
 @pytest.mark.parametrize("name", ["v102", "example-1", "v108"])
 def test_lengths_by_their_end_points_in_other_mechanisms(name):
     variant = coursework.load(name)
-    from coursework.grading.reading.equations.meanings import meaning_of
+    from coursework.grading.reading.equations.formulas.meanings import meaning_of
 
     if name == "example-1":
         assert [meaning_of(pair, expected(name), {}).name for pair in ("AB", "BC", "DC", "lCD")] == ["r1", "r2", "r3", "r3"]

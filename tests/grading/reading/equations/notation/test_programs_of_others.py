@@ -7,10 +7,10 @@ import tracemalloc
 
 import pytest
 
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.plain_text import plain
 from coursework.grading.reading.equations.lines import read_lines
-from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
-from coursework.grading.reading.equations.plain_text import plain
 from tests.grading.reading.equations.notation.latex_work import each
 from tests.grading.reading.equations.notation.notations import PLAIN, _calls, _greek, _lines, _named, _tex
 from tests.grading.reading.equations.notation.test_notations import marked

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.grading.reading.equations.continued_lines import continued
-from coursework.grading.reading.equations.equations import names_for
+from coursework.grading.reading.equations.formulas.equations import names_for
+from coursework.grading.reading.equations.text.continued_lines import continued
 from tests.grading.scenes import expected
 
 NAMES = names_for(expected())

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.grading.reading.equations import line_kinds as kinds
-from coursework.grading.reading.equations import list_marks as marks
-from coursework.grading.reading.equations.equations import names_for
+from coursework.grading.reading.equations.formulas.equations import names_for
+from coursework.grading.reading.equations.text import line_kinds as kinds
+from coursework.grading.reading.equations.text import list_marks as marks
 from tests.grading.scenes import expected
 
 LONG = 4000  # characters of an equation that are read

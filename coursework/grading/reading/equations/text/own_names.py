@@ -13,10 +13,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from coursework.grading.reading.equations.equations import WORD, Names, read_as_one
-from coursework.grading.reading.equations.line_kinds import are_equal, definition, no_velocity, own_name
-from coursework.grading.reading.equations.names_in_text import plain_name
+from coursework.grading.reading.equations.formulas.equations import WORD, Names, read_as_one
+from coursework.grading.reading.equations.formulas.names_in_text import plain_name
 from coursework.grading.reading.equations.notation.signs import VANISHED, plain_signs
+from coursework.grading.reading.equations.text.line_kinds import are_equal, definition, no_velocity, own_name
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import EquationReading
 from coursework.variant.formula.tree import Formula, evaluate_any, terms

@@ -9,9 +9,9 @@ from __future__ import annotations
 import re
 from functools import partial, reduce
 
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.repair import sides_of
 from coursework.grading.reading.equations.notation.signs import depths
-from coursework.grading.reading.equations.repair import sides_of
 from coursework.variant.formula.reader import parse_equation
 from coursework.variant.formula.tree import Formula, FormulaFault, named, number, spelled
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from coursework.grading.reading.equations.equations import names_for, read_line
+from coursework.grading.reading.equations.formulas.equations import names_for, read_line
 from coursework.variant.formula.tree import evaluate
 from tests.grading.scenes import expected
 

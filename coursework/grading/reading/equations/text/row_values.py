@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from coursework.grading.reading.equations.equations import Names, names_in, names_of
+from coursework.grading.reading.equations.formulas.equations import Names, names_in, names_of
 from coursework.grading.reading.equations.notation.signs import VANISHED
 from coursework.grading.reading.student_work import EquationLine
 from coursework.grading.reading.unit_names import unit_of

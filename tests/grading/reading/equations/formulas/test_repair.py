@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.grading.reading.equations.names_in_text import Spellings
-from coursework.grading.reading.equations.repair import is_name, is_product, sides_of
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.repair import is_name, is_product, sides_of
 
 NAMES = Spellings(
     frozenset({"a", "m", "l1", "l2", "phi1", "phi3", "w3", "t", "pi", "ab"}), {"omega3": "w3", "φ3": "phi3"}, {}, frozenset({"a"})

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # the number of a line; a comment starts with # alone

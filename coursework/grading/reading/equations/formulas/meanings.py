@@ -12,7 +12,7 @@ from dataclasses import replace
 from functools import lru_cache
 from itertools import combinations
 
-from coursework.grading.reading.equations.names_in_text import plain_name
+from coursework.grading.reading.equations.formulas.names_in_text import plain_name
 from coursework.grading.reading.expected import Expected
 from coursework.mechanism.mechanism import build
 from coursework.variant.dimensions.exponents import LENGTH

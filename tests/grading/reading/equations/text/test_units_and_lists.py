@@ -2,11 +2,11 @@
 
 import pytest
 
-from coursework.grading.reading.equations.equations import names_for
+from coursework.grading.reading.equations.formulas.equations import names_for
+from coursework.grading.reading.equations.formulas.plain_text import of_units
 from coursework.grading.reading.equations.notation.degrees import with_factors
-from coursework.grading.reading.equations.plain_text import of_units
-from coursework.grading.reading.equations.slashes import parted_at_slashes
 from coursework.grading.reading.equations.systems.parts import parts_of
+from coursework.grading.reading.equations.text.slashes import parted_at_slashes
 from tests.grading.reading.equations.notation.test_notations import PLAIN, marked
 from tests.grading.scenes import expected
 

@@ -10,29 +10,10 @@ import re
 from collections.abc import Iterator, Sequence
 from functools import partial
 
-from coursework.grading.reading.equations.continued_lines import continued
-from coursework.grading.reading.equations.equations import Names
-from coursework.grading.reading.equations.line_kinds import is_statement
-from coursework.grading.reading.equations.list_marks import without_line_numbers
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.equations import Names
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.grading.reading.equations.notation.escapes import unquoted, with_line_ends
 from coursework.grading.reading.equations.notation.latex import logical_lines
-from coursework.grading.reading.equations.remarks import (
-    is_fortran,
-    names_said,
-    without_blocks,
-    without_comments_of_fortran,
-    without_constants,
-    without_remarks,
-)
-from coursework.grading.reading.equations.slashes import parted_at_slashes
-from coursework.grading.reading.equations.statements import (
-    as_value,
-    closed,
-    function_begun,
-    with_sign,
-    without_declarations,
-)
 from coursework.grading.reading.equations.systems.by_axes import along_axes
 from coursework.grading.reading.equations.systems.cells import with_cells_named
 from coursework.grading.reading.equations.systems.component_sums import by_axes
@@ -45,6 +26,25 @@ from coursework.grading.reading.equations.systems.own_functions import as_names
 from coursework.grading.reading.equations.systems.parts import of_row
 from coursework.grading.reading.equations.systems.round_matrices import in_square_brackets
 from coursework.grading.reading.equations.systems.vectors import with_entries_named, with_short_names
+from coursework.grading.reading.equations.text.continued_lines import continued
+from coursework.grading.reading.equations.text.line_kinds import is_statement
+from coursework.grading.reading.equations.text.list_marks import without_line_numbers
+from coursework.grading.reading.equations.text.remarks import (
+    is_fortran,
+    names_said,
+    without_blocks,
+    without_comments_of_fortran,
+    without_constants,
+    without_remarks,
+)
+from coursework.grading.reading.equations.text.slashes import parted_at_slashes
+from coursework.grading.reading.equations.text.statements import (
+    as_value,
+    closed,
+    function_begun,
+    with_sign,
+    without_declarations,
+)
 
 # Rows of empty cells, of which a spreadsheet may leave a million, and blanks longer than anybody types: patterns would be slow.
 _BLANKS = re.compile(r"^[;,\t ]++$|(?<=[^\S\n]{40})[^\S\n]+", re.MULTILINE)

@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from coursework.grading.reading.equations.derived_sums import derived, with_sums_derived, with_the_rest_unread
-from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, plain_name
+from coursework.grading.reading.equations.formulas.derived_sums import derived, with_sums_derived, with_the_rest_unread
+from coursework.grading.reading.equations.formulas.names_in_text import BUILT_IN, Spellings, plain_name
 from coursework.grading.reading.equations.notation.degrees import with_factors
 from coursework.grading.reading.equations.notation.latex import without_latex
 from coursework.grading.reading.equations.notation.signs import closing, depths, plain_signs

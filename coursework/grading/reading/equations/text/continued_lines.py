@@ -8,9 +8,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from coursework.grading.reading.equations.equations import Names
-from coursework.grading.reading.equations.line_kinds import is_equation_without_sign, is_part_of_equation
+from coursework.grading.reading.equations.formulas.equations import Names
 from coursework.grading.reading.equations.notation.signs import VANISHED, depths
+from coursework.grading.reading.equations.text.line_kinds import is_equation_without_sign, is_part_of_equation
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 
 _GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|[\w)\]]\s*(?:\.{3}|…|\\|\s_)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&|\s_))\s*$")

@@ -12,15 +12,15 @@ from dataclasses import field, replace
 from functools import lru_cache, partial
 from itertools import combinations, pairwise
 
-from coursework.grading.reading.equations.edges import without_edges
-from coursework.grading.reading.equations.labels import bare_equations, without_labels
-from coursework.grading.reading.equations.meanings import Meanings, in_smaller_units, meaning_of, put_in
-from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, place_of_name, spellings_of
+from coursework.grading.reading.equations.formulas.edges import without_edges
+from coursework.grading.reading.equations.formulas.labels import bare_equations, without_labels
+from coursework.grading.reading.equations.formulas.meanings import Meanings, in_smaller_units, meaning_of, put_in
+from coursework.grading.reading.equations.formulas.names_in_text import BUILT_IN, Spellings, place_of_name, spellings_of
+from coursework.grading.reading.equations.formulas.plain_text import of_one_component, of_products, of_units, plain
+from coursework.grading.reading.equations.formulas.repair import Sides, is_name, is_value, sides_of
+from coursework.grading.reading.equations.formulas.unnamed import without_a_name
 from coursework.grading.reading.equations.notation.degrees import with_angles_in_degrees
 from coursework.grading.reading.equations.notation.signs import depths, plain_signs, relates_two_sides
-from coursework.grading.reading.equations.plain_text import of_one_component, of_products, of_units, plain
-from coursework.grading.reading.equations.repair import Sides, is_name, is_value, sides_of
-from coursework.grading.reading.equations.unnamed import without_a_name
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import EquationLine, EquationReading

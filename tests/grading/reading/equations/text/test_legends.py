@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.grading.reading.equations.equations import names_for
-from coursework.grading.reading.equations.legends import with_legend
+from coursework.grading.reading.equations.formulas.equations import names_for
+from coursework.grading.reading.equations.text.legends import with_legend
 from tests.grading.scenes import expected
 
 

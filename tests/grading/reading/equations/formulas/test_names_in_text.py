@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from coursework.grading.reading.equations import plain_text
-from coursework.grading.reading.equations.names_in_text import spellings_of
+from coursework.grading.reading.equations.formulas import plain_text
+from coursework.grading.reading.equations.formulas.names_in_text import spellings_of
 from tests.grading.scenes import expected
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.grading.reading.equations.labels import _is_aside, bare_equations, without_labels, without_words
+from coursework.grading.reading.equations.formulas.labels import _is_aside, bare_equations, without_labels, without_words
 
 NAMES = {"w1", "w3", "r1", "x", "C", "v", "length", "s", "в"}.__contains__
 

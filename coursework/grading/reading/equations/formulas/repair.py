@@ -12,7 +12,7 @@ from collections.abc import Callable, Set
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.variant.formula.alphabet import LOOK_ALIKE
 from coursework.variant.formula.reader import FUNCTION_WORDS
 

@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import replace
 
-from coursework.grading.reading.equations.equations import Names
-from coursework.grading.reading.equations.names_in_text import Spellings, plain_name
+from coursework.grading.reading.equations.formulas.equations import Names
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings, plain_name
 from coursework.grading.reading.equations.notation.latex import without_latex
 from coursework.grading.reading.equations.notation.signs import ARROW, plain_signs
 from coursework.variant.formula.alphabet import spell

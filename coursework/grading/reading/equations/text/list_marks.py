@@ -10,8 +10,8 @@ import re
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
-from coursework.grading.reading.equations.equations import DASH
-from coursework.grading.reading.equations.labels import without_labels
+from coursework.grading.reading.equations.formulas.equations import DASH
+from coursework.grading.reading.equations.formulas.labels import without_labels
 
 _COUNT = re.compile(r"^\s*([A-Z]{0,2}\.?)(\d{1,2}(?:\.\d{1,2})*)\s+(?=[\w(\\+−-])")  # the number of a line in a list: 1.1, L2
 _DASHED = re.compile(r"^\s*(\d{1,2})\s?[-–—]\s+")  # the lines 1-, 2-, 3- … of a list

@@ -10,7 +10,7 @@ import math
 import re
 from collections.abc import Sequence
 
-from coursework.grading.reading.equations.equations import (
+from coursework.grading.reading.equations.formulas.equations import (
     OWN_NAME,
     TURNED,
     WORD,
@@ -18,11 +18,11 @@ from coursework.grading.reading.equations.equations import (
     names_in,
     read_as_one,
 )
-from coursework.grading.reading.equations.labels import ASIAN, without_labels, without_words
-from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, plain_name
+from coursework.grading.reading.equations.formulas.labels import ASIAN, without_labels, without_words
+from coursework.grading.reading.equations.formulas.names_in_text import BUILT_IN, Spellings, plain_name
+from coursework.grading.reading.equations.formulas.plain_text import in_si, of_minutes, plain
+from coursework.grading.reading.equations.formulas.repair import is_name, is_product
 from coursework.grading.reading.equations.notation.signs import plain_signs, relates_two_sides
-from coursework.grading.reading.equations.plain_text import in_si, of_minutes, plain
-from coursework.grading.reading.equations.repair import is_name, is_product
 from coursework.grading.reading.files.printed import PAIR
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.unit_names import unit_of

@@ -6,8 +6,8 @@ import time
 
 import pytest
 
-from coursework.grading.reading.equations.equations import names_for
-from coursework.grading.reading.equations.text_lines import text_lines
+from coursework.grading.reading.equations.formulas.equations import names_for
+from coursework.grading.reading.equations.text.text_lines import text_lines
 from tests.grading.scenes import expected
 
 

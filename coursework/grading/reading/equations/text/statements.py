@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from coursework.grading.reading.equations.equations import TURNED
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.formulas.equations import TURNED
+from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.grading.reading.equations.notation.signs import depths, relates_two_sides
 from coursework.grading.reading.equations.systems.parts import LIST, at_commas
 

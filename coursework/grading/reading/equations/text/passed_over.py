@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from coursework.grading.reading.equations.equations import TURNED, WORD, Names, names_in
+from coursework.grading.reading.equations.formulas.equations import TURNED, WORD, Names, names_in
 from coursework.grading.reading.equations.notation.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import EquationLine

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from coursework.grading.reading.equations.equations import Names, names_in, read_as_one
+from coursework.grading.reading.equations.formulas.equations import Names, names_in, read_as_one
 from coursework.grading.reading.equations.notation.signs import depths, relates_two_sides, relations
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.dimensions.formulas import Clash, Measurer

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.grading.reading.equations.names_in_text import spellings_of
-from coursework.grading.reading.equations.statements import as_value, closed, function_begun, with_sign, without_declarations
+from coursework.grading.reading.equations.formulas.names_in_text import spellings_of
+from coursework.grading.reading.equations.text.statements import as_value, closed, function_begun, with_sign, without_declarations
 from tests.grading.scenes import expected
 
 TASK = expected()

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import islice
 
-from coursework.grading.reading.equations.labels import CHANGES
+from coursework.grading.reading.equations.formulas.labels import CHANGES
 from coursework.grading.reading.equations.notation.signs import depths
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.formula.reader import FUNCTION_WORDS

@@ -1,0 +1,1 @@
+"""One equation as typed -> checked trees: its labels, names, repairs and meanings."""
