@@ -95,7 +95,7 @@ def test_where_two_equations_are_lost_no_motion_is_told(longest, share, count):
     """u^2 = 1 beside v = 0 and w = 0, of which one counts for a millionth of the other."""
     flow = SimpleNamespace(
         places=[SimpleNamespace(unknowns=(0, 1, 2))], rates=[(False, 0), (False, 1), (False, 2)],
-        system=SimpleNamespace(unknowns=("u", "v", "w")), velocities=lambda t, q, block, own: own,
+        system=SimpleNamespace(unknowns=("u", "v", "w")), equations=ALL_SOLVED, velocities=lambda t, q, block, own: own,
         part=lambda t, q, block: (longest * np.diag([q[0], share, 1.0]), longest * np.array([t, 0.0, 0.0]), np.zeros(3)),
     )  # fmt: skip
     assert len(branches_at(flow, 0, 0.0, [0.0, 0.0, 0.0])) == count

@@ -76,8 +76,8 @@ def test_the_pdf_is_pdf_ua_without_a_warning(real: ModuleType, kind: str) -> Non
     model = build_model(real.full() if kind == "full" else real.stopped())
     place = folder("reports")
     made, warnings = typst.compile_with_warnings(
-        typesetting.sources("report.typ", [model.plain()]), root=str(place), font_paths=typesetting._fonts(False), format="pdf",
-        timestamp=0, pdf_standards=["ua-1"],
+        typesetting.sources("report.typ", [model.plain()]), root=str(place),
+        font_paths=typesetting._fonts(place / "fonts", False), format="pdf", timestamp=0, pdf_standards=["ua-1"],
     )  # fmt: skip
     assert warnings == []
     said = b"/Suspects false>>"  # so it holds unsaid, and poppler has nothing to complain of
