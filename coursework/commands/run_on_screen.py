@@ -129,7 +129,8 @@ def _first_and_last(run: Run) -> list[str]:
     motion = run.motion
     if not len(motion.t):
         return []
-    sizes = abs(motion.rows).max(axis=0).tolist()
+    largest, units = abs(motion.rows).max(axis=0).tolist(), [run.variant.unit_of(name) for name in motion.names]
+    sizes = [max(size for size, other in zip(largest, units, strict=True) if other == unit) for unit in units]
     told: list[str] = []
     for key, row in (("screen.first", 0), ("screen.last", -1)):
         shown = [

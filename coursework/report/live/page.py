@@ -38,7 +38,9 @@ MOST_BYTES, MOST_ROWS = 60 * 1024, 512
 FINE = 16  # points of the true motion per row, as laboratory_motion.js makes them
 MOST_CELLS = 2000  # cells that are written out of a table finer than that of the file
 _SAME = ("words", "schemes")  # data that are the same on every page in a language
-_SET = "_set"  # ends the key of words that are used if the page's values are not those of the file
+# What ends the key of words that are used if the page's values are not those of the file, or the motion goes through a change
+# point, where the moving part ends.
+_SET, _PASSED = "_set", "_passed"
 _PUT_TOGETHER = ("scheme_", "on_", "off_")  # beginnings of keys of words that a script puts together
 SPEEDS = (0.05, 0.1, 0.2, 1.0)
 _LABORATORY = (
@@ -170,10 +172,11 @@ def _said(context: PageContext, drawn: Drawn) -> dict[str, Any]:
 
 
 def _words(phrases: Phrases, run: SceneRun) -> dict[str, str]:
-    """Return the words of the live part by key, their gaps open; with values or scheme not of the file, those for `_set`."""
+    """Return the words of the live part by key, their gaps open; those for `_set` and `_passed` where they hold."""
     words = {key: phrases.template(f"live.{key}") for key in load_phrases().entries["live"]}
     is_set = bool(run.variant.changes) or run.scheme != scheme_for(run.variant)
-    return words | {key.removesuffix(_SET): text for key, text in words.items() if is_set and key.endswith(_SET)}
+    ends = [end for end, holds in ((_SET, is_set), (_PASSED, run.scene.passed)) if holds]
+    return words | {key.removesuffix(end): text for end in ends for key, text in words.items() if key.endswith(end)}
 
 
 def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str, Any]]:

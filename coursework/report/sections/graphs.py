@@ -13,6 +13,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import DEFAULT_SCHEME, title_of
 from coursework.report.graphs import graph_paper
 from coursework.report.graphs.graph_paper import EXACT_PEN, SCHEME_INK, SCHEME_PEN, STOP_PEN, STOP_WORDS, smooth, sparse
+from coursework.report.text.numbers import shown_column
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part, Runs
 from coursework.scene.motion_results import given_constants
@@ -98,8 +99,15 @@ def _rows(context: PageContext, name: str, curve: Callable[[str], tuple[Array, A
     rows = dotted(context)
     known = rows is not None and name in rows.names
     t = rows.t if rows is not None and known else np.zeros(0)
-    values = rows.column(name) if rows is not None and known else np.zeros(0)
-    return Rows(name, t, values, *curve(name))
+    values = shown_column(rows, name, context.run.variant) if rows is not None and known else np.zeros(0)
+    times, smoothed = curve(name)
+    if (
+        context.exact is not None
+        and name in context.exact.names
+        and not shown_column(context.exact, name, context.run.variant).any()
+    ):
+        smoothed = 0 * smoothed
+    return Rows(name, t, values, times, smoothed)
 
 
 def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
@@ -145,7 +153,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
         inside += f'<path {EXACT_PEN} d="{field.curve(rows.curve_t, rows.curve)}"/>'
     if len(rows.t):
         inside += graph_paper.line_of_rows(field, rows.t, rows.values)
-    is_known = len(rows.curve) and rows.name in (extremes := run.scene.extremes)
+    is_known = rows.curve.any() and rows.name in (extremes := run.scene.extremes)
     ends = extremes[rows.name] if is_known else (float(rows.values.min()), float(rows.values.max()))
     low, high = (context.quantity(value, unit, 4) for value in ends)
     spread = "graphs.alt" if is_known else "graphs.alt_rows"

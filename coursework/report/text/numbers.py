@@ -10,8 +10,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field
 from itertools import pairwise
 
+import numpy as np
+
 from coursework.motion.integration.motion import Motion
+from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
+from coursework.variant.record.variant import Variant
 
 POINT = "."  # the decimal sign of formulas, CSV and most languages
 MINUS = "−"
@@ -167,6 +171,14 @@ def first_of(motion: Motion, name: str) -> float:
     column = motion.column(name)
     first = float(column[0])
     return 0.0 if abs(first) < ROUND_OFF * float(abs(column).max()) else first
+
+
+def shown_column(motion: Motion, name: str, variant: Variant) -> Array:
+    """Return a column (SI) with zeros for what is round-off beside the largest entry in its unit: a rod that keeps its angle."""
+    unit, column = variant.unit_of(name), motion.column(name)
+    alike = (abs(motion.column(one)) for one in motion.names if variant.unit_of(one) == unit)
+    largest = max((float(np.max(one[np.isfinite(one)], initial=0.0)) for one in alike), default=0.0)
+    return np.where(abs(column) < ROUND_OFF * largest, 0.0, column)
 
 
 def _needed_decimals(value: float) -> int:

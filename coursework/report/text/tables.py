@@ -11,7 +11,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from coursework.report.text.numbers import TIGHT
+import numpy as np
+
+from coursework.report.text.numbers import TIGHT, shown_column
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text.text_runs import numeral, runs
@@ -88,7 +90,7 @@ def motion_parts(context: PageContext) -> list[Part]:
         unit_of, plain = run.variant.unit_of, context.numbers.plain
         told = [f"{context.lettering(one)}{TIGHT}={TIGHT}{words.amount(plain(v), unit_of(one))}" for one, v in constant.items()]
         notes.append(words("table.constant", listed=words.listing(told)))
-    rows = run.motion.rows[:, [place for place, name in enumerate(run.motion.names) if name not in constant]]
+    rows = np.column_stack([np.zeros((len(run.motion.t), 0)), *(shown_column(run.motion, name, run.variant) for name in names)])
     return _by_row(context, ExtraTable("", tuple(names), tuple(units), rows), run.motion.t, caption, words.sentences(notes))
 
 

@@ -9,6 +9,8 @@ from scipy.integrate import quad
 
 import coursework
 from coursework.effects.dynamics.why_ended import CHANGE
+from coursework.report.live.page import _words
+from coursework.words.sentences import load_phrases
 from tests.effects.dynamics.test_dynamics import rod_of
 from tests.mechanisms.library import mechanism
 
@@ -202,6 +204,7 @@ def test_parallel_cranks_go_through_their_change_point_and_it_is_told(scheme):
     told = re.search(r"At t = ([0-9.]+) s links lie in one line at a change point: two motions meet there", run.summary)
     assert float(told[1]) == pytest.approx(at, abs=1e-6)
     assert run.motion.notes == run.scene.passed
+    assert _words(load_phrases(), run)["dead"] == "The motion is followed here up to t = {t} s only."  # it does not stop
 
 
 SLEEVE = f"""format = 1

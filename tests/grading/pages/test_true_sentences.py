@@ -262,5 +262,7 @@ def test_what_was_never_said_truly_is_gone(seen):
         assert ("No usual cause" in told.page) == (student in {"forty", "zeros", "repeated"}), student
     assert "are not marked yet" in seen["unread"].page
     assert "of the 4 needed" not in seen["unread"].page
-    assert "4: Could not be read; your instructor will look at it." in seen["unread"].platform, "a question, on a platform too"
+    assert "4: Could not be read for certain; your instructor will look at it." in seen["unread"].platform, (
+        "a question, on a platform too"
+    )
     assert EQUATIONS[0] in seen["unread"].page

@@ -52,3 +52,9 @@ def test_many_data_leave_the_result_on_the_first_page() -> None:
     pages = [page.get_text() for page in pymupdf.open(stream=render_pdf(build_model(run)))]
     assert ["Result: The table" in text.replace("\n", " ") for text in pages[:2]] == [True, False]
     assert min(filled(render_pdf(build_model(run)))[:-1]) >= HALF
+
+
+@pytest.mark.long
+def test_the_formula_of_a_turned_drawing_has_no_page_to_itself() -> None:
+    """In Russian the page before the drawing of links 2 and 3 is full: their formula stood alone between both."""
+    assert min(filled(paper_of(model_of(solved("whitworth-forces"), "ru")))[:-1]) >= HALF

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.report.text.numbers import shown_column
 from coursework.report.text.tables import largest_of, pieces
 from tests.report.made import solved
 
@@ -22,6 +23,15 @@ GRID = SimpleNamespace(
 def test_numbers_of_points_in_one_unit_are_round_off_beside_the_largest_of_them(index: int, largest: float) -> None:
     """A column of no point is set by itself."""
     assert largest_of(GRID, index) == largest
+
+
+def test_a_column_is_round_off_beside_the_others_in_its_unit() -> None:
+    """The coupler of a parallelogram keeps its angle: 1e-16 rad is 0, 1e-10 rad is an angle, and so is 1e-16 of another unit."""
+    rows = {"phi1": np.array([2.6, 6.7]), "phi2": np.array([-1.7e-16, 2e-10]), "w2": np.array([3e-16, np.nan])}
+    motion = SimpleNamespace(names=(*rows,), column=rows.__getitem__)
+    variant = SimpleNamespace(unit_of=lambda name: "1/s" if name == "w2" else "rad")
+    assert shown_column(motion, "phi2", variant).tolist() == [0.0, 2e-10]
+    assert shown_column(motion, "w2", variant)[0] == 3e-16
 
 
 @pytest.mark.parametrize(("scheme", "called"), [

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from coursework.report.sections.verdict.checks import amount, parted
-from coursework.report.text.numbers import TIGHT
+from coursework.report.text.numbers import TIGHT, shown_column
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Result, Runs
 from coursework.report.text.text_runs import runs
@@ -88,7 +88,9 @@ def _checked(context: PageContext) -> str:
     sought = [name for name in motion.velocity_names if name not in variant.given_rates] or motion.velocity_names
     values = context.words("result.between").join(
         f"{context.lettering(name)}{TIGHT}={TIGHT}"
-        + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
+        + context.with_unit(
+            context.numbers.scalar(float(shown_column(motion, name, variant)[row - 1]), SHOWN_DIGITS), variant.unit_of(name)
+        )
         for name in sought
     )
     time = context.quantity(float(motion.t[row - 1]), "s", TIME_DIGITS)

@@ -200,6 +200,8 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
         kept.pop()
     is_lost = any(TURNED.search(text) for text in texts if text not in kept)  # a formula of the line would be passed over
     if is_lost or len(kept) < 2 or all(OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):
+        if (unread := next((text.strip() for text in texts if text not in kept), None)) is not None:
+            return Fault(say("fault.G074", text=unread), place=unread)
         read = strictly(" = ".join(texts), names)
         assert isinstance(read, Fault)  # no equation has three sides
         return read

@@ -155,6 +155,7 @@ def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spel
 
 
 def place_of_name(name: str, text: str) -> int:
-    """Return the offset of a name in a text that may write it in Greek letters, 0 if it does not stand there."""
+    """Return the offset of a name or a side in a text that may write it in Greek letters, 0 if it does not stand there."""
     written = (word.start() for word in re.finditer(r"\w+", text) if spell(word[0]) == name)
-    return next(written, max(text.find(name), 0))
+    loosely = re.search(r"[\s*]*".join(map(re.escape, re.findall(r"\w+|[^\w\s*]", name))), text)  # a side, with or without *
+    return next(written, loosely.start() if loosely else 0)

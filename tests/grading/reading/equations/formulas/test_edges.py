@@ -44,6 +44,14 @@ def test_a_chain_of_which_one_side_is_lost_is_asked_about() -> None:
     assert question.hint is not None and question.hint.fault is not None and question.hint.fault.code == "G073"
 
 
+def test_the_side_of_a_chain_that_is_no_formula_is_told_with_its_place() -> None:
+    """Not that a line has two signs of equality: chains are read."""
+    (question,) = marked(f"u = r*w1*sin(phi3 - phi1) = VB sin(beta+??)\n{RODS}").questions
+    assert question.hint is not None and question.hint.fault is not None
+    assert (question.hint.fault.code, question.hint.fault.column) == ("G074", 29)
+    assert "VB * sin(beta + ??)" in str(question.hint.fault)
+
+
 @pytest.mark.parametrize(
     ("line", "code"),
     [
