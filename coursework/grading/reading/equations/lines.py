@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import re
 from bisect import bisect
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice, pairwise
 
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.formulas.equations import (
+    OWN_NAME,
     TURNED,
     WORD,
     Names,
@@ -24,8 +25,9 @@ from coursework.grading.reading.equations.formulas.equations import (
     read_as_one,
     read_line,
 )
+from coursework.grading.reading.equations.formulas.labels import without_labels
 from coursework.grading.reading.equations.formulas.plain_text import plain
-from coursework.grading.reading.equations.notation.signs import VANISHED, plain_signs, relates_two_sides
+from coursework.grading.reading.equations.notation.signs import VANISHED, depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.systems.complex_factors import by_parts
 from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.systems.parts import parts_of
@@ -39,10 +41,11 @@ from coursework.grading.reading.equations.text.line_kinds import (
     is_step,
     is_vector_sum,
     only_names_a_term,
+    own_name,
     says_nothing,
 )
 from coursework.grading.reading.equations.text.list_marks import sign_of_list
-from coursework.grading.reading.equations.text.own_names import defines, definitions_of, may_vanish, sections_of
+from coursework.grading.reading.equations.text.own_names import defines, definitions_of, may_vanish, says_more, sections_of
 from coursework.grading.reading.equations.text.passed_over import as_questions
 from coursework.grading.reading.equations.text.row_values import is_of_one_row
 from coursework.grading.reading.equations.text.text_lines import text_lines
@@ -56,6 +59,7 @@ from coursework.words.errors import Fault
 _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur in equations
 # Of a table, with nothing but numbers.
 _ROW = re.compile(r"^[-+−]?\d[^;\t ,\n]*+(?:[;\t ]|,[^,\n]*+,)[-+−\d.,eE;\t ]*+$", re.MULTILINE)
+_ON_THE_RIGHT = re.compile(r"[vV]_?[A-Z]\w{0,2}|[^\W\d_]")  # the velocity of a point, or a letter
 _EDGES = " \t;,\"'"  # signs that a spreadsheet puts around a line typed into one cell
 _COMMENTED = re.compile(r"^[ \t]*(?:#+|//+|%+)[ \t]*(?=[^\s=])", re.MULTILINE)  # the sign of a line that is a comment
 # Limits on time: per equation that may be handed in, so many lines of a text are tried; in all, so many characters. A
@@ -110,6 +114,7 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
     passed, named = list[tuple[int, str]](), list[tuple[int, str]]()
     pieces = _pieces(text, names, passed) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
     names, lines = with_legend(list(islice(pieces, _MOST_LINES)), names)
+    lines = _names_first(lines, names) if beside is None else lines
     sections = sections_of(lines, names) if beside is None else [len(lines)]
     meanings = definitions_of(lines, names, sections) if beside is None else [{}]
     listed = sign_of_list([line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical)
@@ -143,13 +148,15 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
             read = read_from(number, line, names)
             found.equations += [read] if relates(read, names) else []
         elif defines(line, with_own, defined) or (
-            line.count("=") > 1 and not VANISHED.search(line) and definition(line, with_own)
+            (is_chain := line.count("=") > 1 and not VANISHED.search(line) and definition(line, with_own) is not None)
+            and not says_more(line, with_own)
         ):
             named += [(number, line)]
             found.equations += at_rest(number, line, with_own)
         elif is_datum(line, names) or is_step(line, names) or is_row(line) or is_question(line, names):
             found.equations += at_rest(number, line, with_own)
         else:
+            line = "=".join(line.split("=")[:2]) if is_chain else line  # i = (R + r)/r = 1 + R/r
             one = kept(read_from(number, line, with_own)) if _is_equation(line, names) else None
             if one and is_vector_sum(line, names):  # of one axis, if its parts are defined so
                 one = replace(one, may_be_datum=True) if one.tree else None
@@ -178,21 +185,40 @@ def _pieces(text: str, names: Names, passed: list[tuple[int, str]]) -> Iterator[
             yield from ((number, one) for one in _in_parts(part, names) or _sides_apart(part, names))
 
 
+def _names_first(lines: Sequence[tuple[int, str]], names: Names) -> list[tuple[int, str]]:
+    """Return the lines with "vA = r*w1" for "r*w1 = vA", where no line before or behind has the student's name on the left."""
+    found = [*lines]
+    left = {line.partition("=")[0].strip() for _, line in lines}
+    for place, (number, line) in enumerate(lines):
+        formula, _, right = (side.strip(" .;,") for side in without_labels(line[:EQUATION_CHARACTERS]).partition("="))
+        if _ON_THE_RIGHT.fullmatch(right) and right not in left and not OWN_NAME.fullmatch(formula) and -1 not in depths(formula):
+            said = f"{right} = {formula}"
+            if own_name(said, names.spellings)[0]:
+                found[place] = number, said
+                left.add(right)
+    return found
+
+
 def _in_parts(line: str, names: Names) -> list[str]:
     """Return the two parts of an equation of complex numbers, [] for any other line."""
     return real_and_imaginary(line) or by_parts(line, names.spellings)
 
 
 def _sides_apart(line: str, names: Names) -> list[str]:
-    """Return vP = … = … as two equations, if they give one velocity by different others and so are no steps of one."""
+    """Return vP = … = … as two equations, if they give one velocity by different others and so are no steps of one.
+
+    The name may stand last.
+    """
     sought = {*names.expected.variant.sought}
     name, *sides = line.split("=") if 2 <= line.count("=") <= _MOST_SIDES else [line]
+    if is_behind := bool(sides) and OWN_NAME.fullmatch(sides[-1].strip(" .;,")) is not None and TURNED.search(plain_signs(name)):
+        *sides, name = name, *sides
     found = [names_in(side, names.spellings) & sought for side in sides]
     if (
         len(found) < 2
         or not all(map(TURNED.search, map(plain_signs, sides)))
         or any(one <= other for one in found for other in found if one is not other)
-        or any(isinstance(read_as_one(f"0 = {side}", names), Fault) for side in sides)
+        or any(isinstance(read := read_as_one(f"{side} = 0", names), Fault) and not read.place for side in sides)
     ):
         return [line]
     if not isinstance(read_as_one(f"0 = {name}", names), Fault) and TURNED.search(plain_signs(name)):
@@ -201,7 +227,7 @@ def _sides_apart(line: str, names: Names) -> list[str]:
         return [f"{one} = {other}" for one, other in pairwise([name, *sides])] if is_apart else [line]  # the law of sines
     called = WORD.findall(plain(name, names.spellings))
     is_sought = called and names.spellings.canonical(called[-1]) in sought
-    return [f"{name} = {side}" for side in sides] if is_sought else [line]
+    return [f"{side} = {name}" if is_behind else f"{name} = {side}" for side in sides] if is_sought else [line]
 
 
 def _beside(text: str, names: Names, sign: str | None) -> Iterator[tuple[int, str]]:

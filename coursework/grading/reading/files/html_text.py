@@ -16,6 +16,7 @@ _AS_TYPED = re.compile(r"<pre\b[^<>]{0,500}>[^<]*+(?:<(?!/pre)[^<]*+)*+", re.IGN
 _CELL = re.compile(r"</t[dh]\s*>\s*|(?<=[^>\s])\s?(?=<t[dh]\b)", re.IGNORECASE)
 _ROW = re.compile(r"(?<=[^>\s])\s?(?=<tr\b)", re.IGNORECASE)
 _LINE = re.compile(r"<(?:br|/p|/div|/li|/tr|/h[1-6]|/pre)\b[^<>]{0,500}>", re.IGNORECASE)
+_BOLD = re.compile(r"<(b|strong)>([^<>]{1,300}+)</\1>(?=\s<\1>([^<>]{1,300}+)</\1>)", re.IGNORECASE)  # and the next one
 _TAG = re.compile(r"<[/!?a-zA-Z][^<>]{0,2000}>")
 
 
@@ -24,9 +25,12 @@ def text_of(page: str) -> str:
 
     >>> text_of("<p>w1 = 2<br>w2 &lt; 3</p>")
     'w1 = 2\nw2 < 3'
+    >>> text_of("<p><b>a = b</b> <b>c = d</b> <b>and</b> <b>e</b></p>")
+    'a = b\nc = d and e'
     """
     page = _AS_TYPED.sub(lambda found: found[0].replace("\n", "<br>"), _SILENT.sub("", page))
     kept = " ".join(page.split())  # a tab that indents a line does not begin a new cell
+    kept = _BOLD.sub(lambda found: f"{found[2]}<br>" if "=" in found[2] and "=" in found[3] else found[0], kept)
     lined = _LINE.sub("\n", _ROW.sub("\n", _CELL.sub("\t", kept)))
     plain = html.unescape(_TAG.sub("", lined)).replace("\u00a0", " ")
     # The end of a paragraph inside a cell does not end the row.

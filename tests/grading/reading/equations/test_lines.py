@@ -94,6 +94,7 @@ A, B, C = "2*w3*cos(phi3)", "r1*w1*sin(phi1)", "r2*w2*sin(phi2)"
         (f"w4 = {A} = 4*w3*cos(phi3)", [f"w4 = {A} = 4*w3*cos(phi3)"]),
         (f"w4 = {A} = r1*w1", [f"w4 = {A} = r1*w1"]), (f"k = {A} = {B}", [f"k = {A} = {B}"]),
         (f"w4 = {A} + {B} = {B}", [f"w4 = {A} + {B} = {B}"]),
+        (f"{A} = {B} = w4.", [f"{A} = w4.", f"{B} = w4."]), (f"{A} = {B} = k", [f"{A} = {B} = k"]),
         # as the law of sines has it: each side of another velocity
         (f"{A} = {B} = {C}", [f"{A} = {B}", f"{B} = {C}"]), (f"{A} = {B} = 4*w3*cos(phi3)", [f"{A} = {B} = 4*w3*cos(phi3)"]),
         (f"2*cos(phi3) = {B} = {C}", [f"2*cos(phi3) = {B} = {C}"]),
@@ -111,7 +112,8 @@ def test_a_velocity_by_different_others_is_several_equations(line: str, read: li
         # what a program calls anew in its next system; the first formula of a velocity defines it, another is an equation
         ("k = r1*w1\nw3 = k*w4\nk = r2*w2\nw2 = k*w4", (0.6 - 0.3 * 1.3 * 2.1, -0.4 - 0.7 * -0.4 * 2.1)),
         ("VBx = r1*w1\nVBx = r2*w2\nw3 = VBx*w4", (0.3 * 1.3 - 0.7 * -0.4, 0.6 - 0.3 * 1.3 * 2.1)),
-        ("k = r1*w1\nk = r1*w1\nw3 = k*w4", 0.6 - 0.3 * 1.3 * 2.1),
+        ("k = r1*w1\nk = r1*w1\nw3 = k*w4", 0.6 - 0.3 * 1.3 * 2.1), ("(1) r1*w1 = k\nw3 = k*w4", 0.6 - 0.3 * 1.3 * 2.1),
+        ("r1*w1 = k\nr2*w2 = k\nw3 = k*w4", (0.3 * 1.3 - 0.7 * -0.4, 0.6 - 0.3 * 1.3 * 2.1)),
         ("k = c*w1\nw3 = k*w4\nk = r2*w2\nw2 = k*w4\nk = r2*w1\nw4 = k*w3\nc = 2*r1",
          (0.6 - 0.6 * 1.3 * 2.1, -0.4 - 0.7 * -0.4 * 2.1, 2.1 - 0.7 * 1.3 * 0.6)),  # what the first of three uses stands last
         ("VD = k*w1 - w3 = 0\nVD = k*w2 - w4 = 0\nk = 2*r1", (0.6 * 1.3 - 0.6, 0.6 * -0.4 - 2.1)),  # a label of two sums
@@ -133,6 +135,7 @@ def test_a_sum_of_velocities_of_points_counts_if_its_parts_are_defined_and_it_is
     ("n = w2/w1; n = 1 - R0/R", ["right"]), ("n = w2/w1\nn = 1 + R0/R", ["wrong"]), ("n = 1 - R0/R\nn = w2/w1", ["right"]),
     ("n = w2/w1\nn = 1 - R0/R\nu = -(R0 - R)*w1*sin(phi1) - R*n*w1*sin(psi2)", ["right", "right"]),
     ("S = (R0 - R)*w1\nS = -R*w2", ["right"]), ("S = (R0 - R)*w1\nS = R*w2", ["wrong"]), ("n = w2/w1\nn = w2/w1", []),
+    ("n = w2/w1\nn = (R - R0)/R = 1 - R0/R", ["right"]), ("n = w2/w1\nn = (R + R0)/R = 1 + R0/R", ["wrong"]),
     # without one, nobody can tell which of them is meant, nor what a name is to which something is added
     ("k = R0 - R\nk = R0 + R\nk*w1 + R*w2 = 0", ["unreadable"] * 3), ("k = R0 - R\nk = -R + R0\nk*w1 + R*w2 = 0", ["right"]),
     ("k = (R0 - R)*w1\nk = k + R0*w1\nk + R*w2 = 0", ["unreadable"] * 3),

@@ -30,7 +30,9 @@ _DENIED = re.compile(
 _GREEK = re.compile(r"phi|psi|alpha|beta|gamma|delta|theta|chi|eps|omega|" + "|".join(FUNCTION_WORDS), re.I)
 _OPERATOR, _BEFORE_SIGN = re.compile(r"[*/^=·⋅×)]|[-+−–]\s"), re.compile(r"[-+*/^=·⋅×(]\s*$")
 _ROMAN = re.compile("[IVX]+")
-_COLON = re.compile(r"[^=:]{0,60}[^\W\d_]{3}[^=:]{0,20}:\s+(?=[^=:]+=)")  # "Step 4: and v = …"
+_COLON = re.compile(  # "Step 4: and v = …", "both wheels have one speed there, so v = …"
+    r"[^=:]{0,60}[^\W\d_]{3}[^=:]{0,20}(?::|,\s(?:so|hence|thus|donc|daher|also|luego|откуда|поэтому|значит|тому|звідки)\b)\s+(?=[^=:]+=)"
+)
 _SHORT, _CUTS, _MOST, _LONG = 3, 6, 12, 300
 
 

@@ -168,7 +168,7 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
             if isinstance(read, Fault):
                 # Only a name was not understood: report this fault, at the place of the name in the line as handed in.
                 if read.place and not named:
-                    fault = named = Fault(read.message, column=place_of_name(read.place, text) + 1)
+                    fault = named = replace(read, column=place_of_name(read.place, text) + 1)
             else:
                 found += [
                     replace(one, guessed=one.guessed or closely)

@@ -1,18 +1,17 @@
 r"""Vectors by components, added by name or as they stand, v_A + v_BA = v_B, (a) i + (b) j = (c, d) -> an equation for each axis.
 
-Enters: a text, what a name means.  Leaves: the text with two equations in place of each that relates such vectors, without the
-lines that only say what their names are; unchanged if there is none.  Nothing is computed.  Used by `text_lines.py`.
+Enters: lines, what a name means.  Leaves: the lines, two equations in place of each that relates such vectors, without those
+that only say what the names are; v_A is v_Ax and v_Ay where no line says it.  Nothing is computed.  Used by `text_lines.py`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
 from coursework.grading.reading.equations.notation.signs import closing, depths, plain_signs
-from coursework.grading.reading.equations.systems.parts import at_signs
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 
 # Arrows, hats and bold letters of vectors
@@ -26,40 +25,57 @@ _UNIT = re.compile(
 _UNITS = re.compile(r"(?<![\w^])[ij](?!\w)")
 _OTHERWISE = re.compile(r"(?<![^\W\d_])e\}?\s*\^|\bexp\b|^\s*[ij]\s*:?=", re.MULTILINE)
 _NAMED = re.compile(r"(?:(.+?)\s*[*·⋅]\s*)?([^\W\d]\w{0,20})")
+_VELOCITY = re.compile(r"([vV])_?([A-Z]\w?)")
+_BEFORE = re.compile(r"^(?:[^-+*/=()\[\]\d_]*[,:\s](?=[vV]_?[A-Z])|[^-+*/=()\[\],;]{1,40}:\s+)")  # words, or the label of a line
 _PLUS = re.compile(r"(?<=[\w)\]}])\s*[-+](?=\s*[\w(\[\\])")
-_CELL = re.compile("[,;]")
-_OPEN, _MOST_LINES, _PASSES = {")": "(", "]": "["}, 400, 3
+_BRACKET = re.compile(r"(?<![\w)\]])[(\[]|(?<=[\w)])\s+[(\[]")
+_FACTOR = re.compile(r"[^\W\d]\w*")
+_OWN = re.compile(r"[a-zα-ω]\w{0,2}")  # a factor that the student names; K is a matrix
+_DECIMAL = re.compile(r"\d,\d")
+_MOST_LINES, _PASSES, _DEEP = 400, 3, 5
 
 Cells = tuple[str, str]
 
 
-def by_axes(text: str, meaning: Callable[[str], str | None], is_name: Callable[[str], bool]) -> str:
-    r"""Return a text with an equation for each axis in place of those of vectors.
+def by_axes(lines: Sequence[str], meaning: Callable[[str], str | None], is_name: Callable[[str], bool]) -> list[str]:
+    r"""Return lines with an equation for each axis in place of those of vectors.
 
-    >>> by_axes("u = (a, b)\nv = (c, 0)\nu - 2*v = 0", {}.get, bool).split("\n")
+    >>> by_axes(["u = (a, b)", "v = (c, 0)", "u - 2*v = 0"], {}.get, bool)
     ['', '', '(a) - 2*(c) = 0; (b) - 2*(0) = 0']
-    >>> by_axes("(a) i + b*j = (c, d)", {}.get, bool), by_axes("w = (a, b)", {}.get, bool)
-    ('(a) = (c); b = (d)', 'w = (a, b)')
+    >>> by_axes(["v_E = v_A + w2 (-p sin f, p cos f)", "v = r (a, b)", "w3 = atan2(a, b)"], {}.get, bool)
+    ['v_Ex = v_Ax + w2*(-p sin f); v_Ey = v_Ay + w2*(p cos f)', 'v = r (a, b)', 'w3 = atan2(a, b)']
+    >>> by_axes(["(a) i + b*j = (c, d)", "w = (a, b)"], {}.get, bool), by_axes(["v_B - v_A = [a; b]"], {}.get, bool)
+    (['(a) = (c); b = (d)', 'w = (a, b)'], ['v_Bx - v_Ax = (a); v_By - v_Ay = (b)'])
     """
-    lines = text.split("\n")
-    if not any(map(_may_be, lines[:_MOST_LINES])):
-        return text
+    found = [*lines]
+    vectors = {place for place, line in enumerate(lines[:_MOST_LINES]) if _may_be(line)}
+    if not vectors:
+        return found
     said = _Vectors(meaning, is_name)
     sides = {
-        place: plain.strip(" \t$.,;").split("=")
+        place: _BEFORE.sub("", plain.strip(" \t$.,;"), count=1).split("=")
         for place, line in enumerate(lines[:_MOST_LINES])
         if 1 <= line.count("=") <= _PASSES and len(line) <= EQUATION_CHARACTERS and (plain := _plain(line))
     }
+    text = "\n".join(lines)
     # Of complex numbers, exp(i*phi), i is no axis, nor where the text says what it is.
     said.has_units = not _OTHERWISE.search(text) and any({"i", "j"} <= {*_UNITS.findall("=".join(one))} for one in sides.values())
     for _ in range(_PASSES):
         for place, both in sides.items():
             said.look_at(place, both)
+    said.as_axes = True
+    for place in sorted(vectors & sides.keys()):
+        said.look_at(place, sides[place])
+    used = said.used() - said.equations.keys()
+    for name, place in said.lines.items():
+        of_axes = (velocity := _VELOCITY.fullmatch(name)) and re.search(rf"\b{velocity[1]}_?\{{?{velocity[2]}_?[xy]\b", text)
+        if velocity and (of_axes or place not in used):
+            said.equations[place] = _equated([_axes(velocity), said.cells[name]])
+    for place in used:
+        found[place] = ""
     for place, equations in said.equations.items():
-        lines[place] = "; ".join(equations)
-    for place in said.used() - said.equations.keys():
-        lines[place] = ""
-    return "\n".join(lines) if said.equations else text
+        found[place] = "; ".join(equations)
+    return found
 
 
 def _may_be(line: str) -> bool:
@@ -81,6 +97,7 @@ class _Vectors:
     meaning: Callable[[str], str | None]
     is_name: Callable[[str], bool]
     has_units: bool = False
+    as_axes: bool = False
     cells: dict[str, Cells] = field(default_factory=dict)
     lines: dict[str, int] = field(default_factory=dict)
     needs: dict[int, set[str]] = field(default_factory=dict)
@@ -98,7 +115,12 @@ class _Vectors:
             components = [self.meaning(f"{first}{axis}") or self.meaning(f"{first}_{axis}") for axis in "xy"]
             self.cells[first], self.needs[place] = known[0], needed
             if any(components):
-                self.equations[place] = [f"{name} = {cell}" for name, cell in zip(components, known[0], strict=True) if name]
+                self.equations[place] = [
+                    f"{name} = {one[axis]}"
+                    for one in known
+                    for axis, name in enumerate(components)
+                    if name and self.meaning(one[axis].strip("+( )")) != name  # v_K = (vKx, vKy) = …
+                ]
             elif len(known) > 1:
                 self.equations[place] = _equated(known)
             else:
@@ -138,31 +160,54 @@ class _Vectors:
         if (named := _NAMED.fullmatch(body)) and named[2] in self.cells and self._is_factor(named[1] or ""):
             needed.add(named[2])
             return _times(sign, named[1] or "", self.cells[named[2]])
-        return self._as_it_stands(sign, body)
+        if self.as_axes and (velocity := _VELOCITY.fullmatch(body)):
+            x, y = _axes(velocity)
+            return f"{sign} {x}", f"{sign} {y}"
+        return self._as_it_stands(sign, body, needed)
 
-    def _as_it_stands(self, sign: str, body: str) -> Cells | None:
-        inside = depths(body)
-        begin = next((at for at in reversed(range(len(body) - 1)) if inside[at] <= 0), -1) + 1  # where its last brackets open
-        if body[-1:] not in _OPEN or body[begin] != _OPEN[body[-1]] or inside[-1] != 0:
-            return None
-        cells = [cell.strip() for cell in at_signs(_CELL, body[begin + 1 : -1])]
-        factor = body[:begin].rstrip()
-        is_function = factor and factor[-1] not in "*·⋅"
-        if len(cells) != 2 or not all(cells) or is_function or not any(re.search(r"[^\W\d]", one) for one in cells):
-            return None
-        factor = factor.rstrip("*·⋅ ")
-        return _times(sign, factor, (cells[0], cells[1])) if self._is_factor(factor) else None
+    def _as_it_stands(self, sign: str, body: str, needed: set[str]) -> Cells | None:
+        """Return two cells in brackets, or a sum of i and j in them, with the factors before and behind."""
+        for opened in _BRACKET.finditer(body):
+            begin = opened.end() - 1
+            end = closing(body, begin)
+            content, before, behind = body[begin + 1 : end], body[:begin].strip(" *·⋅"), body[end + 1 :].strip(" *·⋅.'ᵀ")
+            if not self._is_factor(before) or not self._is_factor(behind):
+                continue
+            if cut := _cut(content):
+                cells = content[:cut].strip(), content[cut + 1 :].strip()
+            elif self.has_units and _UNITS.search(content) and max(depths(content)) < _DEEP:
+                x, y = self._side(content, needed) or ("", "")
+                cells = x or "0", y or "0"
+            else:
+                continue
+            if all(cells) and any(re.search(r"[^\W\d]", one) for one in cells):
+                return _times(sign, "*".join(filter(None, (before, behind))), cells)
+        return None
 
     def _is_factor(self, factor: str) -> bool:
         """Return whether a factor is a number: it has names of numbers alone, so that it is no matrix."""
-        is_one = -1 not in depths(factor) and not re.search(r"[\[,;]", factor)
-        return is_one and all(map(self.is_name, re.findall(r"[^\W\d]\w*", factor)))
+        is_one = -1 not in depths(factor) and not re.search(r"[\[,;⇒→]|^/", factor)
+        return is_one and all(self.is_name(one) or _OWN.fullmatch(one) for one in _FACTOR.findall(factor))
+
+
+def _axes(velocity: re.Match[str]) -> Cells:
+    letter, point = velocity.groups()
+    return f"{letter}_{point}x", f"{letter}_{point}y"
 
 
 def _times(sign: str, factor: str, cells: Cells) -> Cells:
     product = f"{sign} {factor}{'*' if factor else ''}"
     x, y = (f"{product}{cell if closing(cell, 0) == len(cell) - 1 > 0 else f'({cell})'}" for cell in cells)
     return x, y
+
+
+def _cut(content: str) -> int:
+    """Return where the only comma or semicolon between two cells stands, 0 if there is none or another."""
+    inside = depths(content)
+    found = [
+        at for at, sign in enumerate(content) if sign in ",;" and not inside[at] and not _DECIMAL.match(content, max(at - 1, 0))
+    ]
+    return found[0] if len(found) == 1 else 0
 
 
 def _equated(sides: list[Cells]) -> list[str]:

@@ -19,7 +19,8 @@ from coursework.variant.formula.reader import FUNCTION_WORDS
 
 _NAME = r"([^\W\d]\w{0,12})"
 _SAME = re.compile(
-    rf"(?:(?:[^\W\d_]{{3,20}}\b|[-–•*])[\s:,(]*){{0,6}}{_NAME}\s*(?:=|⇒)\s*{_NAME}(?:\s+\([^=()*/]{{3,40}}\)|\s*(?:[.,;)](?!\w)[^=]{{0,120}})?)"
+    rf"(?:(?:[^\W\d_]{{3,20}}\b|[-–•*])[\s:,(]*){{0,6}}{_NAME}\s*(?:=|⇒)\s*{_NAME}(?:\s+\([^=()*/]{{3,40}}\)|\s*(?:[.,;)](?!\w)[^=]{{0,120}})?"
+    r"|\s+[-–]\s+(?:[а-яіїє]{3}|[^\W\d_]{3,20}\s[^\W\d_]{2})[^=*+/()\d]{0,60})"  # words, no difference
 )
 _ROW = re.compile(rf"\s*{_NAME}\s*{ARROW}\s*{_NAME}\s*")
 _ANGLES = r"(?:angles?|углы|угол|кути|кут|Winkel|angles|ángulos)"

@@ -98,6 +98,12 @@ def _defined(
                     continue
                 if found[0] in met:
                     labels |= {found[0]} if VANISHED.search(line) else set()
+                    if (
+                        _is_ratio(own.get(found[0], found[1]), names)
+                        and not _has_velocity(names, found[1])
+                        and found[1].op != "number"
+                    ):
+                        own[found[0]] = found[1]  # i = w2/w1, i = 1 + R/r: what i is without velocities stays linear
                 else:
                     own.setdefault(*found)
                 met.add(found[0])
@@ -119,7 +125,8 @@ def defines(line: str, names: Names, before: set[str]) -> bool:
     called = plain_name(name)
     if called not in own:
         return False
-    if called in before and WORD.search(_FUNCTION.sub("", formula)) and (name[:1] in "vV" or _says_more(line, names)):
+    is_again = called in before if name[:1] in "vV" else says_more(line, names)
+    if is_again and WORD.search(_FUNCTION.sub("", formula)):
         return False
     before.add(called)
     # V_Cy = … = 0 is also an equation; V_Cy = 0.3*4.1 = 1.23 is its value in some row.
@@ -141,8 +148,8 @@ def may_vanish(line: str, names: Names) -> EquationReading | None:
     return replace(read, text=f"0 = {formula}")
 
 
-def _says_more(line: str, names: Names) -> bool:
-    """Return whether a second formula for a name, of which one has a velocity, says more than the first."""
+def says_more(line: str, names: Names) -> bool:
+    """Return whether another formula for a name, of which one has a velocity, says more than the one that is put in."""
     found = _otherwise(line, names)
     return found is not None and _has_velocity(names, names.own[found[0]], found[1]) and len(found[0]) <= _SHORT
 
@@ -151,6 +158,10 @@ def _otherwise(line: str, names: Names) -> tuple[str, Formula] | None:
     """Return the name and formula of a line that defines a name anew, None if it is no such line or says the same."""
     found = definition(line, names)
     return found if found and found[0] in names.own and not are_equal(names.own[found[0]], found[1]) else None
+
+
+def _is_ratio(tree: Formula, names: Names) -> bool:
+    return tree.op == "/" and all(_has_velocity(names, one) for one in tree.args)
 
 
 def _has_velocity(names: Names, *formulas: Formula) -> bool:

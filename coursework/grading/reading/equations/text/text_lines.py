@@ -14,7 +14,6 @@ from coursework.grading.reading.equations.formulas.equations import Names
 from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.grading.reading.equations.notation.escapes import unquoted, with_line_ends
 from coursework.grading.reading.equations.notation.latex import logical_lines
-from coursework.grading.reading.equations.systems.by_axes import along_axes
 from coursework.grading.reading.equations.systems.cells import with_cells_named
 from coursework.grading.reading.equations.systems.component_sums import by_axes
 from coursework.grading.reading.equations.systems.components import by_components, in_one_vector
@@ -66,20 +65,11 @@ def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = N
     Comments and statements with a sign of equality are added to `passed`.
     """
     passed = [] if passed is None else passed
-    function, fortran = "", is_fortran(text)
+    said = [*_bare_lines(text, names, passed)]
     sought, spellings = names.expected.variant.sought, names.spellings
-    text, numbers = with_line_ends(_BLANKS.sub("", text))
-    for place, line in continued(logical_lines(_by_names(without_blocks(text), names)), names):
-        number = numbers[place - 1] if numbers else place
-        if begun := function_begun(line, sought):
-            function, line = begun
-        yield from ((number, said) for said in names_said(line, spellings))
-        line = without_comments_of_fortran(line) if fortran else line
-        bare = unquoted(without_constants(without_remarks(parted_at_slashes(line, names), names.is_name)))
-        passed += [(number, line)] if "=" in line and "=" not in bare and "~~" not in line else []  # not what was struck out
-        bare = without_declarations(bare, spellings)
-        bare = by_components(in_one_vector(bare), spellings.canonical) if "[" in bare else bare
-        bare = along_axes(bare)
+    axes = by_axes([line for *_, line in said], spellings.canonical, partial(_is_name, names))
+    for (number, function, _), bare in zip(said, axes, strict=True):
+        bare = by_components(bare, spellings.canonical)
         if added := _added(bare, names.expected.variant.velocities, spellings):
             bare = added
         elif is_statement(bare, sought):
@@ -95,6 +85,22 @@ def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = N
         bare = closed(bare)
         if any(map(str.isalnum, bare)):  # not an underline of signs below a title
             yield number, bare
+
+
+def _bare_lines(text: str, names: Names, passed: list[tuple[int, str]]) -> Iterator[tuple[int, str, str]]:
+    """Yield (number, function in which it stands, line) without remarks, declarations and constants."""
+    function, fortran = "", is_fortran(text)
+    sought, spellings = names.expected.variant.sought, names.spellings
+    text, numbers = with_line_ends(_BLANKS.sub("", text))
+    for place, line in continued(logical_lines(_by_names(without_blocks(text), names)), names):
+        number = numbers[place - 1] if numbers else place
+        if begun := function_begun(line, sought):
+            function, line = begun
+        yield from ((number, function, said) for said in names_said(line, spellings))
+        line = without_comments_of_fortran(line) if fortran else line
+        bare = unquoted(without_constants(without_remarks(parted_at_slashes(line, names), names.is_name)))
+        passed += [(number, line)] if "=" in line and "=" not in bare and "~~" not in line else []  # not what was struck out
+        yield number, function, in_one_vector(without_declarations(bare, spellings))
 
 
 def _added(line: str, velocities: Sequence[str], spellings: Spellings) -> str:
@@ -123,5 +129,4 @@ def _by_names(text: str, names: Names) -> str:
     text = without_pointers(text, names.spellings)
     named = with_a_name(in_square_brackets(in_one_line(as_names(without_line_numbers(text), partial(_is_name, names)))))
     rows = in_rows(named, variant.sought)
-    named = with_entries_named(with_short_names(rows, variant, names.spellings), variant, names.spellings)
-    return by_axes(named, names.spellings.canonical, partial(_is_name, names))
+    return with_entries_named(with_short_names(rows, variant, names.spellings), variant, names.spellings)

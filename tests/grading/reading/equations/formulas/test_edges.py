@@ -10,6 +10,7 @@ LAST = "v = -L*w3*sin(phi3) - b*w4*sin(phi4)"
 WORDS = [
     "et  {}", "d'où {}", "damit gilt  {}", "auf s: {}", "&  {}", ":. {}", "… {}", "{} usw.", "{}  [rotation]", "{}  [0,5 Punkte]",
     "{}   in m/s", "{} q e d", "{} see fig. 3", "{} ★★", "{} = ...", "- speed: **{}**", "_{}_", "<{}>", "II | x | {}", "({})",
+    "both wheels have one and the same speed in that point, so {}",
 ]  # fmt: skip
 LETTERS = ["s {}", "b {}", "{} (s)", "{} t", "{} - (B)"]
 

@@ -24,6 +24,10 @@ v_B = (r3*w3*cos(phi3) - 0.5*r3*w4) i + r3*w3*sin(phi3) j
     f"{IN_UNITS}v_A + v_BA = v_B", f"({A}) + ({BA}) = ({B})", f"v_B = ({A}) + ({BA})\nv_B = ({B})",
     f"v_A = ({A})\nv_BA = ({BA})\nv_B = v_A + v_BA = ({B})",
     f"m = (-sin(phi1), cos(phi1))\nn = (-sin(phi2), cos(phi2))\nr1*w1*m + r2*w2*n = ({B})",
+    f"Pin: v_A = ({A})\nthe rod, v_B = v_A + w2 (-r2*sin(phi2), r2*cos(phi2))\nv_B = ({B})",
+    f"v_Ax = -r1*w1*sin(phi1)\nv_Ay = r1*w1*cos(phi1)\nv_A + ({BA}) = [{B}]", f"v_A = ({A})\nv_B = ({B}) = ({BA}) + v_A",
+    IN_UNITS.replace("v_A = ", "v_A = 1*(").replace(
+        "cos(phi1) j", "cos(phi1) j)") + "v_A + v_BA = v_B",
     r"(-r1*w1*sin(phi1) - r2*w2*sin(phi2)) \vec{i} + (r1*w1*cos(phi1) + r2*w2*cos(phi2)) \vec{j}"
     r" = (r3*w3*cos(phi3) - 0.5*r3*w4) \vec i + r3*w3*sin(phi3) \vec j",
 ])  # fmt: skip

@@ -19,7 +19,8 @@ from tests.grading.scenes import expected
         # a name too many, a name or a length of the task, no link of the task, more than a legend
         ("ψ, β, γ - angles of links 1, 2", {}), ("ψ, r1 - angles of links 1, 2", {}), ("ψ, β - angles of links 1, 7", {}),
         ("r1 = φ1", {}), ("sin = φ1", {}), ("L of link 1", {}), ("ψ for link 1 is small", {}), ("ψ = 2*φ1", {}),
-        ("Ω = w1 + 2", {}),
+        ("Ω = w1 + 2", {}), ("где ωк = w1 — колесо", {"ωк": "w1"}), ("Ω = w1 - speed of link 1", {}),
+        ("Ω = w1 - speed of the crank", {"Omega": "w1"}), ("ψ = φ1 - beta", {}),
         ("ψ = r1", {}), ("φ2 = φ1", {}),
     ],
 )  # fmt: skip
