@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from coursework.effects.dynamics.crossings import SINGLE, crossing_ahead, first_crossing
+from coursework.effects.dynamics.crossings import SINGLE, ended_at, first_crossing
 from coursework.effects.dynamics.dynamics import TOLERANCE, Dynamics
 from coursework.effects.dynamics.dynamics_checks import Evidence, check_dynamics
 from coursework.effects.dynamics.dynamics_lesson import Moved, energy_of_rows, is_heavy, rates_of
@@ -163,8 +163,14 @@ class MotorScene(Scene):
         fine, coarser = (Dynamics(self.free_equations, list(self.closed_start), size) for size in (TOLERANCE, COARSER))
         found = up_to_values(self.variant, fine.exact(self._begin, time.step, time.steps), self._table)
         known = known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
-        ahead = crossing_ahead(self.flow, self._motion_of(known, EXACT)) if known.ended == CHANGE else None
-        return known if ahead is None else replace(known, at=ahead[0], ended=SINGLE if ahead[1] == 1 else CHANGE)
+        if known.ended != CHANGE:
+            return known
+
+        def exact_at(times: Array) -> Motion:
+            return self._motion_of(Dynamics(self.free_equations, []).between(known, times), EXACT)
+
+        at, ended = ended_at(self.flow, self._motion_of(known, EXACT), exact_at, known.at)
+        return replace(known, at=at, ended=ended)
 
     @cached_property
     def _exact_rows(self) -> Motion:
@@ -173,8 +179,12 @@ class MotorScene(Scene):
     @cached_property
     def passed(self) -> tuple[str, ...]:
         """Return the sentence about a change point that the exact motion goes through."""
-        time = first_crossing(self.flow, self._motion_of(self._true, EXACT), self.exact_at)
-        return () if time is None else (say("dynamics.passed", time=time),)
+        return () if self._crossed_at is None else (say("dynamics.passed", time=self._crossed_at),)
+
+    @cached_property
+    def _crossed_at(self) -> float | None:
+        """Return when (s) the exact motion first goes through a change point."""
+        return first_crossing(self.flow, self._motion_of(self._true, EXACT), self.exact_at)
 
     @computed("free_equations")
     def stop(self) -> Stop | None:
@@ -207,9 +217,10 @@ class MotorScene(Scene):
         """Return the rows of a scheme; if no position closes, the exact motion decides whether links or step are the cause."""
         if found.ended != "dead point":
             return found
-        return replace(
-            found, ended={"": TOO_LARGE, LIMIT: LIMIT, CHANGE: CHANGE, SINGLE: SINGLE}.get(self._true.ended, found.ended)
-        )
+        true, crossed = self._true, self._crossed_at
+        if crossed is not None and len(found.t) and 0 <= crossed - found.t[-1] <= 1.001 * self.variant.time.step:
+            return replace(found, ended=CHANGE, at=crossed)  # a slope was looked for just there
+        return replace(found, ended={"": TOO_LARGE, LIMIT: LIMIT, CHANGE: CHANGE, SINGLE: SINGLE}.get(true.ended, found.ended))
 
     def _motion_of(self, found: FreeMotion, scheme: str, label: str = "", stop: Stop | None = None) -> Motion:
         variant, count = self.variant, len(found.t)
@@ -235,8 +246,9 @@ class MotorScene(Scene):
         if scheme is None:
             return self._exact_rows
         rows = Dynamics(self.free_equations, list(self.closed_start)).rows(scheme, self._begin, time.step, time.steps)
-        found = up_to_values(self.variant, rows, self._table)
-        return replace(self._motion_of(found, scheme.name, stop=self._stop_of(self._ended_as(found))), notes=self.passed)
+        found = self._ended_as(up_to_values(self.variant, rows, self._table))
+        notes = () if found.ended == CHANGE else self.passed
+        return replace(self._motion_of(found, scheme.name, stop=self._stop_of(found)), notes=notes)
 
     @computed("free_equations", "stop", "start")
     def exact(self) -> Motion:

@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from coursework.effects.dynamics.why_ended import CHANGE, LIMIT
 from coursework.motion.integration.crossing import crossing
 from coursework.motion.integration.motion import Motion
 from coursework.motion.singular.change_point import branches_at, nearest_change_point
@@ -18,35 +19,61 @@ from coursework.system.arrays import Array
 
 SINGLE = "single"  # a change point at which one motion only goes on
 _SETTLED = 1e-10  # share of a step
-_ROWS = 5  # whose positions and rates give the motion up to a step ahead, as a polynomial: to 1e-10 of it
+_MOST = 4  # changes of sign of a determinant that are looked at
+_TIMES = 5  # whose positions and rates give the motion a little ahead, as a polynomial
+_CLOSER = (1, 8, 64)  # parts of a step between those times: the change point is found to the third power of how far it is
+_AGREED = 1e-9  # share of the time: two that differ by less need no closer look
 _NEWTON = 6
+# Share of a length.  A motion that misses a change point by more ends at a limit: were there a way past it, it would be followed.
+_MISSED = 5e-8
 
 
 def first_crossing(flow: Flow, rows: Motion, exact_at: Callable[[Array], Motion]) -> float | None:
     """Return the first time (s) at which a determinant changes its sign and another motion begins; None if there is none.
 
-    Of each block the first change is looked at.
+    Of each block the first few changes are looked at.
     """
     if _free(flow) is None:
         return None
     signs = np.sign(rows.determinants)
     found = []
     for block, changes in enumerate((signs[1:] * signs[:-1] < 0).T):
-        if not changes.any():
-            continue
-        row = int(np.argmax(changes))
-
-        def determinant(time: float, block: int = block) -> float:
-            there = exact_at(np.array([time]))
-            return float(there.determinants[0, block]) if len(there.t) else np.nan
-
-        times = float(rows.t[row]), float(rows.t[row + 1])
-        ends = float(rows.determinants[row, block]), float(rows.determinants[row + 1, block])
-        if (time := crossing(determinant, times, ends, _SETTLED)) is not None:
-            position = exact_at(np.array([time])).coordinates[0]
-            if len(branches_at(flow, block, 0.0, position.tolist()) or ()) > 1:
-                found.append(time)
+        for row in np.flatnonzero(changes)[:_MOST].tolist():
+            if (crossed := _crossed(flow, rows, exact_at, block, row)) is not None and crossed[1] > 1:
+                found.append(crossed[0])
+                break
     return min(found, default=None)
+
+
+def _crossed(
+    flow: Flow, rows: Motion, exact_at: Callable[[Array], Motion], block: int, row: int
+) -> tuple[float, int] | None:  # fmt: skip
+    """Return when (s) the determinant of a block is zero after a row, and how many motions meet there; None if not found."""
+    tried = list[float]()
+
+    def determinant(time: float) -> float:
+        tried.append(time)
+        there = exact_at(np.array([time]))
+        return float(there.determinants[0, block]) if len(there.t) else np.nan
+
+    times = float(rows.t[row]), float(rows.t[row + 1])
+    ends = float(rows.determinants[row, block]), float(rows.determinants[row + 1, block])
+    time = crossing(determinant, times, ends, _SETTLED)
+    if time is None:  # the motion was not found so close to it
+        found = _reached(flow, exact_at, block, tried[-1], rows.step)
+        return None if found is None else found[:2]
+    return time, _count(flow, block, exact_at(np.array([time])).coordinates[0])
+
+
+def ended_at(flow: Flow, rows: Motion, exact_at: Callable[[Array], Motion], about: float) -> tuple[float, str]:
+    """Return when (s) rows that end near a change point, `about` a time, reach it, and how: `CHANGE`, `SINGLE` or `LIMIT`."""
+    if _free(flow) is None or not len(rows.t):
+        return about, CHANGE
+    found = _reached(flow, exact_at, int(np.argmin(np.abs(rows.scaled[-1]))), about, rows.step)
+    if found is None:
+        return about, CHANGE
+    time, count, missed = found
+    return (about, LIMIT) if missed > _MISSED else (time, SINGLE if count == 1 else CHANGE)
 
 
 def _free(flow: Flow) -> int | None:
@@ -55,28 +82,45 @@ def _free(flow: Flow) -> int | None:
     return flow.equations.variant.rates.index(known[0]) if len(known) == 1 else None
 
 
-def crossing_ahead(flow: Flow, rows: Motion) -> tuple[float, int] | None:
-    """Return when (s) rows that end before a change point reach it, and how many motions meet there; None if it is not found."""
-    free, names = _free(flow), flow.equations.variant.rates
-    if free is None or len(rows.t) < _ROWS:
+def _count(flow: Flow, block: int, position: Array) -> int:
+    """Return how many motions meet at a change point, 0 if that is not known."""
+    return len(branches_at(flow, block, 0.0, position.tolist()) or ())
+
+
+def _reached(
+    flow: Flow, exact_at: Callable[[Array], Motion], block: int, about: float, step: float
+) -> tuple[float, int, float] | None:  # fmt: skip
+    """Return what `_crossed` does, and by what share the motion misses it; the motion is known before it only.
+
+    It is `about` a time (s).
+    """
+    free, names, found = _free(flow), flow.equations.variant.rates, None
+    if free is None:
         return None
-    rates = np.array([rows.velocities[-1, rows.velocity_names.index(name)] for name in names])
-    block, step = int(np.argmin(np.abs(rows.scaled[-1]))), rows.step
-    if not rates[free]:
-        return None
-    found = nearest_change_point(
-        flow, 0.0, rows.coordinates[-1], block, rates / rates[free], 2 * step * float(np.abs(rates).max())
-    )
-    if found is None:
-        return None
-    x = np.arange(1 - _ROWS, 1)
-    powers = np.arange(2 * _ROWS)
+    x = np.arange(1 - _TIMES, 1)
+    powers = np.arange(2 * _TIMES)
     slopes = powers * x[:, None].astype(float) ** np.maximum(powers - 1, 0)
-    known = [rows.coordinates[-_ROWS:, free], step * rows.velocities[-_ROWS:, rows.velocity_names.index(names[free])]]
-    way = np.polynomial.Polynomial(np.linalg.solve(np.vstack([x[:, None] ** powers, slopes]), np.concatenate(known)))
-    ahead = 0.0
-    for _ in range(_NEWTON):
-        ahead -= float((way(ahead) - found[1][free]) / way.deriv()(ahead))
-    if not 0 <= ahead <= 1:
-        return None
-    return float(rows.t[-1]) + ahead * step, len(branches_at(flow, block, 0.0, found[1].tolist()) or ())
+    for parts in _CLOSER:
+        apart = min(step, about / (_TIMES + 1)) / parts
+        before = exact_at(np.asarray(about + (x - 1) * apart))
+        if len(before.t) < _TIMES:
+            break
+        rates = np.array([before.velocities[:, before.velocity_names.index(name)] for name in names]).T
+        if not rates[-1, free]:
+            break
+        within = 2 * apart * float(np.abs(rates[-1]).max())
+        there = nearest_change_point(flow, 0.0, before.coordinates[-1], block, rates[-1] / rates[-1, free], within)
+        if there is None:
+            break
+        known = [before.coordinates[:, free], apart * rates[:, free]]
+        way = np.polynomial.Polynomial(np.linalg.solve(np.vstack([x[:, None] ** powers, slopes]), np.concatenate(known)))
+        ahead = 0.0
+        for _ in range(_NEWTON):
+            ahead -= float((way(ahead) - there[1][free]) / way.deriv()(ahead))
+        if not 0 <= ahead <= 2:
+            break
+        looked, about = about, float(before.t[-1]) + ahead * apart
+        found = about, there[1], there[2]
+        if abs(about - looked) <= _AGREED * about:
+            break
+    return None if found is None else (found[0], _count(flow, block, found[1]), found[2])

@@ -132,6 +132,7 @@ class Dynamics:
             row = max(int(np.searchsorted(rows.t, time, "right")) - 1, 0)
             begin, self.q, self._rates, self.rests_until = float(rows.t[row]), rows.coordinates[row].tolist(), [], -math.inf
             now = [*(self.q[place] for place in self.motion.free), *rows.rates[row].tolist()]
+            self._first = (float(rows.t[0]), *rows.coordinates[0].tolist(), *rows.rates[0].tolist())
             try:
                 if time > begin:
                     now = self._through(begin, now, time, [time - begin], time)

@@ -9,7 +9,6 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import field, replace
 from functools import cached_property
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -17,10 +16,9 @@ import numpy as np
 from coursework.equations.algebra.calculus import derivative
 from coursework.equations.algebra.expression import MINUS, ONE, Expression
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.equations.reduction.matching import blocks as block_order
-from coursework.equations.reduction.matching import match
-from coursework.equations.reduction.symbolic import expanded, symbol
+from coursework.equations.reduction.symbolic import symbol
 from coursework.equations.reduction.system import compile_values
+from coursework.motion.geometry.closure_blocks import blocks_of
 from coursework.motion.geometry.drives.drive import integrals
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags, as_columns
@@ -30,15 +28,14 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 MAX_NEWTON = 25
-# Largest component of a Newton correction (rad or m).  FARTHEST: Newton is lost.  SETTLED: converged.  SHRINKING: small enough
-# that round-off may stop its shrinking.  CLOSED: still accepted when the iterations run out.
+# Largest component of a Newton correction (rad or m, or share of a largest length above 1 m).  FARTHEST: Newton is lost.
+# SETTLED: converged.  SHRINKING: small enough that round-off may stop its shrinking.  CLOSED: accepted when iterations run out.
 FARTHEST, SETTLED, SHRINKING, CLOSED = 10.0, 1e-15, 1e-11, 1e-9
 _REMEMBERED = 4  # grids of times kept in the cache: a table, its exact rows and its checks ask for the same grid
 # Number of times at which a drive that waits is looked at, and the share of the largest length (or rad) that counts as waiting.
 _LATER, WAITING = 201, 1e-3
 CONFIGURATIONS = 5  # number of positions near the start at which equations and links are judged
 _LOOSE = 1e-6  # a coordinate determined up to this share is determined
-MOST_COMBINED = 12  # largest number of equations for which sums and differences of pairs are tried
 
 
 @caching
@@ -82,6 +79,11 @@ class Closure:
         return largest_length(self.equations.variant)
 
     @cached_property
+    def _sizes(self) -> Array:
+        """Return for each coordinate what a correction is measured against: 1 rad, or the largest length if it is above 1 m."""
+        return np.array([1.0 if one.unit == "rad" else max(1.0, self.scale) for one in self.equations.variant.coordinates])
+
+    @cached_property
     def configurations(self) -> tuple[Array, Array]:
         """Return times and closed positions near the start, with the drive moved on; only the start if Newton finds none.
 
@@ -116,8 +118,11 @@ class Closure:
     def _moved(self, times: Array) -> Flags:
         """Return at which times (n,) the drives have moved something away from the start."""
         kept, known = self.targets(times)
-        every = np.concatenate([kept, known], axis=1)
-        return np.asarray(np.max(np.abs(every - every[0]), axis=1, initial=0.0) > WAITING * self.scale)
+        every, variant = np.concatenate([kept, known], axis=1), self.equations.variant
+        turns = {one.rate for one in variant.coordinates if one.unit == "rad"}
+        drives = [*self.drives, *(variant.rates[place] for place in self.driven)]
+        sizes = np.array([1.0 if name in turns else self.scale for name in drives])
+        return np.asarray(np.max(np.abs(every - every[0]) / sizes, axis=1, initial=0.0) > WAITING)
 
     def at_zero(self, zero: Sequence[bool]) -> Closure:
         """Return the closure with target 0 for the equations flagged in `zero`; the others keep the value the start gives."""
@@ -179,7 +184,7 @@ class Closure:
                 step = self.correction(t, q, target)
             except (np.linalg.LinAlgError, ArithmeticError, ValueError):  # a root may have no value on the way
                 return None
-            size = float(np.max(np.abs(step), initial=0.0))
+            size = float(np.max(np.abs(step) / self._sizes, initial=0.0))
             if not size <= FARTHEST:
                 return None
             q = q + step
@@ -200,7 +205,7 @@ class Closure:
         moving = np.arange(len(q))
         for _ in range(MAX_NEWTON):
             step = self.correction(times[moving], q[moving], targets[moving])
-            size = np.max(np.abs(step), axis=1, initial=0.0)
+            size = np.max(np.abs(step) / self._sizes, axis=1, initial=0.0)
             near = size <= FARTHEST  # false for nan
             lost[moving[~near]] = True
             q[moving[near]] += step[near]
@@ -238,7 +243,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
         raise InputError([Fault(told, variant.file, variant.nearest_line("closure"))]) from error
     origin = np.where([position.target == "zero" for position in positions], 0.0, values)
     followed = tuple("" if position.target in {"zero", "start"} else position.target for position in positions)
-    blocks = equations.once("closure blocks", lambda: _blocks([p.expression for p in positions], names, equations, free))
+    blocks = equations.once("closure blocks", lambda: blocks_of([p.expression for p in positions], names, equations, free))
     return Closure(
         tuple(p.name for p in positions), free, driven, followed, origin, np.array(start, dtype=float), function, rows, equations,
         blocks, equations.once("turning", lambda: _turning(equations)),
@@ -264,37 +269,3 @@ def _without_value(equations: VelocityEquations, wanted: list[Expression], start
         except (ArithmeticError, ValueError):
             found.append(position.name)
     return found
-
-
-def _blocks(
-    expressions: list[Expression], names: list[Expression], equations: VelocityEquations, free: tuple[int, ...]
-) -> tuple[tuple[Array, list[int], list[int]], ...]:
-    """Return the blocks of a `Closure` in the order of solution, with sums of equations in which fewer coordinates occur.
-
-    There are none if the equations cannot be matched one to one with the coordinates.
-    """
-    places = {name: i for i, name in enumerate(names)}
-    definitions = equations.symbols.definitions
-
-    def inside(expr: Expression) -> frozenset[int]:
-        return frozenset(places[name] for name in definitions.behind(expr.free_symbols) if name in places)
-
-    count = len(expressions)
-    combination = np.eye(count)
-    rows = [inside(expr) for expr in expressions]
-    # With products multiplied out once, equal terms cancel in sums and differences.
-    flat = [expanded(expr) for expr in expressions] if count <= MOST_COMBINED else []
-    for i, j, sign in product(range(len(flat)), range(len(flat)), (-1, 1)):
-        if i != j and rows[i] & rows[j]:
-            joined = flat[i] + sign * flat[j]
-            fewer = inside(joined)
-            if fewer < rows[i]:
-                flat[i], rows[i] = joined, fewer
-                combination[i] = combination[i] + sign * combination[j]
-    owner = match(rows, len(names))
-    if count != len(names) or -1 in owner:
-        return ()
-    return tuple(
-        (combination[[owner[column] for column in columns]], columns, [free[column] for column in columns])
-        for columns in block_order(rows, owner)
-    )

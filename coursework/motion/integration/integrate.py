@@ -137,7 +137,9 @@ class March:
         if stop is not None:
             last = min(last, rows_before(stop.time, step) - 1)
         times: Array = np.arange(last + 1).astype(np.float64) * step
-        rows = [] if self.correction else self._generated(start, last)
+        # Generated rows know no limits: a slope just at a passage would be another than when the row is made again.
+        before = min((rows_before(passage.middle.time, step) - 1 for passage in self.passages), default=last)
+        rows = [] if self.correction else self._generated(start, min(last, max(0, before)))
         if len(rows) <= last:
             own = self._followed(start, times, rows)
             stop = stop if own is None else _first_stop(stop, own)

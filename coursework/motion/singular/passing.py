@@ -135,6 +135,8 @@ def _flanked(
     if np.any(others != others[0]) or not np.all((straight > 1 / _STRAIGHT) & (straight < _STRAIGHT)):
         return None
     flanks = tuple(_state(flow, t, q) for t, q in zip(times, positions, strict=True))
+    if any(state.velocities.keys() != middle.velocities.keys() for state in flanks):  # a flank is singular itself
+        return None
     return Passage(block, middle, flanks, flank, flow.equations.variant.rates)
 
 

@@ -133,6 +133,21 @@ def test_position_equations_tell_which_motion_goes_on_where_a_factor_of_an_equat
         assert len(run.stop.branches) == 2
 
 
+@pytest.mark.parametrize(("lost", "told"), [("y", None), ("(x+0.999)*y^2", "0.999 + x = 0")])
+def test_a_row_just_at_a_passage_follows_from_the_row_before(lost, told):
+    """y = 0 after 1.25 s, in row 26; a table of Runge-Kutta 4 was called changed there.  A second zero beside ends the motion."""
+    text = scene(
+        'a = { start = "2.5 rad", rate = "w" }\n'
+        f'x = {{ start = "{math.cos(2.5)!r} m", rate = "vx" }}\ny = {{ start = "{math.sin(2.5)!r} m", rate = "vy" }}',
+        drive=f'w = "{2 if told else -2}"', step=0.05, end=30.0 if told else 1.5,
+        equations=["vx = -y*w", f"{lost}*vy = -{lost}*x*vx/y"],
+        more='[closure]\nholds = ["x - cos(a)", "y - sin(a)"]',
+    )  # fmt: skip
+    run = solve(text, "rk4", ("table", "checks"))
+    assert "was changed" not in run.summary and np.abs(run.exact.column("y") - np.sin(run.exact.column("a"))).max() < 1e-9
+    assert told in run.stop.cause if told else [one.middle.time for one in run.scene.search.passages] == pytest.approx([1.25])
+
+
 def test_a_position_equation_that_says_nothing_at_a_change_point_tells_no_motion():
     """A slider on a rod as long as its crank: x (x - 2 r cos(a)) = 0, so at 90 degrees it may stay on the pivot."""
     text = scene(

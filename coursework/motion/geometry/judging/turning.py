@@ -63,7 +63,9 @@ def _faults(equations: VelocityEquations, closure: Closure, rigid: bool) -> list
     # What the geometry leaves open is not judged; nor is what changes its shape because the start is not closed.
     told = np.array([gives(known, asked[:, place]) for place in range(asked.shape[1])], dtype=bool).reshape(-1, 3)
     found, named, grows = np.moveaxis(((asked @ velocities)[:, :, 0] - freely).reshape(len(times), -1, 3), 2, 0)
-    largest = np.max(np.abs(np.concatenate([found, named])), initial=0.0)
+    # The terms of a rate, not the rate: a link that rests has round-off alone.
+    terms = ((np.abs(asked) @ np.abs(velocities))[:, :, 0] + np.abs(freely)).reshape(len(times), -1, 3)
+    largest = np.max(terms[:, :, :2], initial=0.0)
     judged = told.all(axis=1) & (rigid | (np.max(np.abs(grows), axis=0) <= _TOLERANCE * largest * closure.scale**2))
     faults = []
     for link in dict.fromkeys(turn.link for turn in turns):

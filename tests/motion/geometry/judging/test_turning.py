@@ -1,5 +1,6 @@
 """A link whose rate is another's, or whose wheel would slip, is told by name; a sense counted clockwise is none of that."""
 
+import math
 import re
 
 import pytest
@@ -50,6 +51,40 @@ def test_a_wheel_that_turns_otherwise_is_told_where_the_slip_may_be(slips, told)
     with pytest.raises(coursework.InputError, match=r"V309") as caught:
         closure(mechanism("press-with-two-gears"), *slips)
     assert told in str(caught.value)
+
+
+@pytest.mark.parametrize(("size", "speed"), [(1e-6, -1.0), (1e3, -1.0), (1e5, -1e-3), (1.0, 300.0)])
+def test_a_link_that_rests_is_not_judged_by_its_round_off(size, speed):
+    """A kite whose rocker lies on the frame, C on A, while crank and coupler turn."""
+    text = f'''format = 1
+[given]
+a = "{0.5 * size!r} m"
+c = "{size!r} m"
+[drive]
+w1 = "{speed} rad/s"
+[coordinates]
+p1 = {{ start = "{math.pi + 1!r} rad", rate = "w1" }}
+p2 = {{ start = "1 rad", rate = "w2" }}
+p3 = {{ start = "{math.pi!r} rad", rate = "w3" }}
+[time]
+step = "{0.02 / abs(speed)!r} s"
+end = "{0.5 / abs(speed)!r} s"
+[points]
+A = "(0, 0)"
+B = "A + a @ p1"
+C = "B + a @ p2"
+D = "(c, 0)"
+[links]
+1 = {{ points = ["A", "B"], rate = "w1" }}
+2 = {{ points = ["B", "C"], rate = "w2" }}
+3 = {{ points = ["D", "C"], rate = "w3" }}
+[[constraint]]
+name = "1"
+closure = "a @ p1 + a @ p2 = (c, 0) + c @ p3"
+[frame]
+hinges = ["A", "D"]
+'''
+    assert closure(text).complete
 
 
 def test_the_rate_that_is_meant_is_named_where_another_link_has_it():
