@@ -6,7 +6,6 @@ Enters: `Handout`s and the assignment they come from.  Leaves: HTML without scri
 from __future__ import annotations
 
 import statistics
-from collections import defaultdict
 from collections.abc import Sequence
 
 from coursework.assigning.accept import Accepted
@@ -16,6 +15,7 @@ from coursework.assigning.ranges import MEASURES, Range
 from coursework.assigning.variants import Assignment
 from coursework.report.graphs.strips import strip
 from coursework.report.text.words import Words
+from coursework.system.grouped import grouped
 from coursework.variant.formula.units import read
 from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
@@ -100,8 +100,6 @@ def _student(handout: Handout, words: Words) -> Plain:
 
 def _equal(accepted: Sequence[Accepted]) -> list[list[str]]:
     """Return the groups of students who have the same data."""
-    alike = defaultdict[tuple[str, ...], list[str]](list)
-    for one in accepted:
-        data = tuple(text for path, text in sorted(one.values.items()) if path[0] != "time")
-        alike[data].append(clean(one.id, LONGEST))
+    data = [tuple(text for path, text in sorted(one.values.items()) if path[0] != "time") for one in accepted]
+    alike = grouped((texts, clean(one.id, LONGEST)) for texts, one in zip(data, accepted, strict=True))
     return [students for students in alike.values() if len(students) > 1]

@@ -30,6 +30,7 @@ from coursework.scene.model.sets import prepare
 from coursework.scene.model.start import left_open, start_of
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
+from coursework.system.grouped import grouped
 from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import CourseworkError
 
@@ -51,11 +52,8 @@ def judge(model: Model, data: Data, limits: Limits) -> list[Verdict]:
     """Return the verdict on each set of data."""
     variants = [with_numbers(model.variant, data, index) for index in range(data.count)]
     verdicts = [_refused_at_sight(model.variant, data, index, variants[index]) for index in range(data.count)]
-    groups: dict[tuple[float, float], list[int]] = {}
-    for index, verdict in enumerate(verdicts):
-        if not verdict.refused:
-            time = variants[index].time
-            groups.setdefault((time.step, time.end), []).append(index)
+    times = [(variant.time.step, variant.time.end) for variant in variants]
+    groups = grouped((times[index], index) for index, verdict in enumerate(verdicts) if not verdict.refused)
     for members in groups.values():
         judged = _judge_alike(model, data.part(members), [variants[index] for index in members], limits)
         for index, verdict in zip(members, judged, strict=True):

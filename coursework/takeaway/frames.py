@@ -7,7 +7,7 @@ Used by `run.py`; it imports pandas, which the files of a run do not need.
 from __future__ import annotations
 
 from dataclasses import field, fields
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -73,7 +73,8 @@ class ExactRows(Motion):
         Raises `InputError` for a time outside the motion, and for text that is no time.
         """
         assert self.scene is not None
-        times = np.array([_time(one) for one in np.atleast_1d(np.asarray(t)).ravel().tolist()], dtype=float)
+        asked = np.atleast_1d(np.asarray(t)).ravel().tolist()
+        times = np.array([number_of_seconds(seconds(one), "time") for one in asked], dtype=float)
         last = self.scene.last_time
         outside = times[~((times >= 0) & (times <= last * (1 + _SHORTEST)))].tolist()
         grid, places = np.unique(np.append(np.clip(times, 0.0, last), 0.0), return_inverse=True)
@@ -81,10 +82,6 @@ class ExactRows(Motion):
         if outside or len(found.t) < len(grid):
             raise InputError(say("fault.D026", time=[*outside, float(grid[-1])][0], last=last))
         return exact_rows(self.scene, found, places.ravel()[:-1])
-
-
-def _time(given: Any) -> float:
-    return number_of_seconds(seconds(given), "time")
 
 
 def exact_rows(scene: Scene, motion: Motion, places: NDArray[np.intp] | None = None) -> ExactRows:

@@ -14,6 +14,7 @@ from coursework.motion.integration.motion import Motion
 from coursework.report.text.symbols import symbol
 from coursework.results.accuracy.record import AccuracyStudy
 from coursework.scene.scene_run import SceneRun
+from coursework.system.grouped import grouped
 from coursework.variant.record.variant import no_column
 from coursework.words.sentences import say
 
@@ -33,9 +34,7 @@ def plot_run(run: SceneRun, names: Sequence[str], exact: bool, ax: Axes | None) 
         # For "B.vx", `unit_of` tells later whether there is such a point.
         if name not in run.motion.names and not _is_acceleration(run.motion, name) and "." not in str(name):
             raise no_column(name, run.motion.names)
-    by_unit: dict[str, list[str]] = {}
-    for name in listed:
-        by_unit.setdefault(run.variant.unit_of(name), []).append(name)
+    by_unit = grouped((run.variant.unit_of(name), name) for name in listed)
     if len(by_unit) == 1 or ax is not None:
         drawn = _axes(ax)
         _columns(drawn, run, listed, ", ".join(by_unit), exact)

@@ -29,8 +29,8 @@ from coursework.grading.marking.equations.numbers import value_of
 from coursework.grading.marking.key.key import key_of
 from coursework.mechanism.mechanism import build
 from coursework.scene.quantities import TABLE
-from coursework.variant.formula.made import unsigned
-from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.formula.tree import Formula
+from coursework.variant.judging.dimension_words import text_of
 from coursework.variant.record.entries import Constraint
 from coursework.variant.record.other_values import Changes
 from coursework.variant.record.variant import Variant
@@ -123,9 +123,9 @@ def _slip(one: Constraint, judge: Judge, others: Sequence[Linear], whole: str) -
         is_nothing = edit.kind in {"name", "factor"} and np.all(np.abs(value_of(edit.replacement, probe.names)) < NOTHING)
         if mended.residual <= RIGHT and not is_nothing and not any(is_same(mended, other) for other in others):
             column = column_as_handed_in(text, text, edit.column, is_sign=True) if edit.kind == "sign" else edit.column
-            return say(f"desk.slip.{edit.kind}", term=_shown(_edited(tree, edit))), column
+            return say(f"desk.slip.{edit.kind}", term=text_of(_edited(tree, edit), _LONGEST)), column
     differs = difference_of(tree, judge.key.variant, probe, others)
-    return (say(f"desk.slip.{differs.kind}", term=_shown(differs.term)), differs.column) if differs else None
+    return (say(f"desk.slip.{differs.kind}", term=text_of(differs.term, _LONGEST)), differs.column) if differs else None
 
 
 def _edited(tree: Formula, edit: Edit) -> Formula:
@@ -147,11 +147,6 @@ def _unsigned(term: Formula) -> Formula:
     if term.op == "neg":
         return _unsigned(term.args[0])
     return replace(term, args=(_unsigned(term.args[0]), *term.args[1:])) if term.op in {"*", "/"} else term
-
-
-def _shown(term: Formula) -> str:
-    text = spelled(unsigned(term))
-    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
 def _entry(fault: Fault, slip: Slip, desk: Desk) -> dict[str, Any]:

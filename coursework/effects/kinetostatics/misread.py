@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -21,14 +22,9 @@ from coursework.variant.formula.tree import Formula
 Slip = Callable[[Rows, Action], Action | None]  # maps an action to the mistaken one, or to None if it is forgotten
 
 
-def _no_weight(_: Rows, one: Action) -> Action | None:
-    """Return None for a weight, which is forgotten; other actions unchanged."""
-    return None if one.effect == "weight" else one
-
-
-def _no_inertia(_: Rows, one: Action) -> Action | None:
-    """Return None for an action of inertia, which is forgotten (statics); other actions unchanged."""
-    return None if one.effect == "inertia" else one
+def _without(effect: str, _: Rows, one: Action) -> Action | None:
+    """Return None for an action of this effect, which is forgotten (without inertia: statics); other actions unchanged."""
+    return None if one.effect == effect else one
 
 
 def _inertia_turned(rows: Rows, one: Action) -> Action | None:
@@ -75,9 +71,9 @@ def _arm_of_the_joint(rows: Rows, one: Action) -> Action | None:
 
 
 SLIPS: dict[str, Slip] = {
-    "no_weight": _no_weight, "no_inertia": _no_inertia, "inertia_turned": _inertia_turned, "couple_turned": _couple_turned,
-    "about_the_joint": _about_the_joint, "acceleration_of_the_joint": _acceleration_of_the_joint,
-    "arm_of_the_joint": _arm_of_the_joint,
+    "no_weight": partial(_without, "weight"), "no_inertia": partial(_without, "inertia"), "inertia_turned": _inertia_turned,
+    "couple_turned": _couple_turned, "about_the_joint": _about_the_joint,
+    "acceleration_of_the_joint": _acceleration_of_the_joint, "arm_of_the_joint": _arm_of_the_joint,
 }  # fmt: skip
 
 

@@ -82,7 +82,8 @@ class Block:
         m = self.coefficients
         if self.size == 1:
             return m[0][0]
-        below = [_minor(m[-2], m[-1], left, right) for left, right in ((0, 1), (0, 2), (1, 2))[: 2 * self.size - 3]]
+        pairs = ((0, 1), (0, 2), (1, 2))[: 2 * self.size - 3]
+        below = [m[-2][left] * m[-1][right] - m[-2][right] * m[-1][left] for left, right in pairs]
         return below[0] if self.size == 2 else m[0][0] * below[2] - m[0][1] * below[1] + m[0][2] * below[0]
 
     @property
@@ -92,10 +93,6 @@ class Block:
         if self.size == 1:
             return (r[0],)
         return r[0] * m[1][1] - m[0][1] * r[1], m[0][0] * r[1] - r[0] * m[1][0]
-
-
-def _minor(upper: Sequence[Expression], lower: Sequence[Expression], left: int, right: int) -> Expression:
-    return upper[left] * lower[right] - upper[right] * lower[left]
 
 
 @frozen

@@ -19,6 +19,7 @@ from coursework.grading.platforms.names import legible, same_key
 from coursework.grading.reading.files.kinds import is_ignored
 from coursework.grading.reading.submission import Note, note
 from coursework.system.frozen import frozen
+from coursework.system.grouped import grouped
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -123,10 +124,8 @@ def _handed_in_again(names: Collection[str]) -> dict[str, str]:
 
     Names of which none is without a number may be a student's own: of two parts of one work.
     """
-    by_original: dict[str, list[tuple[int, str]]] = {}
-    for name in names:
-        if again := _AGAIN.fullmatch(name):
-            by_original.setdefault(f"{again[1]}{again[3] or ''}", []).append((int(again[2]), name))
+    numbered = (again for name in names if (again := _AGAIN.fullmatch(name)))
+    by_original = grouped((f"{again[1]}{again[3] or ''}", (int(again[2]), again[0])) for again in numbered)
     found: dict[str, str] = {}
     for original in by_original.keys() & set(names):
         *older, newest = [original, *(name for _, name in sorted(by_original[original]))]
@@ -144,12 +143,8 @@ def _by_folder(names: Names) -> list[FileList]:
 
 
 def _flat(names: Names) -> list[FileList]:
-    files: dict[str, list[tuple[str, str]]] = {}
-    notes: dict[str, list[Note]] = {}
-    for name, place in names.files:
-        files.setdefault(_flat_id(name), []).append((name, place))
-    for name, found in names.notes.items():
-        notes.setdefault(_flat_id(name), []).extend(found)
+    files = grouped((_flat_id(name), (name, place)) for name, place in names.files)
+    notes = grouped((_flat_id(name), one) for name, found in names.notes.items() for one in found)
     return [FileList(student, None, tuple(sorted(files.get(student, []))), notes=tuple(notes.get(student, ())))
             for student in {**files, **notes}]  # fmt: skip
 
@@ -163,11 +158,7 @@ def _flat_id(name: str) -> str:
 def _with_doubts(file_lists: Iterable[FileList]) -> tuple[FileList, ...]:
     """Return the file lists by id; ids that some systems cannot tell apart, and copies beside an original, need a person."""
     ordered = sorted(_with_ids(file_lists), key=lambda file_list: file_list.id)
-    same: dict[str, list[str]] = {}
-    alike: dict[str, list[str]] = {}
-    for file_list in ordered:
-        same.setdefault(same_key(file_list.id), []).append(file_list.id)
-        alike.setdefault(_original(file_list.id), []).append(file_list.id)
+    same, alike = (grouped((key(one.id), one.id) for one in ordered) for key in (same_key, _original))
     checked = []
     for file_list in ordered:
         twins = [file_list.shared] * 2 if file_list.shared else same[same_key(file_list.id)]
@@ -182,9 +173,7 @@ def _with_doubts(file_lists: Iterable[FileList]) -> tuple[FileList, ...]:
 
 def _with_ids(file_lists: Iterable[FileList]) -> Iterator[FileList]:
     """Yield the file lists with ids and names that can be written; lists whose ids look alike get different ids."""
-    same: dict[str, list[FileList]] = {}
-    for file_list in file_lists:
-        same.setdefault(unicodedata.normalize("NFC", legible(file_list.id)), []).append(file_list)
+    same = grouped((unicodedata.normalize("NFC", legible(one.id)), one) for one in file_lists)
     taken = {*same}
     for student, listed in same.items():
         listed.sort(key=lambda one: one.id.encode("utf-8", "surrogatepass"))

@@ -15,6 +15,7 @@ from coursework.grading.platforms.names import name_key, same_key
 from coursework.grading.platforms.roster import Student
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
 from coursework.system.frozen import frozen
+from coursework.system.grouped import grouped
 
 
 @frozen
@@ -74,10 +75,8 @@ class _People:
 
 def _unique(pairs: Iterable[tuple[str, Student]]) -> dict[str, Student]:
     """Return the pairs whose key belongs to only one student."""
-    found: dict[str, list[Student]] = {}
-    for key, student in pairs:
-        found.setdefault(key, []).append(student)
-    return {key: students[0] for key, students in found.items() if len({student.id for student in students}) == 1 and key}
+    found = grouped(pairs).items()
+    return {key: students[0] for key, students in found if len({student.id for student in students}) == 1 and key}
 
 
 def _run_together(name: str) -> set[str]:

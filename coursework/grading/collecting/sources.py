@@ -229,19 +229,15 @@ def _walk(folder: Path, before: str, depth: int, *, of_students: bool = False) -
 def read_regular(path: Path, name: str, left: int) -> SubmittedFile | Note:
     """Return a file's bytes, at most 4 MB and `left`; a note if it is not a regular file with a single name."""
     try:
-        handle = os.open(path, _FLAGS)
+        with os.fdopen(os.open(path, _FLAGS), "rb") as file:
+            status = os.fstat(file.fileno())
+            if not stat.S_ISREG(status.st_mode):
+                return note("ignored_file", name=name, why=say("reading.why.not_regular"))
+            if status.st_nlink > 1:
+                return note("ignored_file", name=name, why=say("reading.why.hard_link"))
+            return _bounded(file, name, status.st_size, left)
     except OSError as error:
         return submitted_file(name, b"", say("reading.trouble.locked", why=reason_of(error)))
-    with os.fdopen(handle, "rb") as file:
-        status = os.fstat(handle)
-        if not stat.S_ISREG(status.st_mode):
-            return note("ignored_file", name=name, why=say("reading.why.not_regular"))
-        if status.st_nlink > 1:
-            return note("ignored_file", name=name, why=say("reading.why.hard_link"))
-        try:
-            return _bounded(file, name, status.st_size, left)
-        except OSError as error:
-            return submitted_file(name, b"", say("reading.trouble.locked", why=reason_of(error)))
 
 
 def _bounded(file: IO[bytes], name: str, size: int, left: int) -> SubmittedFile:

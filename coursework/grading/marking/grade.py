@@ -163,7 +163,7 @@ class Marker:
             return self._grade(work, student)
         notes = (*in_order.notes, *(one for one in work.notes if one not in work.table.notes))
         tried = [(work, student), (replace(work, table=in_order, notes=notes), student_of(self.key, in_order))]
-        right = [self._right(one) for _, one in tried]
+        right = [int(marked(self.key, one).right.sum()) for _, one in tried]
         if right[1] > right[0]:
             tried, right = tried[::-1], right[::-1]
         first = self._grade(*tried[0])
@@ -206,10 +206,6 @@ class Marker:
     def _equations(self, work: StudentWork, *, turning: bool) -> EquationMarks | None:
         marks = None if work.equations is None or self.by_forces else self.judge.mark(work.equations, turning=turning)
         return marks if marks and marks.marks else None
-
-    def _right(self, student: StudentTable) -> int:
-        """Return how many cells of a table are right."""
-        return int(marked(self.key, student).right.sum())
 
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
         """Return the marks of a table; digits that were cut off are put back, unless that earns less."""

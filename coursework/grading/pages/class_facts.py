@@ -10,12 +10,11 @@ import statistics
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import Any
 
 from coursework.grading.marking.rubric import PARTS
 from coursework.system.frozen import changing, frozen
-
-_Kept = TypeVar("_Kept")
+from coursework.system.grouped import grouped
 
 # Work of these kinds with all its points is alike by nature, as long as its file is plain text: a file of an office program
 # holds times and names of its own.
@@ -95,12 +94,12 @@ class ClassFacts:
     @property
     def by_variant(self) -> dict[str, list[float]]:
         """Return the points of all submissions with a number, by variant."""
-        return _gathered((one.variant, one.score) for one in self.everyone if one.score is not None)
+        return grouped((one.variant, one.score) for one in self.everyone if one.score is not None)
 
     @property
     def misconceptions(self) -> dict[str, list[str]]:
         """Return the ids by the code of their misconception."""
-        return _gathered((one.misconception, one.id) for one in self.everyone if one.misconception)
+        return grouped((one.misconception, one.id) for one in self.everyone if one.misconception)
 
     @property
     def other_data(self) -> list[tuple[str, str]]:
@@ -149,20 +148,9 @@ class ClassFacts:
         }
 
 
-def _gathered(pairs: Iterable[tuple[str, _Kept]]) -> dict[str, list[_Kept]]:
-    found: dict[str, list[_Kept]] = {}
-    for name, kept in pairs:
-        found.setdefault(name, []).append(kept)
-    return found
-
-
 def _shared(files: Iterable[HandedIn]) -> dict[tuple[str, ...], list[str]]:
     """Return the names of the files that several people handed in, by their ids."""
-    groups: dict[tuple[str, ...], list[str]] = {}
-    for file in files:
-        if len(ids := {*file.ids}) > 1:
-            groups.setdefault(tuple(sorted(ids)), []).append(file.name)
-    return groups
+    return grouped((tuple(sorted(ids)), file.name) for file in files if len(ids := {*file.ids}) > 1)
 
 
 def _is_simply_right(file: Mapping[str, Any], entry: Mapping[str, Any]) -> bool:

@@ -85,14 +85,12 @@ def _spread(tree: Formula, plain: Setter) -> tuple[bool, Formula | None, Formula
 
     The factor is None where only a minus stands before the sum.
     """
-    if tree.op == "neg":
-        if tree.args[0].op in {"+", "-"}:
-            return True, None, tree.args[0]
-        inner = _spread(tree.args[0], plain)
-        return None if inner is None else (not inner[0], inner[1], inner[2])
     above, below = (tree.args[0], tree.args[1]) if tree.op == "/" else (tree, None)
     if above.op == "neg":
-        inner = _spread(Formula("/", (above.args[0], below)) if below else above.args[0], plain)
+        rest = Formula("/", (above.args[0], below)) if below else above.args[0]
+        if rest.op in {"+", "-"}:
+            return True, None, rest
+        inner = _spread(rest, plain)
         return None if inner is None else (not inner[0], inner[1], inner[2])
     parts = [factor for factor, _ in factors(above)]
     sums = [factor for factor in parts if factor.op in {"+", "-"}]

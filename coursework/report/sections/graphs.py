@@ -46,10 +46,8 @@ def graphs(context: PageContext) -> list[Part]:
     curve = _curves(context)
     constant = given_constants(context.run.variant, motion.names, motion.rows)
     named = [_rows(context, name, curve) for name in motion.names if name not in constant]
-    parts: list[Part] = []
-    for first in range(0, len(named), MOST_PANELS):
-        parts.append(_figure(context, named[first : first + MOST_PANELS], first // MOST_PANELS + 1))
-    return parts
+    firsts = range(0, len(named), MOST_PANELS)
+    return [_figure(context, named[first : first + MOST_PANELS], number) for number, first in enumerate(firsts, start=1)]
 
 
 def dotted(context: PageContext) -> Motion | None:

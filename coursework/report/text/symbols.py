@@ -132,9 +132,7 @@ def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
         inner = symbol(match[1] + match[2])
         if not (inner.is_word or inner.dotted):
             return Symbol(inner.letter, inner.subscript, dotted=True)
-    if match := _GREEK_HEAD.fullmatch(name):
-        return Symbol(GREEK[match[1]], _greek(match[2]))
-    if match := _NAMED_AFTER.fullmatch(name):
+    if match := _GREEK_HEAD.fullmatch(name) or _NAMED_AFTER.fullmatch(name):
         return Symbol(GREEK[match[1]], _greek(match[2]))
     if name.isalpha() and name.isupper():
         return Symbol(name)  # AB, BM: the segment between two points

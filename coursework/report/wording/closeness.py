@@ -85,7 +85,8 @@ def largest_error_sentence(context: PageContext) -> str:
         degrees = context.with_unit(numbers.scalar(math.degrees(off), 2), "°")
         amount = say("result.angle", amount=amount, degrees=degrees)
     is_beside = context.run.tableau is None  # the table is exact: no scheme has made its rows
-    title = context.told(_title(context, SCHEMES.get(found.motion.scheme) is None or not is_beside))
+    is_own = SCHEMES.get(found.motion.scheme) is None or not is_beside
+    title = context.told(context.run.scheme_title if is_own else title_of(DEFAULT_SCHEME))
     part = context.told(percent(share, LIMIT))
     where = say("result.where", amount=amount, symbol=context.lettering(name), row=row + 1, share=part)
     return say("result.error_beside" if is_beside else "result.error", scheme=title, errors=where)
@@ -101,10 +102,6 @@ def _largest(context: PageContext, found: Evidence) -> tuple[float, str, int, fl
     row, place = worst(shares)
     share, name = float(shares[row, place]), found.names[place]
     return share, name, row, share * found.scale[name]
-
-
-def _title(context: PageContext, own: bool) -> str:
-    return context.run.scheme_title if own else title_of(DEFAULT_SCHEME)
 
 
 def largest_step_error(context: PageContext) -> LocalError | None:

@@ -171,21 +171,19 @@ class Model:
     @property
     def row_program(self) -> Callable[..., Any]:
         """Return the same function as `program` for numbers alone, which raises where there is no value."""
-        if "row" not in self._compiled:
-            self._compiled["row"] = self._of_blocks(numpy=False)
-        return self._compiled["row"]
+        return self._of_blocks("row", numpy=False)
 
     @property
     def program(self) -> Callable[..., Any]:
         """Return the function (t, *q, *numbers) -> velocities then determinants, for numbers or arrays that broadcast."""
-        if "program" not in self._compiled:
-            self._compiled["program"] = self._of_blocks(numpy=True)
-        return self._compiled["program"]
+        return self._of_blocks("program", numpy=True)
 
-    def _of_blocks(self, *, numpy: bool) -> Callable[..., Any]:
-        statements = [one for index, block in enumerate(self.blocks) for one in block_statements(block, index)]
-        results = [symbol(name) for name in self.velocities] + [local(f"_det{index}") for index in range(len(self.blocks))]
-        return self.compile(statements, results, numpy=numpy)
+    def _of_blocks(self, kept_as: str, *, numpy: bool) -> Callable[..., Any]:
+        if kept_as not in self._compiled:
+            statements = [one for index, block in enumerate(self.blocks) for one in block_statements(block, index)]
+            results = [symbol(name) for name in self.velocities] + [local(f"_det{index}") for index in range(len(self.blocks))]
+            self._compiled[kept_as] = self.compile(statements, results, numpy=numpy)
+        return self._compiled[kept_as]
 
     def compile(
         self,

@@ -17,6 +17,7 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
 from coursework.system.extras import require
+from coursework.system.grouped import grouped
 from coursework.takeaway.workbook.by_forces import forced_columns
 from coursework.takeaway.workbook.cells import FIRST, SHEET, StepTable
 from coursework.takeaway.workbook.checks import EXACT, residuals_of, write_checks, write_exact
@@ -125,9 +126,7 @@ def _readme(book: Book, sheet: Any) -> None:
 def write_graphs(book: Book, sheet: Any, table: StepTable) -> None:
     """Write the charts: velocities first, then coordinates."""
     motion, run = table.motion, book.run
-    by_unit: dict[str, list[str]] = {}
-    for name in (*motion.velocity_names, *motion.coordinate_names):
-        by_unit.setdefault(run.variant.unit_of(name), []).append(name)
+    by_unit = grouped((run.variant.unit_of(name), name) for name in (*motion.velocity_names, *motion.coordinate_names))
     exact = [column.head for column in table.columns[1:] if column.head in run.scene.exact.names]
     for place, (unit, names) in enumerate(by_unit.items() if table.rows > 1 else ()):
         chart = book.file.add_chart({"type": "scatter", "subtype": "straight"})

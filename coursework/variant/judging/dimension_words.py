@@ -1,6 +1,6 @@
 """The sentences about two things of different dimensions, and about the datum that causes this.
 
-Enters: a `Place`, its `Clash`.  Leaves: sentences.  Used by `dimension_check.py` only.
+Enters: a `Place`, its `Clash`.  Leaves: sentences.  Used by `dimension_check.py`, `plausibility.py` and `contradicted.py`.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ def _named(term: Term, solved: Solved) -> Sentence | None:
     return None if found is None else what(found)
 
 
-def text_of(tree: Formula) -> str:
-    """Return a term for a message: without its sign, shortened."""
+def text_of(tree: Formula, most: int = _MOST_LETTERS) -> str:
+    """Return a term for a message: without its sign, shortened to `most` letters."""
     text = spelled(unsigned(tree))
-    return text if len(text) <= _MOST_LETTERS else f"{text[:_MOST_LETTERS]}…"
+    return text if len(text) <= most else f"{text[:most]}…"

@@ -169,7 +169,8 @@ def _without_unit(name: str, text: str, si: str) -> Sentence:
 def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
     """Yield numbers that must have a dimension, times used as angles, and formulas that only units could make consistent."""
     if any(given.si for given in variant.given):
-        written = _written_lengths(variant)
+        # Whole lengths in the points and groups of the file: 0.27, but not the 0.5 of 0.5*r3.
+        written = {length.name for length in lengths_of(variant) if length.op == "number"}
         for path, term, si in dimensions.numbers:
             if si == "m" and not written.isdisjoint(node.name for node in term.walk() if node.op == "number"):
                 continue  # the length of a link, which the file gives as a number
@@ -180,11 +181,6 @@ def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
     if dimensions.disagreement:
         path, told = dimensions.disagreement
         yield "NO-UNIT", path, told
-
-
-def _written_lengths(variant: Variant) -> set[str]:
-    """Return the numbers that are a whole length in the points and groups of the file: 0.27, but not the 0.5 of 0.5*r3."""
-    return {length.name for length in lengths_of(variant) if length.op == "number"}
 
 
 def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]:

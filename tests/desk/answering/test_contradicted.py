@@ -8,6 +8,7 @@ from coursework.desk.answering import contradicted
 from coursework.desk.job import Policy
 from coursework.grading.marking.equations.equations import Judge
 from coursework.variant.formula.reader import parse
+from coursework.variant.judging.dimension_words import text_of
 from tests.desk.desks import TEXT, VARIANTS, desk
 
 OWN = '\n[[constraint]]\nequation = "m*w1*sin(phi1) + j*wj*sin(phij) - b*wb*sin(phib) = 0"\n\n[links]'
@@ -112,4 +113,4 @@ def test_nothing_is_searched_where_nothing_is_wrong(client, monkeypatch):
 
 @pytest.mark.parametrize(("letters", "told"), [(60, "a" * 60), (61, "a" * 60 + "…")])
 def test_a_term_is_shown_with_at_most_sixty_letters(letters, told):
-    assert contradicted._shown(parse("a" * letters)) == told
+    assert text_of(parse("a" * letters), contradicted._LONGEST) == told

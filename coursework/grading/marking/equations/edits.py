@@ -16,6 +16,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.numbers import NoValue, combined, computed
 from coursework.system.frozen import frozen
+from coursework.system.grouped import grouped
 from coursework.variant.formula.made import unsigned
 from coursework.variant.formula.tree import Formula, named, number, replaced, spelled
 
@@ -39,9 +40,7 @@ class Edit:
 
 def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
     """Yield every single edit of `left - right`; `kinds` maps names to kinds, and names of one kind are exchanged."""
-    alike: dict[str, list[str]] = {}
-    for name, kind in kinds.items():
-        alike.setdefault(kind, []).append(name)
+    alike = grouped((kind, name) for name, kind in kinds.items())
     factors = [named(name) for name, kind in kinds.items() if kind in {"m", "rad/s", "m/s"}]
     angles = [named(name) for name, kind in kinds.items() if kind == "rad"]
     factors += [Formula("call", (angle,), name=call) for angle in angles for call in ("sin", "cos")]

@@ -13,6 +13,7 @@ from coursework.grading.marking.equations.doubts import asked
 from coursework.grading.reading.equations.formulas.labels import without_labels
 from coursework.grading.reading.equations.text.list_marks import dash_apart
 from coursework.grading.reading.student_work import EquationLine, EquationReading
+from coursework.system.grouped import grouped
 from coursework.words.sentences import say
 
 _BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—]"
@@ -103,8 +104,6 @@ def contradicting(verdicts: Sequence[tuple[str, str]], needed: int) -> tuple[str
 
     `verdicts` has the file of each line and its verdict. Which of the files is meant, a person decides.
     """
-    wrong: dict[str, list[bool]] = {}
-    for file, verdict in verdicts:
-        wrong.setdefault(file, []).append(verdict == "wrong")
+    wrong = grouped((file, verdict == "wrong") for file, verdict in verdicts)
     whole = {file: any(lines) for file, lines in wrong.items() if len(lines) >= needed}
     return tuple(whole) if len({*whole.values()}) > 1 else ()

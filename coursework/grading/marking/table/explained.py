@@ -75,7 +75,9 @@ class Explained:
         found = np.zeros_like(explained)
         found[rows, m:] = explained[rows, m:] & follows[:, None]
         counts |= found & ~but(found, motion)
-        return max(float(counts.sum()) - int((self.cells.wrong & ~holds)[:1, :m].sum()), 0.0) / max(self._count, 1)
+        return max(float(counts.sum()) - int((self.cells.wrong & ~holds)[:1, :m].sum()), 0.0) / max(
+            int(self.cells.counted.sum()), 1
+        )
 
     def _as_before(self, holds: Flags, explained: Flags) -> Flags:
         """Return cells (n, m + r) that were explained before cells of their row or of the row above were put right.
@@ -122,10 +124,6 @@ class Explained:
     def spoken(self) -> Flags:
         """Return the cells (n, m + r) about which anything can be said: all that are shown except start values."""
         return self.cells.judged
-
-    @cached_property
-    def _count(self) -> int:
-        return int(self.cells.counted.sum())
 
     @cached_property
     def _moves(self) -> Flags:

@@ -188,18 +188,22 @@ def rows_above(values: Array) -> Places:
 def _steps(key: Key, student: StudentTable) -> Way:
     """Return the way of the step from the row before with its printed velocity."""
     m, h = len(key.coordinates), key.stride
-    values, units = student.values, student.units
-    expected = np.full(values.shape, np.nan)
-    tolerance = np.full(values.shape, np.nan)
-    rates = values[:-1, m : 2 * m]
+    rates, units = student.values[:-1, m : 2 * m], student.units[:-1, m : 2 * m]
     size = np.maximum(np.abs(rates), LEAST * key.usual_ranges[m : 2 * m])
-    expected[1:, :m] = values[:-1, :m] + h * rates
-    tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + HALF * h * units[:-1, m : 2 * m] + SLACK * h * size
-    _several_steps(key, student, expected, tolerance, by_own_velocity=True)
-    return Way(STEP, expected, tolerance)
+    return _way_of_steps(STEP, key, student, rates, HALF * h * units, SLACK * h * size)
 
 
-def _several_steps(key: Key, student: StudentTable, expected: Array, tolerance: Array, *, by_own_velocity: bool = False) -> None:
+def _way_of_steps(name: str, key: Key, student: StudentTable, rates: Array, off: Array, slack: Array | float = 0.0) -> Way:
+    """Return the way of the step from the row before with velocities (n - 1, m) that move the next row by `off` and `slack`."""
+    m, values, units = len(key.coordinates), student.values, student.units
+    expected, tolerance = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
+    expected[1:, :m] = values[:-1, :m] + key.stride * rates
+    tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + off + slack
+    _several_steps(key, student, expected, tolerance, by_own_velocity=name == STEP)
+    return Way(name, expected, tolerance)
+
+
+def _several_steps(key: Key, student: StudentTable, expected: Array, tolerance: Array, *, by_own_velocity: bool) -> None:
     """Fill in rows of `expected` and `tolerance` (n, m + r) below missing rows: several Euler steps from the last row above.
 
     The first step uses the printed velocity if `by_own_velocity`; all others use the reference velocity.
@@ -285,10 +289,5 @@ def _velocity_way(name: str, key: Key, expected: Array, tolerance: Array) -> Way
 
 def _true_steps(key: Key, student: StudentTable, own: Way) -> Way:
     """Return the way of the step from the row before with the reference velocity at the student's own angles there."""
-    m, h = len(key.coordinates), key.stride
-    values, units = student.values, student.units
-    expected, tolerance = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
-    expected[1:, :m] = values[:-1, :m] + h * own.expected[:-1, m : 2 * m]
-    tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + h * own.tolerance[:-1, m : 2 * m]
-    _several_steps(key, student, expected, tolerance)
-    return Way(STEP_TRUE, expected, tolerance)
+    rates, off = (part[:-1, len(key.coordinates) : 2 * len(key.coordinates)] for part in (own.expected, own.tolerance))
+    return _way_of_steps(STEP_TRUE, key, student, rates, key.stride * off)
