@@ -232,7 +232,7 @@ class Judge:
             return EquationMark(line, "unreadable", reader)
         verdict = self._verdict(line.tree)
         if verdict == "wrong":
-            meant = (line, *map(line.read_as, line.others))
+            meant = (line, *(line.read_as(other) for other in line.others if not other.asks))
             told = (EquationMark(one, verdict, slip) for one in meant if (slip := self._slip(one.difference, one)))
             return next(chain(filter(None, map(self._with_own_number, meant)), told), EquationMark(line, verdict))
         repaired = Hint("repaired", 1, line.repaired) if line.repaired else None

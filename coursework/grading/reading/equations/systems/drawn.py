@@ -20,6 +20,8 @@ _APART = re.compile(r"\s{2,}|\t|,|&")
 # A quotient whose bar begins behind the sign of equality: no title that is underlined.
 _FRACTION = re.compile(r"(?m)^([^\n=]{1,80}=)([^\n=]{1,200})\n([ \t]*)[-–—―_─]{4,80}[ \t]*\n([^\n=]{1,200})$")
 _PROSE = re.compile(r"[^\W\d_]{3,}\s+[^\W\d_]{3,}")
+_SUM = re.compile(r"[-+−–]")
+_APART_BEFORE, _APART_BEHIND = re.compile(r"\s*|.*[-+−–*·]\s*"), re.compile(r"\s*|\s*[-+−–*·].*")
 _FEWEST, _MOST, _LONGEST = 2, 12, 600
 
 
@@ -53,9 +55,19 @@ def in_one_line(text: str) -> str:
 
 
 def _quotient(found: re.Match[str]) -> str:
-    """Return the quotient that is drawn with its bar, in as many lines."""
-    is_one = len(found[3].expandtabs()) >= len(found[1]) - 1 and any(map(str.isalpha, found[4])) and not _PROSE.search(found[4])
-    return f"{found[1]} ({found[2].strip()})/({found[4].strip()})\n\n" if is_one else found[0]
+    """Return the quotient that is drawn with its bar, in as many lines; of a sum, the numerator is what stands above the bar."""
+    begin, right, below = len(found[3].expandtabs()), found[2], found[4].strip()
+    if begin < len(found[1]) - 1 or not any(map(str.isalpha, below)) or _PROSE.search(below):
+        return found[0]
+    bar = found[0].split("\n")[1].strip()
+    start, end = begin - len(found[1]), begin - len(found[1]) + len(bar)
+    is_whole = not right[: max(start - 1, 0)].strip() and not right[end + 1 :].strip()
+    if is_whole or not _SUM.search(right.strip()[1:]):
+        return f"{found[1]} ({right.strip()})/({below})\n\n"
+    before, above, behind = right[: max(start, 0)], right[max(start, 0) : end].strip(), right[end:]
+    if not _APART_BEFORE.fullmatch(before) or not _APART_BEHIND.fullmatch(behind) or above.count("(") != above.count(")"):
+        return found[0]
+    return f"{found[1]}{before}({above})/({below}){behind}\n\n"
 
 
 def _said(rows: Sequence[re.Match[str]]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from coursework.grading.reading.equations.formulas.edges import without_edges
 from tests.grading.reading.equations.test_of_a_shaper import BLOCK, RODS, marked
 
 LAST = "v = -L*w3*sin(phi3) - b*w4*sin(phi4)"
@@ -32,6 +33,25 @@ def test_a_letter_that_may_be_a_factor_is_asked_about(form: str) -> None:
 @pytest.mark.parametrize("form", ["minus {}", "twice {}", "{} halved", "-{}", "{} *2", "2 {}"])
 def test_what_changes_an_equation_is_no_edge_of_it(form: str) -> None:
     assert marked(BLOCK + RODS.replace(LAST, form.format(LAST))).independent == 3
+
+
+@pytest.mark.parametrize(
+    "form",
+    [
+        "{} x 2", "{} × 2", "{} over 2", "{} (-1)", "{} (·2)", "{} {{2}}", "{} ½", "{} ²", "{} k", "{} cosphi", "{} ⁻¹",
+        "{} moins", "{} (—)", "{} (x) r", "{} rcosφ", "√ {}", "－ {}", "∂ {}", "k {} where k = 2", "½ {}", "wrong: **{}**",
+        "{} other sign", "{} π", "{} cos φ1", "即r {}",
+    ],
+)  # fmt: skip
+def test_what_reckons_at_an_edge_is_no_remark(form: str) -> None:
+    assert ("u = w*r", False) not in [*without_edges(form.format("u = w*r"), {"u", "w", "r", "φ"}.__contains__)]
+
+
+@pytest.mark.parametrize(
+    "form", ["{} see fig. 3", "{} using a Maschine", "{} (№ 3)", "since {}", "{} for t = 0", "{} → ∎", "{} ✓", "basin {}"]
+)
+def test_a_word_with_a_function_or_a_greek_name_in_it_is_a_word(form: str) -> None:
+    assert ("u = w*r", False) in [*without_edges(form.format("u = w*r"), {"u", "w", "r"}.__contains__)]
 
 
 @pytest.mark.parametrize("form", [*WORDS[:3], WORDS[7], WORDS[10]])
@@ -105,3 +125,7 @@ def test_points_before_another_equation_end_a_line() -> None:
 def test_a_number_and_brackets_at_both_edges_and_a_name_of_ones_own_hide_no_equation(line: str) -> None:
     found = marked(f"{BLOCK}{RODS.partition(LAST)[0]}(4) {line}\nF3 = v + L*w3*sin(phi3)\n")
     assert found.different == 0 and (found.share == 1 or found.unread is not None)
+
+
+def test_a_number_takes_no_part_of_a_name_that_was_cut_off() -> None:
+    assert marked("即r cos(phi1 - phi3) 2*w1 = s w3\n" + RODS).independent == 2
