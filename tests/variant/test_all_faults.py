@@ -94,6 +94,11 @@ def test_what_a_list_lacks_is_said_with_its_grammar():
     assert "(found 2). In this order: E: the known point" in line
 
 
+def test_a_list_over_two_lines_is_told_at_its_slip_alone():
+    (line,) = told(SHAPER.replace('from = ["E"]', 'from = ["E",\n    "K +"]'))
+    assert line.startswith("V114 ")
+
+
 def test_a_table_of_keys_says_which():
     (line,) = told(SHAPER.replace(GUIDE, 'guide = "K"'))
     assert "a table { through = …, angle = …, offset = … } was expected" in line

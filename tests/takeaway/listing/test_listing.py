@@ -100,7 +100,9 @@ def test_further_slopes_stop_at_a_jump_of_the_force(tmp_path):
     "language", ["python", "c", *(pytest.param(one, marks=pytest.mark.long) for one in OTHERS if one != "c")]
 )
 def test_a_block_of_three_is_eliminated_in_the_listing(language, tmp_path):
-    assert agrees(solve(THREE), language, tmp_path)
+    run = solve(THREE)
+    assert agrees(run, language, tmp_path)
+    assert ": array[0..2, 0..3] of double;" in written(run, "pascal")  # three rows of three and a right side; no fpc is needed
 
 
 ODD = scene(

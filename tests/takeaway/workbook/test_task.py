@@ -40,6 +40,8 @@ def test_starts_that_the_geometry_gives_are_left_to_the_student_without_help(tmp
     assert ("ATAN2" in str(found["_theta2_0"])) is (level == "1")
     if level == "0":
         assert found["_theta2_0"] is None
+        # 10 degrees of the crank, as the file has it: whoever changes the speed changes the step with it
+        assert found["step"].replace(" ", "") == "=2*PI()/(36*_w0)"
         assert not [cell for row in data.iter_rows() for cell in row if "ATAN2" in str(cell.value) or "SQRT" in str(cell.value)]
 
 

@@ -149,6 +149,12 @@ def test_a_law_of_which_its_values_alone_are_known_is_off_by_their_range_times_t
     assert quadrature.left_open(law, np.array([half])) == pytest.approx([(high - low) * 2 * half])
 
 
+def test_a_rest_of_which_the_size_is_known_counts_in_the_integral_and_in_the_rule():
+    """Each of both is at most the size times the length: 2 * 0.25 m * 1 s."""
+    law = Enclosure(np.array([-9.0]), np.array([9.0]), np.array([0.0]), np.array([0.0]), np.array([0.25]))
+    assert quadrature.left_open(law, np.array([0.5])) == pytest.approx([0.5])
+
+
 def test_a_law_without_any_bound_is_known_by_none():
     law = Enclosure(np.array([-np.inf]), np.array([np.inf]), np.array([0.0]), np.array([np.inf]))
     assert quadrature.left_open(law, np.array([0.5])).tolist() == [np.inf]

@@ -66,6 +66,7 @@ DEFINED = r"\trowd\cellx1\cellx2\cellx3"
     (rf"{DEFINED}\intbl a\cell b\cell c\cell\row\trowd\cellx1\clmrg\clvmrg\cellx2\intbl d\cell\cell e\cell\row",
      [[["a", "b", "c"], ["d", "d", "e"]]]),
     (r"\intbl a\cell b\cell\row\pard so\par\intbl c\cell d\cell\row", [[["a", "b"]], [["c", "d"]]]),
+    (r"u = w\trowd\pard\intbl 1\cell 2\cell\row", [[["1", "2"]]]),  # the line before is no part of the first cell
     (r"\intbl a\par\itap2 1\nestcell 2\nestcell\nestrow\itap1 b\cell c\cell\row", [[["1", "2"]], [["a b", "c"]]]),
     (r"\row\intbl a\cell b\cell", [[["a", "b", ""]]]),
 ])  # fmt: skip
