@@ -53,7 +53,6 @@ from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
 from coursework.variant.formula.reader import MAX_CHARACTERS
-from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 
 _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur in equations
@@ -111,29 +110,16 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None, kept: _Kept) -> Lines:
     most = most_lines(expected)
     names = names_for(expected)
-    passed, named = list[tuple[int, str]](), list[tuple[int, str]]()
+    passed = list[tuple[int, str]]()
     pieces = _pieces(text, names, passed) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
     names, lines = with_legend(list(islice(pieces, _MOST_LINES)), names)
     lines = _names_first(lines, names) if beside is None else lines
     sections = sections_of(lines, names) if beside is None else [len(lines)]
     meanings = definitions_of(lines, names, sections) if beside is None else [{}]
     listed = sign_of_list([line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical)
-    handed_in = text.split("\n")
-
-    def read_from(number: int, line: str, names: Names) -> EquationLine:
-        """Return a line as an equation, with the line of the text that it is from."""
-        source = handed_in[number - 1] if number <= len(handed_in) else ""
-        is_other = source != line and len(source) <= EQUATION_CHARACTERS
-        return replace(read_line(line, name, number, names), source=source if is_other else "")
-
-    def at_rest(number: int, line: str, names: Names) -> Iterator[EquationLine]:
-        """Yield the line of a point's velocity, V_P = …, as it is if the point rests; it counts only if it is right so."""
-        zero = may_vanish(line, names)
-        if zero and (one := kept(read_from(number, line, names))):
-            yield one.read_as(zero, fault=None, others=(), guessed=True, may_be_datum=True)
-
+    reader = _Reader(name, text.split("\n"), names, kept, passed)
     found, answers, tried, characters = Lines(), dict[str, AnswerLine](), 0, 0
-    own, with_own, defined = dict[str, Formula](), names, set[str]()
+    with_own, defined = names, set[str]()
     for place, (number, line) in enumerate(lines):
         if place in {0, *sections}:
             own, defined = meanings[bisect(sections, place)], set()
@@ -145,28 +131,10 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
         elif beside is not None:
-            read = read_from(number, line, names)
+            read = reader.as_equation(number, line, names)
             found.equations += [read] if relates(read, names) else []
-        elif defines(line, with_own, defined) or (
-            (is_chain := line.count("=") > 1 and not VANISHED.search(line) and definition(line, with_own) is not None)
-            and not says_more(line, with_own)
-        ):
-            named += [(number, line)]
-            found.equations += at_rest(number, line, with_own)
-        elif is_datum(line, names) or is_step(line, names) or is_row(line) or is_question(line, names):
-            found.equations += at_rest(number, line, with_own)
         else:
-            line = "=".join(line.split("=")[:2]) if is_chain else line  # i = (R + r)/r = 1 + R/r
-            one = kept(read_from(number, line, with_own)) if _is_equation(line, names) else None
-            if one and is_vector_sum(line, names):  # of one axis, if its parts are defined so
-                one = replace(one, may_be_datum=True) if one.tree else None
-            if one and one.tree is not None and only_names_a_term(line, one.tree, with_own):
-                one = replace(one, may_be_datum=True)
-            if one and (one.tree is not None or not says_nothing(line, with_own)):
-                found.equations.append(one)
-            else:
-                found.equations += at_rest(number, line, with_own)
-                passed.append((number, line))
+            found.equations += reader.equations_in(number, line, with_own, defined)
     if beside is not None and all(line.tree is None for line in found.equations):
         found.equations = []
     checks = [is_of_one_row(line, names) for line in found.equations]
@@ -174,8 +142,55 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
         found.equations = [
             replace(line, may_be_datum=line.may_be_datum or one) for line, one in zip(found.equations, checks, strict=True)
         ]
-    found.answers, found.passed = [*answers.values()], as_questions(passed, named, name, names, found.equations)
+    found.answers, found.passed = [*answers.values()], as_questions(passed, reader.named, name, names, found.equations)
     return found
+
+
+@dataclass(slots=True)
+class _Reader:
+    """What each line of a text is: an equation, or one of those that are `passed` over or give a `named` formula.
+
+    `names` are those of the task; `handed_in` has the lines of the `file` as they are.
+    """
+
+    file: str
+    handed_in: Sequence[str]
+    names: Names
+    kept: _Kept
+    passed: list[tuple[int, str]]
+    named: list[tuple[int, str]] = field(default_factory=list)
+
+    def as_equation(self, number: int, line: str, names: Names) -> EquationLine:
+        """Return a line as an equation, with the line of the file that it is from."""
+        source = self.handed_in[number - 1] if number <= len(self.handed_in) else ""
+        is_other = source != line and len(source) <= EQUATION_CHARACTERS
+        return replace(read_line(line, self.file, number, names), source=source if is_other else "")
+
+    def equations_in(self, number: int, line: str, names: Names, defined: set[str]) -> list[EquationLine]:
+        """Return the equation that a line is, [] if it is none; `names` has the student's own, of which some are `defined`."""
+        is_named = defines(line, names, defined)
+        is_chain = not is_named and line.count("=") > 1 and not VANISHED.search(line) and definition(line, names) is not None
+        if is_named or (is_chain and not says_more(line, names)):
+            self.named.append((number, line))
+            return self._at_rest(number, line, names)
+        if any(is_other(line, self.names) for is_other in (is_datum, is_step, is_question)) or is_row(line):
+            return self._at_rest(number, line, names)
+        line = "=".join(line.split("=")[:2]) if is_chain else line  # i = (R + r)/r = 1 + R/r
+        one = self.kept(self.as_equation(number, line, names)) if _is_equation(line, self.names) else None
+        if one and is_vector_sum(line, self.names):  # of one axis, if its parts are defined so
+            one = replace(one, may_be_datum=True) if one.tree else None
+        if one and one.tree is not None and only_names_a_term(line, one.tree, names):
+            one = replace(one, may_be_datum=True)
+        if one and (one.tree is not None or not says_nothing(line, names)):
+            return [one]
+        self.passed.append((number, line))
+        return self._at_rest(number, line, names)
+
+    def _at_rest(self, number: int, line: str, names: Names) -> list[EquationLine]:
+        """Return the line of a point's velocity, V_P = …, as it is if the point rests; it counts only if it is right so."""
+        zero = may_vanish(line, names)
+        one = self.kept(self.as_equation(number, line, names)) if zero else None
+        return [one.read_as(zero, fault=None, others=(), guessed=True, may_be_datum=True)] if zero and one else []
 
 
 def _pieces(text: str, names: Names, passed: list[tuple[int, str]]) -> Iterator[tuple[int, str]]:
