@@ -83,9 +83,16 @@ def _name(error: click.BadParameter) -> str:
 
 def language_of(words: Sequence[str]) -> str:
     """Return the language chosen on a command line, else that of the environment."""
-    for place, word in enumerate(words):
-        if word.startswith("--language="):
-            return word.partition("=")[2]
-        if word == "--language" and place + 1 < len(words):
-            return words[place + 1]
-    return os.environ.get(VARIABLE) or ENGLISH
+    chosen = values_of(words, "--language")
+    return chosen[0] if chosen else os.environ.get(VARIABLE) or ENGLISH
+
+
+def values_of(words: Sequence[str], option: str) -> list[str]:
+    """Return the values of an option in the `words` of a command line, which need not have been parsed.
+
+    >>> values_of(["run", "31", "--language", "ru", "--language=uk"], "--language")
+    ['ru', 'uk']
+    """
+    behind = zip(words, [*words[1:], None], strict=True)
+    found = (after if word == option else word.partition("=")[2] for word, after in behind if word.partition("=")[0] == option)
+    return [value for value in found if value is not None]

@@ -11,7 +11,6 @@ import os
 from collections.abc import Callable
 from contextlib import suppress
 from functools import partial, wraps
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -116,17 +115,17 @@ class CommandWithTemplates(click.Command):
     """A command with `--templates`: the pieces are in use before anything is printed, wherever the option is in the line."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        given = [after for word, after in pairwise(args) if word == "--templates" and not after.startswith("--")]
-        given += [word.partition("=")[2] for word in args if word.startswith("--templates=")]
-        if given:
-            from coursework.commands.line.misuse import language_of
+        if any(word.startswith("--templates") for word in args):
+            from coursework.commands.line.misuse import language_of, values_of
             from coursework.commands.line.screen import speak
             from coursework.commands.line.templates import with_templates
             from coursework.words.errors import InputError
 
+            given = [value for value in values_of(args, "--templates") if not value.startswith("--")]
             with suppress(InputError):  # a language that only the own pieces have
                 speak(language_of(args))
-            ctx.with_resource(with_templates(Path(given[-1])))
+            if given:
+                ctx.with_resource(with_templates(Path(given[-1])))
         try:
             return super().parse_args(ctx, args)
         except BaseException:
