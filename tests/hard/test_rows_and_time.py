@@ -12,7 +12,6 @@ import pytest
 import coursework
 from coursework.motion.integration.extended_precision import march_in
 from coursework.motion.integration.integrate import March
-from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.results.accuracy.trace import trace
 from coursework.results.checks.close_to_motion.period import mismatch
@@ -282,5 +281,5 @@ def test_a_break_on_a_row_is_met_by_every_scheme(scheme, step):
     assert np.max(np.abs(run.motion.column("p") - (6 * np.minimum(t, at) - 2 * np.maximum(t - at, 0)))) < 1e-12
     assert np.max(np.abs(run.results.extended_precision[:, 0].astype(float) - run.motion.column("p"))) < 1e-12
     rates = run.scene.rates
-    rows = trace(generate_loop(SCHEMES[scheme], rates), run.scene.start, step, range(23), 3, rates)
+    rows = trace(SCHEMES[scheme], rates, run.scene.start, step, range(23), 3)
     assert np.max(np.abs(rows[:, 0] - run.motion.column("p"))) < 1e-12

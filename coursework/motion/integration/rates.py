@@ -57,6 +57,11 @@ class Rates:
         """Return the last time (s) at which a step ending at `end` may evaluate slopes: just before a break there, else any."""
         return may_look_until(self.breaks, end)
 
+    def rows_at_breaks(self, step: float) -> list[int]:
+        """Return the rows (from 0, `step` s apart) that lie at a break, first ones first."""
+        near = {round(time / step) for time in self.breaks}
+        return sorted(row for row in near if math.isfinite(self.may_look_until(row * step)))
+
     def slopes(self, end: float = math.inf) -> Slopes:
         """Return `f(t, q)`: the slopes (m,) for a step that ends at `end` (s), in the arithmetic of the march."""
         size, latest = len(self.coordinates), self.may_look_until(end)

@@ -16,8 +16,7 @@ import numpy as np
 from coursework.motion.integration.adaptive import integrate_adaptive
 from coursework.motion.integration.following import follow_closure
 from coursework.motion.integration.integrate import Correction, March
-from coursework.motion.integration.loops import Loop, generate_loop
-from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, title_of
+from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, Scheme, title_of
 from coursework.results.accuracy.problem import TIMED, Bounds, Problem
 from coursework.results.accuracy.trace import trace
 from coursework.system.arrays import Array
@@ -66,13 +65,11 @@ def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
     """Yield every trial inside the bounds, method after method; the table's own step is always included for each scheme."""
     rows = problem.rows
     for scheme in SCHEMES.values():
-        loop = generate_loop(scheme, problem.rates)
         for substeps in FIRST_ORDER_SUBSTEPS if scheme.order == 1 else USUAL_SUBSTEPS:
             count, cost = rows * substeps, scheme.slopes * problem.operations
             if substeps == 1 or (substeps <= bounds.substeps and count * cost <= bounds.work):
-                yield Trial(title_of(scheme), f"{count}", 0, partial(_by_loop, problem, loop, substeps, count * scheme.slopes))
-    is_closed = problem.closure is not None and problem.closure.complete
-    for newton in NEWTONS if is_closed else ():
+                yield Trial(title_of(scheme), f"{count}", 0, partial(_by_scheme, problem, scheme, substeps))
+    for newton in NEWTONS if problem.is_closed else ():
         for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= bounds.substeps):
             if rows * substeps * newton * _CORRECTION <= bounds.work:
                 setting = f"{rows * substeps}"
@@ -85,7 +82,7 @@ def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
             0,
             partial(integrate_adaptive, field, start, problem.times, tolerance),
         )
-    if is_closed:
+    if problem.is_closed:
         yield Trial(say("study.closed"), f"{rows}", 0, partial(_closed, problem), closed=True)
 
 
@@ -97,14 +94,14 @@ def left_out(problem: Problem, bounds: Bounds) -> list[str]:
     counts = [int(trial.setting) for trial in trials(problem, bounds) if not trial.fine and trial.setting.isdecimal()]
     if max(counts) <= problem.rows:
         told.append(say("study.no_finer", steps=problem.rows))
-    is_closed = problem.closure is not None and problem.closure.complete
-    if is_closed and problem.rows * max(NEWTONS) * _CORRECTION > bounds.work:
+    if problem.is_closed and problem.rows * max(NEWTONS) * _CORRECTION > bounds.work:
         told.append(say("study.no_projection", steps=problem.rows))
     return told
 
 
-def _by_loop(problem: Problem, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:
-    return trace(loop, problem.start, problem.step, problem.marks, substeps, problem.rates), cost
+def _by_scheme(problem: Problem, scheme: Scheme, substeps: int) -> tuple[Array, int]:
+    rows = trace(scheme, problem.rates, problem.start, problem.step, problem.marks, substeps)
+    return rows, problem.rows * substeps * scheme.slopes
 
 
 def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int]:

@@ -66,6 +66,11 @@ class Problem:
         return float(self.rows * self.operations * sum(scheme.slopes for scheme in SCHEMES.values()))
 
     @property
+    def is_closed(self) -> bool:
+        """Return whether position equations determine every coordinate."""
+        return self.closure is not None and self.closure.complete
+
+    @property
     def pace(self) -> int:
         """Return n if errors are measured in every n-th row."""
         most = _MARKS_WORK / (_EVALUATIONS_A_MARK * self.operations)
@@ -74,8 +79,7 @@ class Problem:
     @cached_property
     def marks(self) -> tuple[int, ...]:
         """Return the rows (from 0) at which errors are measured: every n-th, those at a break of the drive, and the last."""
-        near = {row for time in self.rates.breaks if (row := round(time / self.step)) < self.rows}
-        at_breaks = {row for row in near if math.isfinite(self.rates.may_look_until(row * self.step))}
+        at_breaks = [row for row in self.rates.rows_at_breaks(self.step) if row < self.rows]
         return tuple(sorted({*range(0, self.rows, self.pace), *at_breaks, self.rows}))
 
     @property

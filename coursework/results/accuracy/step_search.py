@@ -16,7 +16,6 @@ import numpy as np
 
 from coursework.motion.geometry.drives.drive import resolution
 from coursework.motion.integration.exact_motion import refine
-from coursework.motion.integration.loops import Loop, generate_loop
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE, SCHEMES, Scheme, title_of
 from coursework.results.accuracy.step_rules import StepRules
@@ -189,8 +188,7 @@ class _Search:
 
     def measured(self, steps: int) -> float:
         """Return the error, measured afresh."""
-        own, reference = (generate_loop(scheme, self.rates) for scheme in (self.scheme, PRECISE))
-        rows = _rows(own, self.rates, self.start, self.end, steps, 1)
+        rows = _rows(self.scheme, self.rates, self.start, self.end, steps, 1)
         if resolution(self.rates.equations, self.end).shorter(self.end / steps / _SUDDEN)[0].size:
             with suppress(ArithmeticError, ValueError):
                 exact = refine(self.rates, self.start, np.arange(steps + 1).astype(np.float64) * (self.end / steps))[0]
@@ -198,7 +196,7 @@ class _Search:
             return np.inf
         # The reference is the precise scheme with four times the steps: its error is 256 times smaller than with the same steps.
         parts = 1 if steps >= _FINE and self.scheme.order < PRECISE.order else 4
-        return float(np.max(np.abs(rows - _rows(reference, self.rates, self.start, self.end, steps, parts))))
+        return float(np.max(np.abs(rows - _rows(PRECISE, self.rates, self.start, self.end, steps, parts))))
 
     def refused(self, steps: float) -> Sentence:
         """Return the sentence that `steps` are more than can be tried, and how long they would take."""
@@ -209,9 +207,9 @@ class _Search:
         )  # fmt: skip
 
 
-def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:
+def _rows(scheme: Scheme, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:
     try:
-        return trace(loop, start, end / steps, range(steps + 1), inner, rates)
+        return trace(scheme, rates, start, end / steps, range(steps + 1), inner)
     except (ArithmeticError, ValueError):
         return np.full((steps + 1, len(start)), np.inf if inner == 1 else 0.0)
 

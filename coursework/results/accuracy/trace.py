@@ -1,43 +1,38 @@
 """Rows of a scheme on the coursework's grid with many steps between them, and their error.
 
-Enters: a generated loop, the rows examined, a reference.  Leaves: positions (n, m), errors.  Used by `methods.py`
+Enters: a scheme and rates, the rows examined, a reference.  Leaves: positions (n, m), errors.  Used by `methods.py`
 and `study.py`.
 """
 
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
-from coursework.motion.integration.loops import Loop
+from coursework.motion.integration.loops import generate_loop
 from coursework.motion.integration.rates import Rates
-from coursework.motion.schemes import SCHEMES, title_of
+from coursework.motion.schemes import SCHEMES, Scheme, title_of
 from coursework.results.accuracy.record import StudyRow
 from coursework.system.arrays import Array
 
 SETTLED = 0.5  # a method has reached its order if its local slopes differ by less
 
 
-def trace(
-    loop: Loop, start: Sequence[float], step: float, marks: Sequence[int], substeps: int,
-    rates: Rates | None = None,
-) -> Array:  # fmt: skip
+def trace(scheme: Scheme, rates: Rates, start: Sequence[float], step: float, marks: Sequence[int], substeps: int) -> Array:
     """Return the positions (n, m) in the rows `marks`, which begin with 0, with `substeps` steps a row; rows are `step` s apart.
 
     A step that ends at a break of the drives evaluates no slopes behind it, as `rates` say.
     """
-    q = tuple(start)
+    loop, q = generate_loop(scheme, rates), tuple(start)
     found = [q]
-    near = {round(time / step * substeps) for time in rates.breaks} if rates else set()
-    at_breaks = {place for place in near if rates and math.isfinite(rates.may_look_until(place / substeps * step))}
+    at_breaks = rates.rows_at_breaks(step / substeps)
     for row, following in itertools.pairwise(marks):
         first, end = row * substeps, following * substeps
-        for last in (*sorted(place for place in at_breaks if first < place < end), end):
+        for last in (*(place for place in at_breaks if first < place < end), end):
             begin, steps = first / substeps * step, last - first
-            latest = rates.may_look_until(last / substeps * step) if rates else math.inf
+            latest = rates.may_look_until(last / substeps * step)
             q = loop(begin, steps, min(step / substeps, (latest - begin) / steps), *q)
             first = last
         found.append(q)

@@ -11,7 +11,6 @@ import pytest
 
 import coursework
 from coursework.equations.codegen import names as private_names
-from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.report.formulas.typst_math import text
 from coursework.results.accuracy.trace import trace
@@ -76,8 +75,7 @@ def computed(source, *asked):
     """Return what generated code computes for a variant: the table, what is asked for, and a loop."""
     run = coursework.solve(parse_variant(source, "names"), quantities=["points", *asked])
     scene = run.scene
-    loop = generate_loop(SCHEMES["rk4"], scene.rates)
-    return np.hstack([run.columns()[1].ravel(), trace(loop, scene.start, run.step, range(4), 2).ravel()])
+    return np.hstack([run.columns()[1].ravel(), trace(SCHEMES["rk4"], scene.rates, scene.start, run.step, range(4), 2).ravel()])
 
 
 MEANT = {asked: computed(PLAIN, *asked) for asked in ((), ("accelerations",))}

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.report.pages import build_model
 from coursework.report.pages.html import render_html
@@ -109,7 +108,7 @@ def test_a_break_is_a_row_looked_at():
     long = Problem(rates, (0.0, 0.0), 0.003, 4001, None, ("rad", "rad"))
     assert long.pace == 3
     assert 1001 in long.marks
-    rows = trace(generate_loop(SCHEMES["rk4"], rates), long.start, long.step, long.marks, 1, rates)
+    rows = trace(SCHEMES["rk4"], rates, long.start, long.step, long.marks, 1)
     exact = 6 * np.minimum(long.times, 3.003) - 2 * np.maximum(long.times - 3.003, 0)
     assert np.max(np.abs(rows[:, 0] - exact)) < 1e-11
 

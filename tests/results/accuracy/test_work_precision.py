@@ -10,7 +10,6 @@ import pytest
 
 import coursework
 from coursework.motion.integration.following import follow_closure
-from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.results.accuracy.methods import title_of_corrected, trials
 from coursework.results.accuracy.problem import Problem
@@ -48,7 +47,7 @@ def found(scene, run):
 def by_scheme(method, steps, scene, run):
     """One row of the reference that the study does not show."""
     scheme = next(scheme for scheme in SCHEMES.values() if scheme.title == method)
-    rows = trace(generate_loop(scheme, scene.rates), scene.start, 0.02, range(25), steps // 24)
+    rows = trace(scheme, scene.rates, scene.start, 0.02, range(25), steps // 24)
     return steps * scheme.slopes, np.abs(rows - run.exact.coordinates)
 
 
