@@ -26,14 +26,9 @@ _HUNDRED = math.radians(99.5)
 
 
 def sentences_of(
-    rows: Sequence[StudyRow],
-    orders: Mapping[str, float],
-    end_orders: Mapping[str, float],
-    own: StudyRow,
-    floor: float,
-    *,
-    is_own: bool = True,
-) -> tuple[str, ...]:
+    rows: Sequence[StudyRow], orders: Mapping[str, float], end_orders: Mapping[str, float], own: StudyRow, floor: float,
+    *, is_own: bool = True,
+) -> tuple[str, ...]:  # fmt: skip
     """Return the findings: the own step, the better scheme at the same step, the cost of equal accuracy, the end-row trap.
 
     `is_own` is False for a table with corrected drift that no trial matches; `own` is then its scheme without the correction.
@@ -41,37 +36,19 @@ def sentences_of(
     """
     best = _first(rows, title_of(PRECISE))
     usual = _first(rows, title_of(DEFAULT_SCHEME))
-    reached = {"steps": best.steps_or_tolerance, "method": best.method}
     first = {"steps": own.steps_or_tolerance, "method": own.method, "size": _size(own.max_error, own.unit)}
     told = [_told("study.own", _time(own), **first) if is_own else say("study.uncorrected", **first)]
-    size = _size(best.max_error, best.unit)
-    is_better = best.max_error < _BETTER * usual.max_error
-    if is_better:
-        gain = {"less": _times_less(best, usual), "more": best.evaluations / usual.evaluations}
-        told.append(_told("study.best", _ratio(best, usual), **reached, **gain, size=size))
-    else:
-        told.append(say("study.no_better", **reached, size=size))
-    if is_better and (reaching := _steps_for(rows, best.max_error)):
-        steps, within = reaching
-        needed = {"needed": _round(steps), "more": _round(steps / best.evaluations)}
-        if within:
-            needed["needed"] = say("study.between", needed=_round(steps), low=_whole(within[0]), high=_whole(within[1]))
-        if math.sqrt(steps) * _UNIT > best.max_error:
-            told.append(say("study.never", **reached, needed=needed["needed"]))
-        else:
-            told.append(_told("study.equal", _predicted(rows, steps, best), **reached, **needed))
-    projected = [row for row in rows if row.method == projected_title(1) and not row.failed]
-    if projected and projected[0].max_error < usual.max_error:
-        found = {"steps": projected[0].steps_or_tolerance, "size": _size(projected[0].max_error, projected[0].unit)}
-        if projected[0].max_error <= math.sqrt(projected[0].evaluations) * _UNIT:
+    told += _of_best(rows, best, usual)
+    for row in _finished(rows, projected_title(1))[:1]:
+        found = {"steps": row.steps_or_tolerance, "size": _size(row.max_error, row.unit)}
+        if row.max_error <= math.sqrt(row.evaluations) * _UNIT and row.max_error < usual.max_error:
             told.append(say("study.projected_exactly", **found))
-        else:
-            told.append(say("study.with_projection", **found, less=_times_less(projected[0], usual)))
-    closed = [row for row in rows if row.method == say("study.closed") and not row.failed]
-    if closed:
-        cost = {"evaluations": closed[0].evaluations, "more": _round(closed[0].evaluations / best.evaluations)}
-        size = _size(closed[0].max_error, closed[0].unit)
-        told.append(_told("study.by_closure", _ratio(closed[0], best), **reached, **cost, size=size))
+        elif row.max_error < usual.max_error:
+            told.append(say("study.with_projection", **found, less=_times_less(row, usual)))
+    for row in _finished(rows, say("study.closed")):
+        cost = {"evaluations": row.evaluations, "more": _round(row.evaluations / best.evaluations)}
+        size = _size(row.max_error, row.unit)
+        told.append(_told("study.by_closure", _ratio(row, best), **_reached(best), **cost, size=size))
     understated = usual.max_error / max(usual.end_error, 1e-300)
     if understated >= 1.1 and usual.max_error > floor and usual.end_unit == usual.unit:  # an angle is no multiple of a length
         told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=_round(understated)))
@@ -85,6 +62,30 @@ def sentences_of(
     return tuple(told)
 
 
+def _of_best(rows: Sequence[StudyRow], best: StudyRow, usual: StudyRow) -> list[Sentence]:
+    """Return how much better than Euler the better scheme is with the same steps, and what its accuracy would cost Euler."""
+    reached, size = _reached(best), _size(best.max_error, best.unit)
+    if not best.max_error < _BETTER * usual.max_error:  # also for nan
+        return [say("study.no_better", **reached, size=size)]
+    gain = {"less": _times_less(best, usual), "more": best.evaluations / usual.evaluations}
+    told = [_told("study.best", _ratio(best, usual), **reached, **gain, size=size)]
+    if reaching := _steps_for(rows, best.max_error):
+        steps, within = reaching
+        needed = _round(steps)
+        if within:
+            needed = say("study.between", needed=needed, low=_whole(within[0]), high=_whole(within[1]))
+        if math.sqrt(steps) * _UNIT > best.max_error:
+            told.append(say("study.never", **reached, needed=needed))
+        else:
+            more, time = _round(steps / best.evaluations), _predicted(rows, steps, best)
+            told.append(_told("study.equal", time, **reached, needed=needed, more=more))
+    return told
+
+
+def _reached(best: StudyRow) -> dict[str, str]:
+    return {"steps": best.steps_or_tolerance, "method": best.method}
+
+
 def unsettled(rows: Sequence[StudyRow], floor: float, *, broken: bool = False) -> tuple[str, ...]:
     """Return the finding that schemes show no order: their local slopes differ, or no errors are small enough.
 
@@ -92,7 +93,7 @@ def unsettled(rows: Sequence[StudyRow], floor: float, *, broken: bool = False) -
     """
     told = []
     for scheme in SCHEMES.values():
-        own = [row for row in rows if row.method == title_of(scheme) and not row.failed]
+        own = _finished(rows, title_of(scheme))
         if own and own[-1].max_error <= own[-1].evaluations * floor / ROUNDINGS:
             continue  # the round-off of the steps grows with their number
         local = local_slopes([row.evaluations for row in own], [row.max_error for row in own], floor)
@@ -110,13 +111,17 @@ def _first(rows: Sequence[StudyRow], method: str) -> StudyRow:
     return next(row for row in rows if row.method == method)
 
 
+def _finished(rows: Sequence[StudyRow], method: str) -> list[StudyRow]:
+    return [row for row in rows if row.method == method and not row.failed]
+
+
 def _steps_for(rows: Sequence[StudyRow], error: float) -> tuple[float, tuple[int, int] | None] | None:
     """Return the Euler steps that reach `error`, interpolated on logarithms, and the two runs between which they lie.
 
     Beyond the finest run the error is assumed to fall as 1/steps; there the second value is None.  None if no run reaches the
     error.
     """
-    usual = [row for row in rows if row.method == title_of(DEFAULT_SCHEME) and not row.failed]
+    usual = _finished(rows, title_of(DEFAULT_SCHEME))
     last = usual[-1]
     if 0 < error < last.max_error:
         return last.evaluations * last.max_error / error, None
