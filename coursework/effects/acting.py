@@ -112,16 +112,19 @@ class ActingWriter:
             return symbol(body.rate), self.changed(symbol(body.rate))
         if body.span is None or body.span[0] == body.span[1]:
             return ZERO, ZERO
-        first, last = map(self.vector, body.span)
-        way = last[0] - first[0], last[1] - first[1]
+        way, square = self.way(*body.span), self.square(*body.span)
         moved, second = self.rate(way), (self.second(way[0]), self.second(way[1]))
-        square = way[0] ** 2 + way[1] ** 2
         return cross(way, moved) / square, cross(way, second) / square
+
+    def way(self, first: Formula, last: Formula) -> Vector:
+        """Return the vector from one point to another."""
+        (ax, ay), (bx, by) = self.vector(first), self.vector(last)
+        return bx - ax, by - ay
 
     def square(self, first: Formula, last: Formula) -> Expression:
         """Return the square of the distance between two points."""
-        (ax, ay), (bx, by) = self.vector(first), self.vector(last)
-        return (bx - ax) ** 2 + (by - ay) ** 2
+        x, y = self.way(first, last)
+        return x**2 + y**2
 
     def inertia(self, body: Body) -> Expression:
         found: Expression = inertia_of(self.scheme, body, self.scalar, self.square)
@@ -156,13 +159,12 @@ class ActingWriter:
 
     def pulls(self, body: Body) -> Iterator[tuple[Vector, Vector, Expression]]:
         for spring in self.scheme.forces.springs:
-            first, last = (self.vector(named(end)) for end in spring.ends)
-            way = last[0] - first[0], last[1] - first[1]
+            x, y = self.way(*map(named, spring.ends))
             length, pull = self.pull(spring)
             pull = pull / length
-            for end, at, sign in ((spring.ends[0], first, ONE), (spring.ends[1], last, -ONE)):
+            for end, sign in zip(spring.ends, (ONE, -ONE), strict=True):
                 if self.scheme.holder(end) == body.name:
-                    yield at, (sign * pull * way[0], sign * pull * way[1]), ZERO
+                    yield self.vector(named(end)), (sign * pull * x, sign * pull * y), ZERO
 
     def pull(self, spring: Spring) -> tuple[Expression, Expression]:
         """Return the length of a spring and the force with which it pulls its ends together."""
@@ -185,9 +187,8 @@ class ActingWriter:
             x, y = (self.equations.symbols.partial(part, symbol(way.coordinate)) for part in self.vector(one.at))
             return x / (x**2 + y**2), y / (x**2 + y**2)
         if way.through is not None:
-            (ax, ay), (bx, by) = map(self.vector, way.through)
-            length = call("sqrt", (bx - ax) ** 2 + (by - ay) ** 2)
-            unit = (bx - ax) / length, (by - ay) / length
+            (x, y), length = self.way(*way.through), call("sqrt", self.square(*way.through))
+            unit = x / length, y / length
         else:
             angle = self.scalar(way.angle)
             unit = cosine(angle), sine(angle)

@@ -11,11 +11,11 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from coursework.effects.force_scheme import Body, torques_beside_drives
-from coursework.effects.rows import PLACE, RATE, SECOND, Rows
+from coursework.effects.rows import RATE, SECOND, Rows
 from coursework.mechanism.joints import FRAME
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import named
 from coursework.variant.record.forces import Forces
 
 
@@ -75,8 +75,8 @@ def _loads(rows: Rows) -> Iterator[Action]:
 
 def _springs(rows: Rows) -> Iterator[Action]:
     for spring in rows.scheme.forces.springs:
-        first, second = (Formula("name", name=end) for end in spring.ends)
-        way = rows.vector(second, PLACE) - rows.vector(first, PLACE)
+        first, second = map(named, spring.ends)
+        way = rows.vector(second) - rows.vector(first)
         length = np.abs(way)
         unit = way / length
         stretch = (np.conj(unit) * (rows.vector(second, RATE) - rows.vector(first, RATE))).real
@@ -85,7 +85,7 @@ def _springs(rows: Rows) -> Iterator[Action]:
             pull = pull + rows.scalar(spring.stiffness) * (length - rows.scalar(spring.free))
         for end, force in zip(spring.ends, (pull * unit, -pull * unit), strict=True):
             if (body := rows.scheme.holder(end)) != FRAME:
-                yield Action("springs", body, force, rows.vector(Formula("name", name=end)), name=spring.name)
+                yield Action("springs", body, force, rows.vector(named(end)), name=spring.name)
 
 
 def _motor(rows: Rows) -> Iterator[Action]:

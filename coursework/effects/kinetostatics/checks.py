@@ -75,7 +75,6 @@ def outer_sum(own: ForceAnalysis) -> Array:
     rows = own.rows
     bodies = rows.scheme.by_name
     total = np.zeros((rows.count, 3))
-
     actions = list(own.actions)
     for name, unknown in zip(own.reactions.names, rows.scheme.unknowns, strict=True):
         outside = (unknown.off == FRAME and unknown.on in bodies) or (unknown.on == FRAME and unknown.off in rows.scheme.pins)
@@ -222,15 +221,9 @@ def _accuracy(own: ForceAnalysis, exact: ForceAnalysis | None) -> Finding:
     if np.nanmax(np.abs(true)) < AGREE * exact.reactions.largest:
         return skipped(say("check.forces.none"))  # no drive is needed
     row = int(np.nanargmax(np.abs(found - true)))
-    share = float(abs(found[row] - true[row]) / np.nanmax(np.abs(true)))
-    told = {
-        "name": name,
-        "found": float(found[row]),
-        "true": float(true[row]),
-        "off": float(abs(found[row] - true[row])),
-        "unit": own.units[own.names.index(name)],
-    }
-    return _graded("FORCE-ACCURACY", share, _CLOSE, "COARSE", row + 1, name, **told, share=share)
+    values = {"found": float(found[row]), "true": float(true[row]), "off": float(abs(found[row] - true[row]))}
+    share, unit = values["off"] / float(np.nanmax(np.abs(true))), own.units[own.names.index(name)]
+    return _graded("FORCE-ACCURACY", share, _CLOSE, "COARSE", row + 1, name, **values, name=name, unit=unit, share=share)
 
 
 def _friction(own: ForceAnalysis, _: ForceAnalysis | None) -> Finding:

@@ -41,7 +41,7 @@ TOO_LARGE = "step too large"
 class Correction:
     """The correction that keeps the positions closed: `newton` corrections a step, or Baumgarte's `gain` (1/s)."""
 
-    closure: Closure | None
+    closure: Closure
     newton: int
     gain: float = 0.0
 
@@ -50,7 +50,6 @@ class Correction:
 
         `targets` are the target values (n, k) and the driven coordinates (n, d) of all rows.
         """
-        assert self.closure is not None
         kept, known = targets
         if self.gain:
             return np.asarray(moved + step * self.gain * self.closure.linear(row.t, row.q, kept[row.index]))
@@ -165,7 +164,7 @@ class March:
         first = max(0, len(rows) - 1)
         q = np.array(rows.pop()[:size] if rows else start, dtype=float)
         correction = self.correction
-        targets = correction.closure.targets(times) if correction and correction.closure and last >= 0 else None
+        targets = correction.closure.targets(times) if correction and last >= 0 else None
         for index, t in enumerate(times[first:].tolist(), start=first):
             here = Row(index, t, q)
             try:

@@ -44,7 +44,7 @@ class Replay:
             return np.array([*self.start, *own])
         t, q, step = float(motion.t[index - 1]), motion.coordinates[index - 1], motion.step
         moved = self.scheme.step(rates.slopes(index * step), t, q, step)
-        if self.correction is not None and self.correction.closure is not None:
+        if self.correction is not None:
             targets = self.correction.closure.targets(motion.t)
             moved = self.correction.corrected(targets, Row(index - 1, t, q), step, moved)
         return np.array([*moved, *own])

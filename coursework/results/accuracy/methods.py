@@ -17,7 +17,7 @@ from coursework.motion.integration.adaptive import integrate_adaptive
 from coursework.motion.integration.following import follow_closure
 from coursework.motion.integration.integrate import Correction, March
 from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, Scheme, title_of
-from coursework.results.accuracy.problem import TIMED, Bounds, Problem
+from coursework.results.accuracy.problem import Bounds, Problem
 from coursework.results.accuracy.trace import trace
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -61,7 +61,7 @@ def title_of_corrected(scheme: str, project: int, gain: float) -> str:
     return projected_title(project) if project else title_of(SCHEMES[scheme])
 
 
-def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
+def trials(problem: Problem, bounds: Bounds) -> Iterator[Trial]:
     """Yield every trial inside the bounds, method after method; the table's own step is always included for each scheme."""
     rows = problem.rows
     for scheme in SCHEMES.values():
@@ -105,6 +105,7 @@ def _by_scheme(problem: Problem, scheme: Scheme, substeps: int) -> tuple[Array, 
 
 
 def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int]:
+    assert problem.closure is not None
     made = March(problem.rates, DEFAULT_SCHEME, problem.step / substeps, Correction(problem.closure, newton))
     motion = made.until(problem.start, problem.step * problem.rows)
     steps = problem.rows * substeps

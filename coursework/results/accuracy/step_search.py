@@ -188,7 +188,7 @@ class _Search:
 
     def measured(self, steps: int) -> float:
         """Return the error, measured afresh."""
-        rows = _rows(self.scheme, self.rates, self.start, self.end, steps, 1)
+        rows = self.rows(self.scheme, steps, 1)
         if resolution(self.rates.equations, self.end).shorter(self.end / steps / _SUDDEN)[0].size:
             with suppress(ArithmeticError, ValueError):
                 exact = refine(self.rates, self.start, np.arange(steps + 1).astype(np.float64) * (self.end / steps))[0]
@@ -196,7 +196,14 @@ class _Search:
             return np.inf
         # The reference is the precise scheme with four times the steps: its error is 256 times smaller than with the same steps.
         parts = 1 if steps >= _FINE and self.scheme.order < PRECISE.order else 4
-        return float(np.max(np.abs(rows - _rows(PRECISE, self.rates, self.start, self.end, steps, parts))))
+        return float(np.max(np.abs(rows - self.rows(PRECISE, steps, parts))))
+
+    def rows(self, scheme: Scheme, steps: int, inner: int) -> Array:
+        """Return the rows of `steps` steps, each made by `inner` steps of a scheme; without any, nothing is near them."""
+        try:
+            return trace(scheme, self.rates, self.start, self.end / steps, range(steps + 1), inner)
+        except (ArithmeticError, ValueError):
+            return np.full((steps + 1, len(self.start)), np.inf if inner == 1 else 0.0)
 
     def refused(self, steps: float) -> Sentence:
         """Return the sentence that `steps` are more than can be tried, and how long they would take."""
@@ -205,13 +212,6 @@ class _Search:
             "steps.too_long", scheme=title_of(self.scheme), steps=float(steps), wish=self.wish, most=MOST_STEPS,
             duration=_duration(spent),
         )  # fmt: skip
-
-
-def _rows(scheme: Scheme, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:
-    try:
-        return trace(scheme, rates, start, end / steps, range(steps + 1), inner)
-    except (ArithmeticError, ValueError):
-        return np.full((steps + 1, len(start)), np.inf if inner == 1 else 0.0)
 
 
 def _duration(value: float) -> Sentence:

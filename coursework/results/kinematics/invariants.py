@@ -19,12 +19,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from coursework.results.kinematics.analogs import (
-    acceleration_analog,
-    true_acceleration,
-    true_velocity,
-    velocity_analog,
-)
+from coursework.results.kinematics.analogs import acceleration_analog, true_acceleration, true_velocity, velocity_analog
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen, single
 
@@ -123,15 +118,9 @@ def to_analogs(invariants: Invariants) -> tuple[Array, Array, Array]:
 
 
 def from_true(
-    s: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: ArrayLike,
-    *,
-    stroke: float,
-    angle: float,
-    omega_1: ArrayLike,
-    epsilon_1: ArrayLike = 0.0,
-) -> Invariants:
+    s: ArrayLike, velocity: ArrayLike, acceleration: ArrayLike,
+    *, stroke: float, angle: float, omega_1: ArrayLike, epsilon_1: ArrayLike = 0.0,
+) -> Invariants:  # fmt: skip
     """Return the invariants of true `s` (m), `velocity` (m/s), `acceleration` (m/s^2); `stroke` S (m).
 
     `angle` Phi (rad), `omega_1` (rad/s), `epsilon_1` (rad/s^2) of the crank.  Raises `ValueError` as

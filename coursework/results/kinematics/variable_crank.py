@@ -64,15 +64,9 @@ class CrankLaw:
 
 
 def slider_crank(
-    phi: ArrayLike,
-    lr: ArrayLike,
-    first: ArrayLike = 0.0,
-    second: ArrayLike = 0.0,
-    *,
-    l2: float,
-    l3: float = 0.0,
-    outer: float | None = None,
-) -> SliderAnalogs:
+    phi: ArrayLike, lr: ArrayLike, first: ArrayLike = 0.0, second: ArrayLike = 0.0,
+    *, l2: float, l3: float = 0.0, outer: float | None = None,
+) -> SliderAnalogs:  # fmt: skip
     """Return all analogs by (5), (9)-(12); a crank of constant length is lr = 1 with both derivatives 0.
 
     `phi` (n,) rad; `lr`, `first`, `second` the crank length and its derivatives, (n,) or a number; `l2` the
@@ -91,14 +85,9 @@ def slider_crank(
     omega = rod_velocity(f, r, dr, phi2, l2)
     epsilon = rod_acceleration(f, r, dr, ddr, phi2, omega, l2)
     zero = outer_position(float(r[0]), l2, l3) if outer is None else outer
-    return SliderAnalogs(
-        phi2,
-        displacement(f, r, phi2, l2, zero),
-        slider_velocity(f, r, dr, phi2, omega, l2),
-        slider_acceleration(f, r, dr, ddr, phi2, omega, epsilon, l2),
-        omega,
-        epsilon,
-    )
+    moved, velocity = displacement(f, r, phi2, l2, zero), slider_velocity(f, r, dr, phi2, omega, l2)
+    acceleration = slider_acceleration(f, r, dr, ddr, phi2, omega, epsilon, l2)
+    return SliderAnalogs(phi2, moved, velocity, acceleration, omega, epsilon)
 
 
 def rod_angle(phi: Array, lr: Array, l2: float, l3: float = 0.0) -> Array:
@@ -176,14 +165,7 @@ def rod_acceleration(phi: Array, lr: Array, first: Array, second: Array, phi2: A
 
 
 def slider_acceleration(
-    phi: Array,
-    lr: Array,
-    first: Array,
-    second: Array,
-    phi2: Array,
-    omega_2: Array,
-    epsilon_2: Array,
-    l2: float,
+    phi: Array, lr: Array, first: Array, second: Array, phi2: Array, omega_2: Array, epsilon_2: Array, l2: float
 ) -> Array:
     """Return a = d2s/dphi2: formula (11), (n,); in the outer dead centre 1 + 1/l2.
 
@@ -198,14 +180,7 @@ def slider_acceleration(
 
 
 def constant_speed_crank(
-    phi: ArrayLike,
-    *,
-    speed: float,
-    omega_1: float,
-    crank: float,
-    rod: float,
-    offset: float = 0.0,
-    mode: int = 1,
+    phi: ArrayLike, *, speed: float, omega_1: float, crank: float, rod: float, offset: float = 0.0, mode: int = 1
 ) -> CrankLaw:
     """Return the crank length that moves the slider at one speed, exactly, over the angles `phi` (n,) rad.
 

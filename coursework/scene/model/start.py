@@ -140,15 +140,11 @@ def _assembled(model: Model, group: Group, q: Array, numbers: Columns, guesses: 
     """Return the coordinates (k, n) of one dyad in the mode written, else in the mode nearest to the guesses."""
     if group.mode or not group_kind(group.kind).modes:
         return _in_mode(model, group, group.mode, q, numbers, doubtful)
-    units = [c.unit for name in group.coordinates for c in model.variant.coordinates if c.name == name]
+    angles = np.array([[c.unit == "rad"] for name in group.coordinates for c in model.variant.coordinates if c.name == name])
     ways = [_in_mode(model, group, mode, q, numbers, doubtful) for mode in (1, -1)]
-    away = []
-    for way in ways:
-        gaps = way - guesses
-        turns = np.array([[2 * np.pi if unit == "rad" else np.inf] for unit in units])
-        gaps = np.where(np.isinf(turns), gaps, gaps - turns * np.round(gaps / turns))
-        away.append(np.max(np.abs(gaps), axis=0))
-    return np.where(away[0] <= away[1], *ways)
+    gaps = np.array(ways) - guesses
+    first, second = np.max(np.abs(np.where(angles, gaps - whole_turns(gaps), gaps)), axis=1)
+    return np.where(first <= second, *ways)
 
 
 def _in_mode(model: Model, group: Group, mode: int, q: Array, numbers: Columns, doubtful: Flags) -> Array:

@@ -18,8 +18,9 @@ from tests.solved import solved
 def both(run, scheme, step, end, start=None, guarded=()):
     """Return the motion by generated rows and the one by single steps (a correction that corrects nothing)."""
     rates, start = run.scene.rates, start or run.scene.start
-    made = March(rates, scheme_of(scheme), step, guarded=guarded)
-    return [replace(made, correction=correction).until(start, end) for correction in (None, Correction(None, 0))]
+    made, nothing = March(rates, scheme_of(scheme), step, guarded=guarded), lambda times: (np.zeros((len(times), 0)),) * 2
+    corrections = None, Correction(SimpleNamespace(targets=nothing, driven=()), 0)
+    return [replace(made, correction=correction).until(start, end) for correction in corrections]
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)

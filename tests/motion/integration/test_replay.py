@@ -18,7 +18,10 @@ RATES = SimpleNamespace(
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("correction", [None, SimpleNamespace(closure=None)])
+STILL = SimpleNamespace(closure=SimpleNamespace(targets=lambda t: None), corrected=lambda targets, row, step, moved: moved)
+
+
+@pytest.mark.parametrize("correction", [None, STILL])
 def test_each_row_is_one_step_from_the_row_before(correction):
     q = MOTION.coordinates[:, 0]
     moved = np.append(1.5, q[:-1] + 0.1 * (3 * q[:-1] + T[:-1]))

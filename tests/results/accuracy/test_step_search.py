@@ -187,7 +187,7 @@ def test_coarse_steps_that_foretell_too_many_are_followed_by_one_look_at_sixteen
 )
 def test_from_a_thousand_steps_on_the_reference_of_a_lower_order_has_the_same_steps(monkeypatch, scheme, steps, parts):
     asked = []
-    monkeypatch.setattr(step_search, "_rows", lambda *given: asked.append(given[-1]) or np.zeros(1))
+    monkeypatch.setattr(step_search._Search, "rows", lambda *given: asked.append(given[-1]) or np.zeros(1))
     monkeypatch.setattr(step_search, "resolution", lambda *_: SimpleNamespace(shorter=lambda step: (np.array([]),)))
     rates = SimpleNamespace(equations=None)
     step_search._Search(SCHEMES[scheme], rates, (), 0.1, 1.0, 1.0, StepRules(), lambda *_: True).measured(steps)

@@ -12,7 +12,7 @@ import coursework
 from coursework.motion.integration.following import follow_closure
 from coursework.motion.schemes import SCHEMES
 from coursework.results.accuracy.methods import title_of_corrected, trials
-from coursework.results.accuracy.problem import Problem
+from coursework.results.accuracy.problem import TIMED, Problem
 from coursework.results.accuracy.study import make_study
 from coursework.results.accuracy.trace import trace
 from tests.solved import solved
@@ -36,7 +36,7 @@ def found(scene, run):
     """Every trial of the full study: {(method, setting): (evaluations, errors)}."""
     closure = run.scene.closure
     results = {}
-    for trial in trials(scene):
+    for trial in trials(scene, TIMED):
         rows, evaluations = trial.run()
         fine = trial.fine or 1
         times = np.arange(24 * fine + 1) * (0.02 / fine)

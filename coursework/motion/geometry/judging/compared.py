@@ -5,7 +5,9 @@ Enters: velocity equations and their closure.  Leaves: times and positions.  Use
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -17,6 +19,7 @@ from coursework.motion.geometry.closure import WAITING, Closure
 from coursework.motion.geometry.drives.drive import breaks, drive_values
 from coursework.motion.schemes import PRECISE
 from coursework.system.arrays import Array
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 
 # Times at which drives are looked at, and the share of its largest value below which a drive is at rest.
@@ -78,21 +81,12 @@ def _moved(equations: VelocityEquations, start: Array, time: float, goes_on: boo
         rates = np.array([found[one.rate] for one in variant.coordinates])
         return rates, bool(np.all(np.abs(matrix @ values - right) <= _FITS * terms))
 
-    def at_last(now: float, q: Array) -> float:
-        """Return the last time known before something moves, or a break at which it does."""
-        moments = {*np.linspace(0.0, variant.time.end, _LOOKS + 1).tolist(), *breaks(variant)}
-        ahead = sorted(float(at) for at in moments if now < at < variant.time.end)
-        for before, at in pairwise([now, *ahead]):
-            if solved(at, q)[0].any():
-                return at if at in breaks(variant) else before
-        return now
-
     now, q, seen = time, start, list[tuple[float, Array]]()
     with suppress(np.linalg.LinAlgError, ArithmeticError, ValueError, KeyError):
         for reach in _REACHES:
             first, fits = solved(now, q)
             if goes_on and fits and not first.any():
-                now = at_last(now, q)
+                now = _at_last(now, variant, partial(solved, q=q))
                 first, fits = solved(now, q)
             ends = [at for at in (*breaks(variant), variant.time.end) if at > now]
             fastest = float(np.max(np.abs(first)))
@@ -106,6 +100,16 @@ def _moved(equations: VelocityEquations, start: Array, time: float, goes_on: boo
                     seen.append((now, q))
                     break
     return np.array([at for at, _ in seen]), np.array([there for _, there in seen]).reshape(-1, len(start))
+
+
+def _at_last(now: float, variant: Variant, solved: Callable[[float], tuple[Array, bool]]) -> float:
+    """Return the last time known before something moves, or a break at which it does."""
+    moments = {*np.linspace(0.0, variant.time.end, _LOOKS + 1).tolist(), *breaks(variant)}
+    ahead = sorted(float(at) for at in moments if now < at < variant.time.end)
+    for before, at in pairwise([now, *ahead]):
+        if solved(at)[0].any():
+            return at if at in breaks(variant) else before
+    return now
 
 
 def _stirred(closure: Closure) -> tuple[Array, Array]:

@@ -82,14 +82,8 @@ def said_otherwise(equations: VelocityEquations, times: Array, positions: Array)
     For files without position equations: the velocities are those of the written equations.  Links are judged whose points
     keep their distance wherever the coordinates are.
     """
-    variant, vectors = equations.variant, equations.symbols.vectors
-    turns = equations.geometry.turns()
-    pairs: list[tuple[Speed, Speed]] = [(turn.found, turn.named) for turn in turns]
+    variant, turns, pairs = equations.variant, equations.geometry.turns(), _pairs(equations)
     driven = velocities_of_points(variant)
-    pairs += [
-        (rate_of(vectors[point]["xy".index(axis)], variant, equations.symbols), speed_of(law, variant.sought))
-        for law, (point, axis) in driven.items()
-    ]
     if not pairs:
         return []
     every = [*given_by_geometry(equations), *equations.equations]
@@ -123,6 +117,16 @@ def said_otherwise(equations: VelocityEquations, times: Array, positions: Array)
             law, (point, axis) = [*driven.items()][place - len(turns)]
             points.append(say("check.AGREEMENT.moves", point=point, axis=axis, rate=law, **known))
     return links or points
+
+
+def _pairs(equations: VelocityEquations) -> list[tuple[Speed, Speed]]:
+    """Return the speed that [points] give, and the one that the file names, of each link, then of each driven point."""
+    variant, vectors = equations.variant, equations.symbols.vectors
+    links = [(turn.found, turn.named) for turn in equations.geometry.turns()]
+    return links + [
+        (rate_of(vectors[point]["xy".index(axis)], variant, equations.symbols), speed_of(law, variant.sought))
+        for law, (point, axis) in velocities_of_points(variant).items()
+    ]
 
 
 def _of_link(
