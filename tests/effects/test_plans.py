@@ -73,10 +73,8 @@ def test_the_lever_gives_the_drive(name):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
-def test_the_page(language):
-    run = coursework.solve("example-1-forces")
-    model = build_model(run, language, "", live=False)
+def test_the_page():
+    model = build_model(coursework.solve("example-1-forces"), "en", "", live=False)
     section = next(one for one in model.sections if one.name == "forces")
     kinds = [part.kind for part in section.parts]
     assert kinds.count("figure") == 3 and kinds.count("panels") == 2

@@ -6,6 +6,7 @@ import re
 import subprocess
 import zipfile
 from collections import Counter
+from itertools import cycle, product
 from xml.etree import ElementTree
 
 import docx
@@ -18,7 +19,7 @@ from coursework.takeaway.note.formulas import WIDE, _places, latex_of, letters_w
 from coursework.takeaway.note.writer import LANGUAGES
 from coursework.variant.catalogue import names
 from tests.command import call
-from tests.sample import sampled_pairs
+from tests.sample import first, sampled_pairs
 from tests.takeaway.taken import results_of, taken
 
 KINDS = ("docx", "odt", "tex")
@@ -88,7 +89,11 @@ GREEK = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "language"), sampled_pairs(names(), LANGUAGES, {("whitworth", "ru"), ("v107", "zh")}))
+# The digits of a file are the same in every language: each file is read in one, the one with the widest tables in all.
+READ = ("whitworth", "ru"), ("v107", "zh"), *zip(names(), cycle(LANGUAGES)), *product(["andrews-forces"], LANGUAGES)
+
+
+@pytest.mark.parametrize(("name", "language"), first(2, dict.fromkeys(READ)))
 def test_the_tables_of_word_have_the_digits_of_the_page(name, language):
     read = docx.Document(io.BytesIO(note(name, "docx", language)))
     wanted = parts_of(name, language, Table, Claims, Checks)
