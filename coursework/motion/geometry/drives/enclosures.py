@@ -160,8 +160,6 @@ def _power(a: Enclosure, exponent: float) -> Enclosure:
 
 def _to_the(a: Enclosure, exponents: Array) -> Enclosure:
     """Return a power with a constant exponent; the bounds are infinite if data sets have different exponents."""
-    if not exponents.size:
-        return a
     if np.ptp(exponents) > 0:
         return _checked(*np.broadcast_arrays(-np.inf, np.inf, np.nan, a.disc * exponents))
     return _power(a, float(exponents.flat[0]))
