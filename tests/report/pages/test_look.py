@@ -32,9 +32,9 @@ MOST = {
 }  # fmt: skip
 WIDE_TABLES = "[...document.querySelectorAll('table')].filter((one) => one.getBoundingClientRect().right > innerWidth + 1).length"
 TOP = "(which) => document.querySelector(which).getBoundingClientRect().top + scrollY"
-# A drawing of a page without scripts is one for the touch of a phone, where it is enlarged.
+# Without a script drawings and tables are stops at every width: on a phone the one is enlarged and the other scrolls.
 STOPS = """[...document.querySelectorAll('[tabindex="0"]:not(#live, button)')].filter(
-  (one) => (document.querySelector("script") || !one.matches(".drawing > div")) &&
+  (one) => (document.querySelector("script") || !one.matches(".drawing > div, .scroll")) &&
     one.scrollWidth <= one.clientWidth + 1 && one.scrollHeight <= one.clientHeight + 1).map((one) => one.className)"""
 # Words of a drawing with their boxes and the height of their letters on the screen.
 SEEN_WORDS = """(which) => { const svg = document.querySelector(which);
