@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from coursework.effects.force_scheme import Body, torques_beside_drives
-from coursework.effects.rows import RATE, SECOND, Rows
+from coursework.effects.rows import SECOND, Rows
 from coursework.mechanism.joints import FRAME
 from coursework.system.arrays import Array, Complex
 from coursework.system.frozen import frozen
@@ -75,12 +75,9 @@ def _loads(rows: Rows) -> Iterator[Action]:
 
 def _springs(rows: Rows) -> Iterator[Action]:
     for spring in rows.scheme.forces.springs:
-        first, second = map(named, spring.ends)
-        way = rows.vector(second) - rows.vector(first)
+        way, rate = rows.stretch(spring)
         length = np.abs(way)
-        unit = way / length
-        stretch = (np.conj(unit) * (rows.vector(second, RATE) - rows.vector(first, RATE))).real
-        pull = rows.scalar(spring.damping) * stretch
+        unit, pull = way / length, rows.scalar(spring.damping) * rate
         if spring.stiffness is not None:
             pull = pull + rows.scalar(spring.stiffness) * (length - rows.scalar(spring.free))
         for end, force in zip(spring.ends, (pull * unit, -pull * unit), strict=True):

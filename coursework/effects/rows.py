@@ -21,7 +21,8 @@ from coursework.equations.reduction.symbolic import placed, symbol
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
 from coursework.system.arrays import Array, Complex
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, named
+from coursework.variant.record.forces import Spring
 
 # Level of a value: the place, its rate, its second rate.
 PLACE, RATE, SECOND = 0, 1, 2
@@ -92,15 +93,20 @@ class Rows:
         if body.span is None or body.span[0] == body.span[1] or (body.span[1], True, SECOND) not in self.values:
             return still, still
         way, rate, second = (self.vector(body.span[1], level) - self.vector(body.span[0], level) for level in (0, 1, 2))
-        omega = (np.conj(way) * rate).imag / np.abs(way) ** 2
-        return omega, (np.conj(way) * second).imag / np.abs(way) ** 2
+        return _turn(way, rate), _turn(way, second)
 
     def turned_by(self, body: Body, coordinate: str) -> Array:
         """Return how far (n,) a body whose rate has no name turns for a unit of a coordinate, by the line between its ends."""
         if body.span is None or (body.name, coordinate) not in self.spanned:
             return np.zeros(self.count)
         way = self.vector(body.span[1]) - self.vector(body.span[0])
-        return np.asarray((np.conj(way) * self.spanned[body.name, coordinate]).imag / np.abs(way) ** 2)
+        return _turn(way, self.spanned[body.name, coordinate])
+
+    def stretch(self, spring: Spring) -> tuple[Complex, Array]:
+        """Return the vector from end to end of a spring (n,) complex m, and the rate of its length (n,) m/s."""
+        first, second = map(named, spring.ends)
+        way = self.vector(second) - self.vector(first)
+        return way, (np.conj(way) * (self.vector(second, RATE) - self.vector(first, RATE))).real / np.abs(way)
 
     def velocity(self, body: Body, at: Complex) -> Complex:
         """Return the velocity (n,) complex m/s of the point of a body that is at the place `at`."""
@@ -121,6 +127,11 @@ class Rows:
         """Return a length of the mechanism (m): the largest distance of a joint from the first one."""
         places = [self.vector(one.at) for one in self.scheme.unknowns if one.at is not None]
         return float(max((np.abs(one - places[0]).max(initial=0.0) for one in places), default=0.0)) or 1.0
+
+
+def _turn(way: Complex, moved: Complex) -> Array:
+    """Return how far (n,) a line along `way` turns as its end moves by `moved` against its begin."""
+    return np.asarray((np.conj(way) * moved).imag / np.abs(way) ** 2)
 
 
 def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:

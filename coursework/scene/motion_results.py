@@ -156,17 +156,14 @@ class MotionResults(Travelling):
         from coursework.results.checks.evidence import Evidence
 
         scene, motion = self.scene, self.motion
-        replay, rerun = None, None
-        rates, passages = scene.passing(scene.rates), scene.search.passages
-        if motion.scheme in scheme_names():
-            rerun = scene.rerun
-        if motion.scheme in SCHEMES:
-            replay = Replay(rates, SCHEMES[motion.scheme], scene.begin, scene.correction)
+        rates, scheme = scene.passing(scene.rates), SCHEMES.get(motion.scheme)
+        replay = Replay(rates, scheme, scene.begin, scene.correction) if scheme else None
+        rerun = scene.rerun if motion.scheme in scheme_names() else None
         return Evidence(
             scene.variant, scene.equations, rates, motion, scene.exact, self.extended_precision, scene.closure,
             confirmed(scene.equations, scene.closure, scene.start),
             scene.stop, scene.reduction.used, drive_frequency(scene.equations, scene.fastest_wave),
-            scene.search, replay, rerun, passages, scene.settings.order,
+            scene.search, replay, rerun, scene.search.passages, scene.settings.order,
         )  # fmt: skip
 
     @computed("evidence")

@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -13,7 +14,7 @@ from coursework.drawing.force_plans.lever import levers_of
 from coursework.effects.dynamics import dynamics_checks
 from coursework.effects.effects import _springs
 from coursework.effects.kinetostatics.checks import check_forces
-from coursework.effects.rows import PLACE
+from coursework.effects.rows import PLACE, Rows
 from coursework.motion.settings import Settings
 from coursework.scene.exact_scene import scene_of
 from coursework.variant.catalogue import names
@@ -196,6 +197,7 @@ def test_a_spring_pulls_with_its_stretch_and_the_rate_of_it_whatever_its_length(
         scheme=SimpleNamespace(forces=SimpleNamespace(springs=[spring]), holder={"A": "1", "B": "2"}.get),
         scalar=np.float64, vector=lambda formula, level=PLACE: np.array([at[formula.name][level]]),
     )  # fmt: skip
+    rows.stretch = partial(Rows.stretch, rows)
     found = {action.body: action.force[0] for action in _springs(rows)}
     assert found == {"1": pytest.approx(16 * (0.6 + 0.8j)), "2": pytest.approx(-16 * (0.6 + 0.8j))}
 

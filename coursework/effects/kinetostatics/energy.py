@@ -12,12 +12,11 @@ import numpy as np
 
 from coursework.effects.effects import LOADS, MOTOR, Action
 from coursework.effects.force_scheme import Unknown
-from coursework.effects.rows import PLACE, RATE, SECOND, Rows
+from coursework.effects.rows import RATE, SECOND, Rows
 from coursework.mechanism.joints import FRAME
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import named
 from coursework.words.sentences import say
 
 HEAD = ("t", "T", "potential", "P_drive", "P_loads", "P_friction", "P_dampers")
@@ -52,9 +51,7 @@ def velocity_of_drive(rows: Rows, drive: Unknown) -> Array:
         return rows.motion.column(drive.is_drive)
     moved, unit = rows.vector(drive.at, RATE), rows.along(drive)
     if drive.off != FRAME:
-        below = bodies[drive.off]
-        arm = rows.vector(drive.at) - rows.vector(below.centre)
-        moved = moved - rows.vector(below.centre, RATE) - 1j * rows.omega(below) * arm
+        moved = moved - rows.velocity(bodies[drive.off], rows.vector(drive.at))
     return (np.conj(unit) * moved).real
 
 
@@ -69,9 +66,7 @@ def energy_of(rows: Rows, drives: dict[Unknown, Array], friction: tuple[Action, 
             potential -= rows.mass(body) * (np.conj(x + 1j * y) * rows.vector(body.centre)).real
         kinetic += rows.inertia(body) * rows.omega(body) ** 2 / 2
     for spring in scheme.forces.springs:
-        first, second = map(named, spring.ends)
-        way = rows.vector(second, PLACE) - rows.vector(first, PLACE)
-        rate = (np.conj(way) * (rows.vector(second, RATE) - rows.vector(first, RATE))).real / np.abs(way)
+        way, rate = rows.stretch(spring)
         potential += rows.scalar(spring.stiffness) * (np.abs(way) - rows.scalar(spring.free)) ** 2 / 2
         dampers -= rows.scalar(spring.damping) * rate**2
     driven = sum((value * velocity_of_drive(rows, one) for one, value in drives.items()), still)

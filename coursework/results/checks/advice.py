@@ -63,9 +63,8 @@ class Advice:
             better = say("advice.scheme", scheme=self.scheme, title=title, share=percent(self.share))
         if self.step is None:
             return say("advice.take", what=better)
-        finer = say("advice.step", option=self.option, step=self.step)
-        if not self.option[:1].isdigit():
-            finer = say("advice.step_seconds", option=self.option, step=self.step)
+        key = "advice.step" if self.option[:1].isdigit() else "advice.step_seconds"
+        finer = say(key, option=self.option, step=self.step)
         take = say("advice.take", what=joined([finer, better], "advice.or"))
         if self.jumped is None:
             return take

@@ -1,5 +1,6 @@
 """Energies, powers and the reduced inertia of motions by hand."""
 
+from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 from coursework.effects.kinetostatics import energy
 from coursework.effects.kinetostatics.energy import energy_of, reduced_inertia, velocity_of_drive
+from coursework.effects.rows import Rows
 from coursework.variant.formula.tree import named
 
 PHI = np.array([0.3, 1.1, -2.0, 2.5])
@@ -57,7 +59,7 @@ def still(**more):
         velocity=lambda _, at: np.array([1 + 1j, 2j]), along=lambda _: np.array([1.0, 1j]),
         motion=SimpleNamespace(column=lambda name: np.array([7.0, 8.0])),
     )  # fmt: skip
-    vars(rows).update(more)
+    vars(rows).update(stretch=partial(Rows.stretch, rows), **more)
     return rows
 
 
@@ -94,6 +96,7 @@ def test_energies_and_powers_are_those_by_hand(monkeypatch):
 def test_a_drive_on_a_moving_body_moves_relative_to_it():
     """B is at (2, 2) and (3, 9) m from S, which goes along and turns by 2 and -1 rad/s; a couple has both bodies' rates."""
     rows = still()
+    rows.velocity = partial(Rows.velocity, rows)
     assert velocity_of_drive(rows, drive(off="1")) == pytest.approx([0 - 1 + 4, 1 - 0 + 3])
     assert velocity_of_drive(rows, drive(coordinate="s")).tolist() == [7.0, 8.0]
     assert velocity_of_drive(rows, drive("couple", off="1")).tolist() == [0.0, 0.0]
