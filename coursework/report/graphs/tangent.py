@@ -28,10 +28,8 @@ GAP_PEN = 'class="gap" fill="none" stroke="#111" stroke-width="0.3"'
 
 
 def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
-    """Return the enlarged step; None if the exact motion is not known, or if its bend is too small to be seen."""
+    """Return the enlarged step; None if its bend is too small to be seen."""
     exact = evidence(context).exact
-    if exact is None:
-        return None
     begin, end = step.row - 1, step.row
     rows = slice(max(begin - 1, 0), min(end + 2, len(exact.t)))
     q, rate = exact.column(step.column), exact.column(step.rate_name)

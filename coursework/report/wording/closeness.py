@@ -74,7 +74,7 @@ def unreturned(context: PageContext) -> list[Split]:
 def largest_error_sentence(context: PageContext) -> str:
     """Return the sentence on the scheme's largest error, measured as the verdict measures it; "" if there is none to report."""
     found, say, numbers = evidence(context), context.words, context.numbers
-    if not found.compared or found.exact is None or len(found.motion.t) > found.compared or not found.names:
+    if not found.compared or len(found.motion.t) > found.compared or not found.names:
         return ""
     share, name, row, off = _largest(context, found)
     if share <= SEEN:
@@ -97,7 +97,7 @@ def _largest(context: PageContext, found: Evidence) -> tuple[float, str, int, fl
     judged = (one for one in context.run.results.checks if one.code == "MOTION" and one.column and one.value is not None)
     if (own := next(judged, None)) is not None and own.row is not None:  # under forces a velocity is measured by its largest size
         name, row = own.column or "", own.row - 1
-        return own.value or 0.0, name, row, abs(float(found.motion.column(name)[row] - found.true.column(name)[row]))
+        return own.value or 0.0, name, row, abs(float(found.motion.column(name)[row] - found.exact.column(name)[row]))
     shares = np.abs(found.errors)
     row, place = worst(shares)
     share, name = float(shares[row, place]), found.names[place]
@@ -110,7 +110,7 @@ def largest_step_error(context: PageContext) -> LocalError | None:
     Steps in which the drive changes its formula do not count: their error comes from the old formula, not from the bend.
     """
     exact = evidence(context).exact
-    if exact is None or len(exact.t) < 2:
+    if len(exact.t) < 2:
         return None
     worst: LocalError | None = None
     steps = np.diff(exact.t)

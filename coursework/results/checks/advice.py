@@ -98,7 +98,7 @@ def _curable(finding: Finding) -> bool:
 
 def _advice(evidence: Evidence, coarse: list[Finding], judge: Judge, found: Stiff | None) -> Advice | None:
     own = evidence.motion.scheme
-    if evidence.rerun is None or evidence.exact is None or not len(evidence.exact.t) or own not in scheme_names():
+    if evidence.rerun is None or not len(evidence.exact.t) or own not in scheme_names():
         return None
     scheme, share = _better_scheme(evidence, own, judge)
     parts, jumped = _step(evidence, own, coarse, judge, found.parts(evidence.motion.step) if found else 1)
@@ -205,7 +205,6 @@ def _tried(evidence: Evidence, scheme: str, parts: int, motion: Motion | None) -
 
     Exact rows are not made by a scheme: they are what a scheme would be judged against.
     """
-    assert evidence.exact is not None
     if motion is None and scheme != EXACT:
         return None
     step = evidence.motion.step if parts == 1 else _spelled(evidence, parts)[1]

@@ -49,7 +49,7 @@ def _too_few(evidence: Evidence) -> float | None:
         return None
     digits = condition(evidence).value
     exact, names = evidence.exact, evidence.names
-    if digits is None or exact is None:
+    if digits is None:
         return None
     way = [float(np.ptp(exact.column(name)) / evidence.scale[name]) for name in names if name in exact.coordinate_names]
     return digits if max(way, default=0.0) * 10.0**-digits > LIMIT else None
@@ -72,7 +72,7 @@ ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_
 WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
 # A crank alone has no equations: its motion is given.
 SOLVED = Need(lambda evidence: bool(evidence.equations.equations), lambda _: say("check.CONDITION.nothing"))
-EXACT = Need(lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0, _not_known, _why_not_known)
+EXACT = Need(lambda evidence: len(evidence.exact.t) > 0, _not_known, _why_not_known)
 CLOSURE = Need(
     lambda evidence: evidence.closure is not None and bool(evidence.closure.names),
     lambda evidence: say("check.DRIFT.skip" if evidence.closure is None else "check.DRIFT.driven"),

@@ -46,7 +46,7 @@ LIMIT = 0.05
 
 @caching
 class Evidence:
-    """`motion` judged against `exact`, on the same rows as far as both go; `exact` is None if it is unknown.
+    """`motion` judged against `exact`, on the same rows as far as both go; `exact` has no rows if it is unknown.
 
     `stop` is where the true motion ends; `extended_precision` the coordinates in extended precision (n, m), if known; `used` the
     equations solved for the velocities; `drive_frequency` (rad/s) that of the fastest sine in the drive; `search` the true motion
@@ -61,7 +61,7 @@ class Evidence:
     equations: VelocityEquations
     rates: Rates
     motion: Motion
-    exact: Motion | None
+    exact: Motion
     extended_precision: Array | None
     closure: Closure | None
     agreed: tuple[str, ...]
@@ -134,10 +134,10 @@ class Evidence:
         R is the range of the exact motion over the first period at most (an angle's at most 2π), A the largest size of a
         velocity, U the largest R among the columns of the same unit.
         """
-        return self.once(f"scale of {len(self.true.t)} rows each {self.true.step!r} s", self._scale)
+        return self.once(f"scale of {len(self.exact.t)} rows each {self.exact.step!r} s", self._scale)
 
     def _scale(self) -> dict[str, float]:
-        exact = self.true
+        exact = self.exact
         period = self.variant.time.period
         last = len(exact.t) if period is None or not exact.step else round(period / exact.step) + 1
         rows = exact.rows[: max(last, 2)]
@@ -156,15 +156,9 @@ class Evidence:
         return np.array([self.scale[name] for name in self.names])
 
     @property
-    def true(self) -> Motion:
-        """Return the exact motion, which must be known."""
-        assert self.exact is not None
-        return self.exact
-
-    @property
     def compared(self) -> int:
         """Return how many rows the table and the exact motion have in common."""
-        return min(len(self.motion.t), len(self.exact.t)) if self.exact is not None else 0
+        return min(len(self.motion.t), len(self.exact.t))
 
     def table(self, motion: Motion) -> Array:
         """Return the judged columns of a motion (compared rows, k)."""
@@ -174,7 +168,7 @@ class Evidence:
     @cached_property
     def errors(self) -> Array:
         """Return table minus exact as shares of the scales (compared rows, k); whole turns of an angle are no error."""
-        gap = self.table(self.motion) - self.table(self.true)
+        gap = self.table(self.motion) - self.table(self.exact)
         if len(gap) and np.any(np.abs(gap[:, self.angles]) >= np.pi / 2):  # with smaller gaps no angle is a turn off
             jumps = np.diff(gap[:, self.angles], axis=0, prepend=0.0)
             gap[:, self.angles] -= np.cumsum(whole_turns(jumps), axis=0)

@@ -60,7 +60,7 @@ def turning_points(evidence: Evidence, name: str, rate: str) -> tuple[TurningPoi
     None if there are too many, or if the motion between the rows is unknown.
     """
     exact = evidence.exact
-    if exact is None or name not in exact.coordinate_names or rate not in exact.velocity_names or len(exact.t) < 3:
+    if name not in exact.coordinate_names or rate not in exact.velocity_names or len(exact.t) < 3:
         return None
     rows = f"of {len(exact.t)} rows each {exact.step!r} s"
     return evidence.once(f"turning points of {name} {rows}", lambda: _turning_points(evidence, exact, name, rate, rows))
@@ -86,7 +86,7 @@ def _turning_points(evidence: Evidence, exact: Motion, name: str, rate: str, of:
 
 def _last(evidence: Evidence) -> int:
     """Return the row at which the first period ends, or the last row if the run is shorter."""
-    exact = evidence.true
+    exact = evidence.exact
     return min(round(evidence.period / exact.step), len(exact.t) - 1)
 
 
@@ -96,7 +96,7 @@ def stroke(evidence: Evidence, name: str, rate: str, crank: str) -> Stroke | Non
     `crank` is the angle of the only driven link.
     """
     exact, points = evidence.exact, turning_points(evidence, name, rate)
-    if exact is None or points is None or len(points) != 2 or crank not in exact.coordinate_names:
+    if points is None or len(points) != 2 or crank not in exact.coordinate_names:
         return None
     last, turned = _last(evidence), exact.coordinate_names.index(crank)
     angles, own = exact.column(crank)[: last + 1], exact.column(name)[: last + 1]

@@ -92,7 +92,7 @@ def turned(angle: float = 2 * math.pi, own: float = 0.0, period: float = 1.0) ->
         velocity_names=("w",), coordinates=np.zeros((11, 2)),
     )  # fmt: skip
     rates = SimpleNamespace(motion=lambda *_: exact)
-    return SimpleNamespace(exact=exact, true=exact, rates=rates, period=period, once=lambda _, made: made())
+    return SimpleNamespace(exact=exact, rates=rates, period=period, once=lambda _, made: made())
 
 
 def turning_at(monkeypatch: pytest.MonkeyPatch, *times: float) -> None:

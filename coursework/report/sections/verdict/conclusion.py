@@ -138,7 +138,7 @@ def _extremes(context: PageContext) -> list[Part]:
     """Return the table of least and greatest values of coordinates that turn back, with times and crank angles."""
     say, variant, judged = context.words, context.run.variant, evidence(context)
     exact, driven = judged.exact, context.run.variant.driven_coordinates
-    if exact is None or judged.restricted:
+    if judged.restricted:
         return []
     crank = driven[0].name if len(driven) == 1 and driven[0].unit == "rad" else ""
     lines: list[tuple[Cell, list[TurningPoint]]] = []

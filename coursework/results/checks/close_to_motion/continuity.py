@@ -69,7 +69,7 @@ def continuity(evidence: Evidence) -> Finding:
 def jump_of_exact(evidence: Evidence) -> Jump | None:
     """Return the largest jump of the exact motion away from the breaks of `pieces` laws, None if there is none."""
     exact = evidence.exact
-    if exact is None or len(exact.t) < 2 or evidence.restricted:
+    if len(exact.t) < 2 or evidence.restricted:
         return None
     found = _suspects(evidence)
     for time in breaks(evidence.variant):
@@ -82,7 +82,7 @@ def jump_of_exact(evidence: Evidence) -> Jump | None:
 
 def _jumps_at_breaks(evidence: Evidence) -> bool:
     """Return whether a velocity jumps at a break of a `pieces` law, which may also go on from the value that it had."""
-    exact = evidence.true
+    exact = evidence.exact
     times = np.array([time for time in breaks(evidence.variant) if exact.t[0] < time < exact.t[-1]])
     if not len(times):
         return False
@@ -120,7 +120,7 @@ def _suspects(evidence: Evidence) -> _Brackets:
     These cubics have the exact positions and rates at the rows; they can jump only where the motion jumps.  Every interval and
     column is halved by itself, and the half with the larger change is kept.
     """
-    exact, rates = evidence.true, evidence.rates
+    exact, rates = evidence.exact, evidence.rates
     places = np.array([exact.names.index(name) for name in evidence.names])
     table = exact.rows[:, places]
     row, column = (part.ravel() for part in np.indices((len(table) - 1, len(places))))
@@ -146,7 +146,7 @@ def _suspects(evidence: Evidence) -> _Brackets:
 
 def _between(evidence: Evidence, row: Array, part: Array) -> tuple[Array, Array]:
     """Return times and positions (n, m) at a `part` of the interval after each row, on the cubics through the exact rows."""
-    exact = evidence.true
+    exact = evidence.exact
     size, h = exact.coordinates.shape[1], exact.step
     begin, end = exact.coordinates[row], exact.coordinates[row + 1]
     out, into = h * exact.velocities[row, :size], h * exact.velocities[row + 1, :size]
@@ -155,7 +155,7 @@ def _between(evidence: Evidence, row: Array, part: Array) -> tuple[Array, Array]
 
 def _looked_into(evidence: Evidence, row: int, place: int) -> Jump | None:
     """Return the jump of one column of the exact motion itself in one interval, None if there is none."""
-    exact, rates, name = evidence.true, evidence.rates, evidence.names[place]
+    exact, rates, name = evidence.exact, evidence.rates, evidence.names[place]
     index, scale = exact.names.index(name), evidence.scales[place]
 
     def value(time: float, q: Array) -> float:

@@ -94,7 +94,7 @@ def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int
     "jump": open from this row on, while the velocities of the row before it keep the equation.  "opened": they do not keep it.
     """
     exact = evidence.exact
-    if exact is None or not len(exact.t):
+    if not len(exact.t):
         return None
     residual = gaps(closure, exact.t, exact.coordinates, closure.targets(exact.t)[0])
     open_rows = np.abs(residual) / scales > LIMIT

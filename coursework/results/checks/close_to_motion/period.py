@@ -59,7 +59,7 @@ class Split:
 def mismatch(evidence: Evidence) -> tuple[Split, ...] | None:
     """Return the split of every column, None if the run does not reach a period or stopped before."""
     row, motion, exact = evidence.period_row, evidence.motion, evidence.exact
-    if row is None or motion.stop is not None or exact is None or row >= evidence.compared:
+    if row is None or motion.stop is not None or row >= evidence.compared:
         return None
     rows = motion.rows
     angles = np.array([evidence.unit(name) == "rad" for name in motion.names])
@@ -147,7 +147,7 @@ def _behind_the_end(evidence: Evidence, names: list[str], code: str) -> Finding:
     exact, period = evidence.exact, evidence.period
     stated = evidence.variant.time.period is not None and not evidence.restricted
     judged = stated and evidence.motion.stop is None and evidence.stop is None and evidence.period_row is None
-    if exact is None or not (judged and names and len(exact.t) > 1):
+    if not (judged and names and len(exact.t) > 1):
         return skipped(_why_skipped(evidence))
     if period > FURTHEST * float(exact.t[-1]):
         return (_drive_strayed(evidence) if code == "PERIOD-VELOCITY" else None) or skipped(_why_skipped(evidence))
@@ -205,7 +205,7 @@ def _multiple(evidence: Evidence) -> int:
 def _drive_strayed(evidence: Evidence) -> Finding | None:
     """Return that the drive after the stated period differs from the start; None if it does not, or if it is unknown."""
     laws = [law.name for law in evidence.variant.drive if not law.table]
-    values = drive_values(evidence.equations, laws, np.append(evidence.true.t, evidence.period))
+    values = drive_values(evidence.equations, laws, np.append(evidence.exact.t, evidence.period))
     if not laws or not np.isfinite(values).all():
         return None
     scale = np.ptp(values[:-1], axis=0)
@@ -252,7 +252,7 @@ def _is_beyond(evidence: Evidence, name: str) -> bool:
 def _why_skipped(evidence: Evidence) -> str:
     motion = evidence.motion
     if motion.stop is not None:
-        return evidence.say("check.PERIOD.stopped", time=float(motion.t[-1]) if len(motion.t) else 0.0)
+        return evidence.say("check.PERIOD.stopped", time=float(motion.t[-1]))
     if evidence.compared < len(motion.t):
         return evidence.say("check.unknown")
     return evidence.say("check.PERIOD.short", end=float(motion.t[-1]), period=evidence.period)
@@ -260,14 +260,13 @@ def _why_skipped(evidence: Evidence) -> str:
 
 def assembly(evidence: Evidence) -> Finding:
     """Every determinant keeps its sign: the mechanism stays in one assembly over the whole run."""
-    motion, exact = evidence.motion, evidence.exact
-    determinants = motion.determinants
+    motion, determinants = evidence.motion, evidence.motion.determinants
     if len(determinants) < 2 or not determinants.shape[1]:
         return skipped(evidence.say("check.PERIOD-ASSEMBLY.skip"))
     unit = evidence.say("unit.relative")
     smallest = float(np.min(np.abs(motion.scaled)))
     row = _changed(motion, evidence)
-    if exact is not None and (true := _changed(exact, evidence)) is not None:
+    if (true := _changed(evidence.exact, evidence)) is not None:
         return Finding("FAIL", evidence.say("check.PERIOD-ASSEMBLY.fail", row=true + 1), smallest, None, unit, None, true + 1)
     if row is not None:
         return Finding("COARSE", evidence.say("check.PERIOD-ASSEMBLY.coarse", row=row + 1), smallest, None, unit, None, row + 1)

@@ -44,7 +44,7 @@ def later(evidence: Evidence) -> Later | None:
 
 def after(evidence: Evidence, time: float) -> Array | None:
     """Return the exact row (m + k,) at any time (s), None if there is none."""
-    exact = evidence.true
+    exact = evidence.exact
     return evidence.once(f"exact at {time!r}", lambda: exact_at(exact, evidence.rates, time))
 
 
@@ -55,7 +55,7 @@ def share_of(size: float, scale: float) -> float:
 
 def ends(evidence: Evidence, row: Array, name: str) -> tuple[float, float]:
     """Return a column of the exact motion at its start and in an exact row, without whole turns."""
-    exact = evidence.true
+    exact = evidence.exact
     first, last = float(exact.column(name)[0]), float(row[exact.names.index(name)])
     return first, last - float(whole_turns(last - first)) if evidence.unit(name) == "rad" else last
 
@@ -67,7 +67,7 @@ def missed(evidence: Evidence, row: Array, name: str) -> float:
 
 
 def _later(evidence: Evidence) -> Later | None:
-    exact, variant, period = evidence.true, evidence.variant, evidence.period
+    exact, variant, period = evidence.exact, evidence.variant, evidence.period
     driven = [coordinate.name for coordinate in variant.driven_coordinates]
     once = after(evidence, period) if driven else None
     if once is None or any(missed(evidence, once, name) > RETURNS for name in (*driven, *variant.known_rates)):
@@ -103,7 +103,7 @@ def _lateness(evidence: Evidence, gains: Array, driven: list[str]) -> Array:
 
     Dividing by it makes the ratio of a wheel to the crank independent of the digits of T that are stated.
     """
-    exact = evidence.true
+    exact = evidence.exact
     for name in driven:
         turned = gains[:, exact.coordinate_names.index(name)]
         whole = whole_turns(turned)

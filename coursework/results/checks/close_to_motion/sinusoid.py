@@ -35,7 +35,7 @@ def sinusoid(evidence: Evidence) -> Finding:
     motion = evidence.motion
     slowest = 2 * np.pi / found[0]
     near = max(motion.step / 2, NEAR_PERIOD * slowest)
-    periods = int((motion.t[-1] + near) / slowest) if len(motion.t) else 0
+    periods = int((motion.t[-1] + near) / slowest)
     names = tuple(name for name in evidence.names if name in motion.velocity_names)
     if motion.stop is not None or periods < 1 or evidence.compared < len(motion.t) or not names:
         return skipped(evidence.say("check.SINUSOID.rows", period=slowest))
@@ -67,7 +67,7 @@ def sinusoid(evidence: Evidence) -> Finding:
 
 def _dense(evidence: Evidence, found: tuple[float, ...]) -> Motion | None:
     """Return the exact motion on rows that are close enough; None if it cannot be followed between rows."""
-    exact = evidence.true
+    exact = evidence.exact
     parts = int(np.ceil(_ROWS_A_PERIOD * exact.step * found[-1] / (2 * np.pi) * (1 - 1e-9)))
     return finer(exact, evidence.rates, parts, parts * (len(exact.t) - 1) + 1) if parts > 1 else exact
 

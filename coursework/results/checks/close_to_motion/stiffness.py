@@ -61,7 +61,7 @@ def stiff(evidence: Evidence) -> Stiff | None:
 
 def _stiff(evidence: Evidence) -> Stiff | None:
     motion, exact = evidence.motion, evidence.exact
-    known = exact if exact is not None and len(exact.t) > _FEW else None  # else only the start is sure to lie on the motion
+    known = exact if len(exact.t) > _FEW else None  # else only the start is sure to lie on the motion
     rows = (
         distinct(np.linspace(0, len(known.t) - 1, _LOOKS).astype(int)) if known is not None else np.arange(min(1, len(motion.t)))
     )

@@ -52,7 +52,7 @@ def _moves(evidence: Evidence) -> bool:
     """Return whether a velocity is not zero in some row, or something has moved between two rows, in a pulse that none shows."""
     if np.any(evidence.motion.velocities):
         return True
-    rows = [motion.coordinates for motion in (evidence.motion, evidence.exact) if motion is not None and len(motion.t)]
+    rows = [motion.coordinates for motion in (evidence.motion, evidence.exact) if len(motion.t)]
     return any(np.max(np.ptp(each, axis=0)) > NO_ERROR for each in rows)
 
 

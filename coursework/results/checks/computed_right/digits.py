@@ -74,7 +74,7 @@ def table_digits(evidence: Evidence) -> Finding:
     laws = [law for law in evidence.variant.laws if law.table]
     if not laws:
         return skipped(say("check.TABLE-DIGITS.skip"))
-    if evidence.exact is None or not len(evidence.exact.t) or evidence.restricted:
+    if not len(evidence.exact.t) or evidence.restricted:
         return skipped(say("check.unknown"))
     found = [noise for law in laws for noise in _noises(evidence, law)]
     if not found:
@@ -142,7 +142,7 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
     """
     is_drive = law in evidence.variant.drive
     count = decimals(law)
-    exact = evidence.true
+    exact = evidence.exact
     last_place, scattered = 0.0 if count is None else 10.0**-count, scatter(law)
     if scattered <= last_place:  # it is the rounding
         scattered = 0.0
@@ -183,14 +183,14 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
 
 def _rate(evidence: Evidence, argument: str) -> Array:
     """Return d argument/dt (n,)."""
-    exact = evidence.true
+    exact = evidence.exact
     rates = {coordinate.name: coordinate.rate for coordinate in evidence.variant.coordinates}
     return exact.column(rates[argument]) if argument in rates else np.gradient(exact.column(argument), exact.step)
 
 
 def _scales(evidence: Evidence, order: int) -> dict[str, float]:
     """Return the scales of the judged velocities (`order` 1), or by the same rule of their derivatives (`order` 2)."""
-    exact = evidence.true
+    exact = evidence.exact
     names = [name for name in evidence.names if name in exact.velocity_names]
     if order == 1:
         return {name: evidence.scale[name] for name in names}
@@ -216,7 +216,7 @@ def _moved_by(evidence: Evidence, drive: str) -> dict[str, Array]:
     The equations are linear in both: A u = b gives du = A⁻¹ db, and the accelerations change with the drive's derivative
     likewise.  The smaller effect of positions that drift with the drive's integral is left out.
     """
-    exact, equations = evidence.true, evidence.equations
+    exact, equations = evidence.exact, evidence.equations
     system = compile_system(equations, equations.equations)
     matrix, right, _ = system.matrices(exact.t, exact.coordinates)
     slopes = [equations.symbols.partial(equation.right_side, symbol(drive)) for equation in equations.equations]

@@ -28,4 +28,4 @@ def test_what_is_open_from_the_start_or_has_no_exact_motion_is_not_asked(monkeyp
     exact = SimpleNamespace(t=np.arange(2.0), coordinates=np.array([[0.2], [1.3]]), velocities=np.ones((2, 1)), step=1.0)
     closure = SimpleNamespace(targets=lambda times: (np.asarray(times)[:, None], None))
     assert drift._jump(SimpleNamespace(exact=exact), closure, np.array([2.0])) is None
-    assert drift._jump(SimpleNamespace(exact=None), closure, np.array([2.0])) is None
+    assert drift._jump(SimpleNamespace(exact=SimpleNamespace(t=())), closure, np.array([2.0])) is None

@@ -34,7 +34,7 @@ def test_what_is_missed_after_a_period_has_three_causes(extended, roundoff):
 
 
 @pytest.mark.parametrize(("changes", "is_split"), [
-    ({}, True), ({"period_row": None}, False), ({"exact": None}, False), ({"compared": 2}, False),
+    ({}, True), ({"period_row": None}, False), ({"compared": 2}, False),
     ({"motion": SimpleNamespace(**{**vars(evidence().motion), "stop": "dead"})}, False),
 ])  # fmt: skip
 def test_a_run_that_has_not_the_row_of_its_period_is_not_split(changes, is_split):
@@ -74,7 +74,7 @@ def test_of_several_laws_the_one_that_is_farthest_from_its_start_is_told(last, t
     monkeypatch.setattr(period, "drive_values", lambda _, names, times: asked.append((names, times.tolist())) or values)
     monkeypatch.setattr(period, "_not_back", lambda _, *found: found)
     given = SimpleNamespace(
-        variant=SimpleNamespace(drive=laws), equations=None, true=SimpleNamespace(t=np.array([0.0, 1.0])), period=5.0
+        variant=SimpleNamespace(drive=laws), equations=None, exact=SimpleNamespace(t=np.array([0.0, 1.0])), period=5.0
     )
     found = _drive_strayed(given)
     assert asked == [(["f", "g", "e"], [0.0, 1.0, 5.0])]
@@ -109,7 +109,7 @@ def wheels(gain, late=1.0, second=None, run=100.0, slide=0.0, crank=2 * math.pi,
     coordinates = [SimpleNamespace(name=name, unit=units[name], rate=rate) for name, rate in zip("qps", "wvu", strict=True)]
     variant = SimpleNamespace(driven_coordinates=coordinates[:1] if drives else [], known_rates=("w",), coordinates=coordinates)
     return SimpleNamespace(
-        true=exact, variant=variant, period=2.0, scale=dict.fromkeys(names, 1.0), unit=units.get, names=names, row=row,
+        exact=exact, variant=variant, period=2.0, scale=dict.fromkeys(names, 1.0), unit=units.get, names=names, row=row,
         motion=SimpleNamespace(t=np.array([0.0, run])),
     )  # fmt: skip
 

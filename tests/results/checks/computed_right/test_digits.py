@@ -167,7 +167,7 @@ def test_few_decimals_of_a_tabulated_drive_are_too_coarse_for_accelerations(driv
 
 
 @pytest.mark.parametrize(("exact", "restricted"), [
-    (None, False), (SimpleNamespace(t=[]), False), (SimpleNamespace(t=[0.0, 0.1]), True),
+    (SimpleNamespace(t=[]), False), (SimpleNamespace(t=[0.0, 0.1]), True),
 ])  # fmt: skip
 def test_what_digits_do_is_not_known_without_the_motion_or_without_all_its_columns(exact, restricted):
     law = SimpleNamespace(name="r", table=((0.0, 1.0),))

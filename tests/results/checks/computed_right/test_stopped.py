@@ -17,7 +17,7 @@ def verdict(**changed: Any) -> str:
     motion.__dict__.update({key: value for key, value in changed.items() if key in motion.__dict__ and key != "stop"})
     motion.stop = changed.get("stopped")
     known: Any = SimpleNamespace(
-        motion=motion, exact=None, search=changed.get("search"), stop=changed.get("stop"),
+        motion=motion, exact=SimpleNamespace(t=()), search=changed.get("search"), stop=changed.get("stop"),
         restricted=changed.get("restricted", False),
         variant=SimpleNamespace(motor=changed.get("motor"), time=SimpleNamespace(end=3.0)),
     )  # fmt: skip
