@@ -90,7 +90,7 @@ class Rows:
         if body.rate:
             return self.turning[body.rate]
         still = np.zeros(self.count)
-        if body.span is None or body.span[0] == body.span[1] or (body.span[1], True, SECOND) not in self.values:
+        if body.span is None or body.span[0] == body.span[1]:
             return still, still
         way, rate, second = (self.vector(body.span[1], level) - self.vector(body.span[0], level) for level in (0, 1, 2))
         return _turn(way, rate), _turn(way, second)
@@ -162,7 +162,7 @@ def wanted_of(scheme: ForceScheme) -> Iterator[Wanted]:
             yield from ((load.at, True, PLACE), (load.at, True, RATE), (load.force, True, PLACE))
         yield from _numbers(load.torque)
     for spring in forces.springs:
-        yield from ((Formula("name", name=end), True, level) for end in spring.ends for level in (PLACE, RATE))
+        yield from ((named(end), True, level) for end in spring.ends for level in (PLACE, RATE))
         yield from _numbers(spring.stiffness, spring.free, spring.damping)
     for rubs in forces.friction:
         yield from _numbers(rubs.coefficient, rubs.radius, rubs.length, rubs.arm)

@@ -15,7 +15,7 @@ import numpy as np
 from coursework.effects.effects import Action
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.effects.kinetostatics.kinetostatics import react_to
-from coursework.effects.rows import PLACE, SECOND, Rows
+from coursework.effects.rows import SECOND, Rows
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 
@@ -41,8 +41,7 @@ def _couple_turned(_: Rows, one: Action) -> Action | None:
 
 def _joint_of(rows: Rows, one: Action, *effects: str) -> Formula | None:
     """Return the joint of a link at which these effects may wrongly be placed, None if its place is unknown."""
-    own = rows.scheme.own_point(one.body) if one.effect in effects else None
-    return own if own is not None and (own, True, PLACE) in rows.values else None
+    return rows.scheme.own_point(one.body) if one.effect in effects else None
 
 
 def _about_the_joint(rows: Rows, one: Action) -> Action | None:

@@ -56,18 +56,13 @@ def twists(rows: Rows, equations: VelocityEquations, velocities: Array) -> Array
     """Return the velocity of each body's centre and its rate (n, bodies, 3, k) for velocities (n, names, k)."""
     names = [*equations.unknowns, *equations.variant.known_rates]
     place = {name: velocities[:, index] for index, name in enumerate(names)}
+    moved = [(c.name, place[c.rate]) for c in equations.variant.coordinates]
     found = np.zeros((rows.count, len(rows.scheme.bodies), 3, velocities.shape[-1]))
     for index, body in enumerate(rows.scheme.bodies):
-        way: Any = sum(
-            rows.slopes[body.name, c.name][:, None] * place[c.rate] for c in equations.variant.coordinates if c.rate in place
-        )  # fmt: skip
+        way: Any = sum(rows.slopes[body.name, name][:, None] * rate for name, rate in moved)
         found[:, index, 0], found[:, index, 1] = np.real(way), np.imag(way)
-        if body.rate in place:
-            found[:, index, 2] = place[body.rate]
-        elif not body.rate:
-            found[:, index, 2] = sum(
-                rows.turned_by(body, c.name)[:, None] * place[c.rate] for c in equations.variant.coordinates if c.rate in place
-            )
+        turned = (rows.turned_by(body, name)[:, None] * rate for name, rate in moved)
+        found[:, index, 2] = place[body.rate] if body.rate else sum(turned)
     return found
 
 

@@ -73,17 +73,9 @@ class StepChoice:
         told = [say("steps.own", scheme=own.title, steps=own.steps, step=self.step, error=own.error, evaluations=own.evaluations)]
         if own.ruled:
             told.append(say("steps.ruled"))
-        told += [
-            say(
-                "steps.other",
-                scheme=other.title,
-                steps=other.steps,
-                evaluations=other.evaluations,
-                fewer=own.evaluations / other.evaluations,
-            )
-            for other in self.others
-            if other.evaluations < own.evaluations
-        ]
+        for other in self.others:
+            known = {"scheme": other.title, "steps": other.steps, "evaluations": other.evaluations}
+            told.append(say("steps.other", **known, fewer=own.evaluations / other.evaluations))
         return tuple(told)
 
 

@@ -169,7 +169,7 @@ class Evidence:
     def errors(self) -> Array:
         """Return table minus exact as shares of the scales (compared rows, k); whole turns of an angle are no error."""
         gap = self.table(self.motion) - self.table(self.exact)
-        if len(gap) and np.any(np.abs(gap[:, self.angles]) >= np.pi / 2):  # with smaller gaps no angle is a turn off
+        if np.any(np.abs(gap[:, self.angles]) >= np.pi / 2):  # with smaller gaps no angle is a turn off
             jumps = np.diff(gap[:, self.angles], axis=0, prepend=0.0)
             gap[:, self.angles] -= np.cumsum(whole_turns(jumps), axis=0)
         return np.where(np.abs(gap) < NO_ERROR, 0.0, gap) / self.scales

@@ -154,7 +154,7 @@ def per_period(evidence: Evidence) -> Finding:
         return skipped(evidence.say("check.DRIFT-PER-PERIOD.short"))
     if evidence.compared < len(motion.t):
         return skipped(evidence.say("check.unknown"))
-    names = [name for name in motion.coordinate_names if name in evidence.names]
+    names = motion.coordinate_names
     listed = [k for k in _SHOWN if k < whole - 1] + [whole - 1, whole]
     ends = np.minimum(np.rint(np.array(listed) * period / motion.step).astype(int), len(motion.t) - 1)
     gaps = evidence.errors[ends][:, [evidence.names.index(name) for name in names]]
