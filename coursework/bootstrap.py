@@ -78,10 +78,6 @@ def test(python: Path, wanted: list[str]) -> int:
     everywhere = [*spread, "--benchmark-disable", "--ignore", MEASURED]
     runs = [wanted] if wanted else [everywhere, [MEASURED]]
     tests = [str(python), "-m", "pytest", *marked]
-    if not wanted:
-        # Where one process has imported all tests, all is compiled; workers that begin together would each do it.  It lists none.
-        none = ["-o", "python_functions=-", "-o", "python_classes=-"]
-        subprocess.run([*tests, "--collect-only", "-qq", *none], cwd=ROOT, stdout=subprocess.DEVNULL)
     return max(subprocess.run([*tests, *chosen], cwd=ROOT).returncode for chosen in runs)
 
 

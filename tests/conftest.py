@@ -7,11 +7,13 @@ import inspect
 import os
 import shutil
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from _pytest.runner import runtestprotocol
 
 from coursework.system.processes.one_thread import keep_to_one_thread
 from tests.lent_pages import LentPages
@@ -58,6 +60,40 @@ def pytest_pycollect_makeitem(collector: Any, obj: object) -> list[Any] | None:
         getattr(obj, "pytestmark", ()) if inspect.isfunction(obj) and not named and config.option.markexpr == "not long" else ()
     )
     return [] if any(mark.name == "long" for mark in marks) else None
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection(session: pytest.Session) -> None:
+    """Let the first of several processes read the tests alone: what it compiles, others that begin with it would each compile."""
+    if getattr(session.config, "workerinput", {}).get("workerid", "gw0") != "gw0":
+        patient_until = time.monotonic() + 120  # s: the first may have died
+        while not have_been_read(session.config).exists() and time.monotonic() < patient_until:
+            time.sleep(0.1)
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    if hasattr(session.config, "workerinput"):
+        have_been_read(session.config).touch()
+
+
+def have_been_read(config: Any) -> Path:
+    """Return the file that is there once a process has read the tests, in the folder that holds those of all processes."""
+    return Path(config.option.basetemp).parent / "tests-have-been-read"
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> bool | None:
+    """From one process to another, tell of a test that passed one thing, that it did: its five reports cost a millisecond."""
+    if not hasattr(item.config, "workerinput"):
+        return None
+    reports = runtestprotocol(item, log=False, nextitem=nextitem)
+    passed = all(report.passed for report in reports)
+    for report in reports:
+        if passed:
+            report.keywords = {}
+        if not passed or report.when == "call":
+            item.ihook.pytest_runtest_logreport(report=report)
+    return True
 
 
 def installed_browser() -> str | None:

@@ -146,7 +146,7 @@ def test_without_a_command_it_says_what_it_is_for(capsys):
 
 
 @pytest.mark.parametrize(
-    ("words", "marked", "runs"), [([], False, 3), (["--long"], True, 3), (["--long", "tests/hard"], True, 1)]
+    ("words", "marked", "runs"), [([], False, 2), (["--long"], True, 2), (["--long", "tests/hard"], True, 1)]
 )
 def test_what_takes_long_is_asked_for(words, marked, runs, tmp_path, monkeypatch):
     commands = []

@@ -25,7 +25,7 @@ from tests.grading.marking.equations.test_solved import SECOND, SLIP, solved
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.students import DATA, START, H, velocities
 from tests.grading.marking.table.causes.test_mixed_up import MIXED, of_rows_above, with_rounded_pi, with_sines_exchanged
-from tests.grading.pages.truths import RIGHT, cases, files
+from tests.grading.pages.truths import RIGHT, files
 from tests.grading.reading.equations.notation.notations import PLAIN
 
 RUBRIC = """[parts]
@@ -47,12 +47,6 @@ because = "AB for DA"
 ANSWERS = "wA = 0.1136\nwB = 0.82\nwC = 99\nwD = nine\n"
 MACHINE = Machine(coursework.load("31"))
 CATALOGUE = Path(__file__).parents[3] / "variants"
-# Of the cases of `truths.py`, which are all marked and read by test_true_sentences.py, those that say nothing the others do not.
-TOLD_BY_OTHERS = {
-    "right", "two-decimals", "slip", "four", "forty", "minus", "plus", "latex", "own", "heun-minus", "no-equations",
-    "no-table", "start", "zeros", "no-rows", "coarse", "degrees", "long", "rounded", "m-heun", "m-midpoint", "m-rk4",
-    "m-step-ahead", "m-step-behind", "m-row-before", "m-datum-r2", "m-datum-V1",
-}  # fmt: skip
 Handed = tuple[dict[str, bytes], VariantSource, tuple[Override, ...], Sentence | None]
 
 
@@ -200,9 +194,6 @@ def long_table(rows: int, wrong: int) -> np.ndarray:
 
 def cases_of_all(source: VariantSource) -> dict[str, Handed]:
     """Return the class of a rubric with measured values."""
-    found: dict[str, Handed] = {
-        student: (handed, source, (), None) for student, (handed, _) in cases().items() if student not in TOLD_BY_OTHERS
-    }
     numbers = [";".join(f"{value:.4f}" for value in (k * H, *row)) for k, row in enumerate(RIGHT)]
     more: dict[str, dict[str, bytes]] = {
         "answers": files() | {"answers.txt": ANSWERS.encode()},
@@ -246,7 +237,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "no-velocities": files(np.hstack([RIGHT[:, :3], 0 * RIGHT[:, 3:]])),
         "angles-a-row-late": files(np.hstack([RIGHT[[0, *range(24)], :3], RIGHT[:, 3:]])),
     }
-    found |= {student: (handed, source, (), None) for student, handed in more.items()}
+    found: dict[str, Handed] = {student: (handed, source, (), None) for student, handed in more.items()}
     right = files()
     found["decided"] = (right, source, (Override("table", 20.0, ""), Override("equations", 10.0, "because")), None)
     found["decided-in-all"] = (right, source, (Override("total", 20.0, "because"),), None)

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import csv
 import html
-import io
 import json
 import re
-from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from coursework.grading.batch.journal import Journal
-from coursework.grading.marking.rubric import read_rubric
-from coursework.grading.platforms.autograder import autograder_results
+from coursework.grading.marking.reasons.reason import misconception_sentence
 from tests.grading.batch.classroom import EQUATIONS, NAMES
-from tests.grading.batch.test_batch import grade
 from tests.grading.marking import students
-from tests.grading.pages.truths import RIGHT, ROWS, Case, cases, write_variants
+from tests.grading.pages.dead_words import every_key, unsaid
+from tests.grading.pages.seen import Seen, plain, seen_of
+from tests.grading.pages.truths import RIGHT, ROWS, Case, cases
 
 PARTS = {"table": 60.0, "equations": 40.0}
 COUNTS = re.compile(
@@ -33,75 +28,21 @@ START = re.compile(r"Start values in row 1 that are not those of the task: (\d+)
 SHUT = re.compile(r"(?:but do not count).*?: (\d+)\.")
 
 
-@dataclass
-class Seen:
-    """What was said of one student in each place."""
-
-    row: dict[str, str]
-    page: str
-    raw: str
-    comment: str
-    platform: str
-
-
-def records(path: Path) -> list[dict[str, str]]:
-    return list(csv.DictReader(io.StringIO(path.read_text(encoding="utf-8-sig"), newline="")))
-
-
-def plain(page: str) -> str:
-    """The words of a page, names of columns and minus signs as in the files."""
-    page = re.sub(r"<i>(.)</i><sub>(\d)</sub>", lambda found: found[1] + "₀₁₂₃₄₅₆₇₈₉"[int(found[2])], page)
-    page = re.sub(r"<i>(.)</i>", r"\1", page)
-    text = html.unescape(re.sub(r"<style>.*?</style>|<[^>]*>", " ", page, flags=re.DOTALL))
-    text = re.sub(r"([φω])([₀-₉])", lambda found: {"φ": "phi", "ω": "w"}[found[1]] + str("₀₁₂₃₄₅₆₇₈₉".index(found[2])), text)
-    text = re.sub(r"([rV])([₀-₉])", lambda found: found[1] + str("₀₁₂₃₄₅₆₇₈₉".index(found[2])), text)
-    return re.sub(r"\s+", " ", text.replace("−", "-"))
-
-
 @pytest.fixture(scope="module")
 def handed_in() -> dict[str, Case]:
     return cases()
 
 
 @pytest.fixture(scope="module")
-def seen(handed_in, tmp_path_factory) -> dict[str, Seen]:
-    root = tmp_path_factory.mktemp("truth")
-    write_variants(root)
-    (root / "rubric.toml").write_text('[[confusion]]\ndatum = "r1"\nvalue = "0.8 m"\nbecause = "AB for DA."\n', encoding="utf-8")
-    roster = ["id,name,email,variant", "zz-other,Zed Zzyzx,z@x.edu,s02.toml"]
-    sheet = [
-        "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,Last modified (submission),"
-        "Last modified (grade),Feedback comments"
-    ]
-    for number, (student, (files, _)) in enumerate(handed_in.items(), 7001):
-        folder = root / "in" / f"Person {number}_{number}_assignsubmission_file_"
-        folder.mkdir(parents=True)
-        for name, content in files.items():
-            (folder / name).write_bytes(content)
-        roster.append(f"id-{student},Person {number},p{number}@x.edu,s01.toml")
-        sheet.append(f"Participant {number},Person {number},p{number}@x.edu,x,,100.00,Yes,-,-,")
-    for name, lines in (("roster.csv", roster), ("sheet.csv", sheet)):
-        (root / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
-    out = root / "out"
-    options = ("--roster", root / "roster.csv", "--worksheet", root / "sheet.csv", "--rubric", root / "rubric.toml")
-    done = grade(root / "in", out, *options)
-    assert done.exit_code == 0, done.output
-    found = {row["id"]: row for row in records(out / "grades.csv")}
-    comments = {row["Full name"]: row["Feedback comments"] for row in records(out / "worksheet.csv")}
-    results, rubric = {}, read_rubric((root / "rubric.toml").read_text(encoding="utf-8"))
-    with Journal(out) as journal:
-        for place in journal.places()[1].values():
-            entry = journal.read(place)
-            autograder_results(entry.grade, rubric, "gradescope", root / "results.json", "en")
-            results[entry.id] = (root / "results.json").read_text(encoding="utf-8")
-    pages = {student: (out / "feedback" / f"{student}.html").read_text(encoding="utf-8") for student in found}
-    return {
-        student.removeprefix("id-"): Seen(
-            row, plain(pages[student]), pages[student], html.unescape(comments.get(row["name"], "")), results[student]
-        )
-        for student, row in found.items()
-        if student != "zz-other"
-    }
+def seen_and_said(handed_in, tmp_path_factory) -> tuple[dict[str, Seen], set[str]]:
+    """What each student was told, and the keys of all sentences that were said for it."""
+    with every_key() as said:
+        return seen_of(handed_in, tmp_path_factory.mktemp("truth")), said
+
+
+@pytest.fixture(scope="module")
+def seen(seen_and_said) -> dict[str, Seen]:
+    return seen_and_said[0]
 
 
 def test_every_state_below_full_points_says_why_in_every_place(seen):
@@ -266,3 +207,14 @@ def test_what_was_never_said_truly_is_gone(seen):
         "a question, on a platform too"
     )
     assert EQUATIONS[0] in seen["unread"].page
+
+
+def test_every_sentence_about_grades_is_said_in_some_case(seen_and_said, tmp_path):
+    """What nobody can be told is not kept; what the class above was told is not asked a second time."""
+    assert unsaid(seen_and_said[1], tmp_path) == []
+
+
+def test_a_student_is_never_told_whose_table_it_is():
+    assert "s02" in misconception_sentence("variant_s02")
+    assert "s02" not in misconception_sentence("variant_s02", for_student=True)
+    assert "l_1, l_2" in misconception_sentence("swap_l_1_l_2")
