@@ -7,6 +7,7 @@ Used by `assign.py`.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 
 from coursework.assigning.handout import Handout
 from coursework.assigning.page_words import Equation, Plain, datum, drives, lettered, symbol_runs, symbol_text, time_text
@@ -73,7 +74,7 @@ def _drawing(handout: Handout, words: Words) -> Plain | None:
     drawing = handout.mechanism
     if drawing is None:
         return None
-    caption = scale_on_paper(words, lettered(handout.variant, words.written(drawing.caption)))
+    caption = scale_on_paper(words, words.written(drawing.caption), partial(lettered, handout.variant))
     return {
         "svg": drawing.svg,
         "alt": words.written(drawing.alt),

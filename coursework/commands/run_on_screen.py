@@ -10,6 +10,7 @@ from pathlib import Path
 
 from coursework.commands.line.screen import in_language, speaks_english, tell, tell_wrapped, title_of
 from coursework.commands.mobility import of_pairs_left_out
+from coursework.report.text.numbers import said_step
 from coursework.results.checks.result import GROUPS, OF_THE_SCALE, Finding, beside, digits_apart, never_more
 from coursework.run import Run
 from coursework.scene.quantities import CHECKS
@@ -22,11 +23,12 @@ INDENT = "    "
 _OF_EQUATIONS = {"START", "INITIAL", "RESIDUAL", "DRIFT", "DRIFT-PER-PERIOD"}  # checks in which `column` names an equation
 
 
-def tell_remarks(run: Run) -> None:
-    """Print the remarks on values in the file that look like slips."""
+def tell_remarks(run: Run, *, coded: bool = True) -> None:
+    """Print the remarks on values in the file that look like slips; `coded`: with the code of each."""
     for remark in run.variant.plausibility:
         told = remark.told
-        tell(say("screen.check", code=remark.code, sentence=told) if speaks_english() else say("screen.note", sentence=told))
+        has_code = coded and speaks_english()
+        tell(say("screen.check", code=remark.code, sentence=told) if has_code else say("screen.note", sentence=told))
 
 
 def tell_run(run: Run, folder: Path, written: list[str]) -> None:
@@ -52,7 +54,9 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
 
     Checks have names here instead of codes, and advice that several of them share is printed once.
     """
-    tell_wrapped(say("screen.computed", title=title_of(run.variant), name=run.variant.name, how=_how_computed(run)))
+    title, name = title_of(run.variant), run.variant.name
+    key = "screen.computed_own" if title == name else "screen.computed"  # what `new` writes is called as its file is
+    tell_wrapped(say(key, title=title, name=name, how=_how_computed(run)))
     findings = run.checks if run.asks(CHECKS) else ()
     if findings:
         tell_wrapped(run.named_summary)
@@ -62,7 +66,7 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
         tell_wrapped(line, hanging=INDENT)
     for line in _why_stopped(run):
         tell_wrapped(line)
-    tell_remarks(run)
+    tell_remarks(run, coded=False)
     for line in of_pairs_left_out(run):
         tell_wrapped(line)
     advice: dict[str, None] = {}  # in the order of the checks, without repetition
@@ -92,7 +96,7 @@ def _parted(finding: Finding) -> list[str]:
 
 
 def _how_computed(run: Run) -> Sentence:
-    return say("screen.scheme_step_rows", scheme=run.scheme_title, step=run.motion.step, count=len(run.motion.t))
+    return say("screen.scheme_step_rows", scheme=run.scheme_title, step=said_step(run.motion.step), count=len(run.motion.t))
 
 
 def _set_values(run: Run) -> list[str]:
@@ -171,9 +175,11 @@ def tell_checks(run: Run) -> None:
                 parts.append(say("screen.equation" if is_equation else "screen.column", column=check.column))
             parts += [say("screen.row", row=check.row)] if check.row else []
             mark, found = in_language(say(f"checks.mark.{check.verdict}")), in_language(joined(parts, "join.nothing"))
-            found = f" {found.lstrip(' ,，')}" if found else ""  # a row or column without a value before it
+            why = in_language(check.sentence) if check.verdict == "SKIP" and not check.says_more else ""
+            found = found.lstrip(" ,，") or why  # a row or column without a value before it; of what is not known, why
+            found = f" {found}" if found else ""
             if speaks_english():
-                tell(f"  {mark} {check.verdict:<6} {check.code:<16}{found}")
+                tell(f"  {mark} {check.verdict:<6} {check.code:<16}{found}".rstrip())
             else:
                 said = say("check.line", name=check.title, part=found.strip()) if found else check.title
                 tell(f"  {mark} {in_language(said)}")

@@ -51,7 +51,7 @@ const lines = /** @type {Lines} */ ({
     this.decimals = this.value.map((value) => {
       let largest = 0;
       for (let i = 0; i < all; i++) largest = Math.max(largest, abs(value(i)));
-      return largest > 0 ? Math.min(8, Math.max(0, 4 - Math.floor(Math.log10(largest)))) : 0;
+      return largest > 0 ? Math.max(0, 4 - Math.floor(Math.log10(largest))) : 0;
     });
     this.value.unshift((i) => i * h);
     this.decimals.unshift(decimalsOf(h));
@@ -85,7 +85,7 @@ const lines = /** @type {Lines} */ ({
       const { line, texts, said } = this.made[i];
       line.ariaBusy = null;
       this.value.forEach((value, c) => {
-        const text = fixed(value(i), this.decimals[c]);
+        const text = this.decimals[c] > 8 ? shown(value(i), 3) : fixed(value(i), this.decimals[c]);
         if (said[c] !== text) texts[c].data = said[c] = text;
       });
     }

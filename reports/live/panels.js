@@ -6,11 +6,14 @@ const WIDE = 300, HIGH = 143, LEFT = 58, RIGHT = 292, TOP = 23, BOTTOM = 103;
 const ticks = (low, high, most) => {
   const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw));
   const step = power * ([1, 2, 5, 10].find((part) => part * power >= raw * (1 - 1e-9)) ?? NaN);
-  /** @type {number[]} */
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9)), largest = Math.max(-low, high);
+  // What would be mostly noughts is written in powers of ten.
+  /** @type {(value: number) => string} */
+  const said = decimals > 5 || largest >= 1e6 ? (value) => shown(value, 2 + Math.log10(largest / step)) : (value) => fixed(value, decimals);
+  /** @type {[number, string][]} */
   const found = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) found.push(i * step);
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return found.map((value) => [value, fixed(Math.abs(value) < step / 2 ? 0 : value, Math.min(decimals, 9))]);
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) found.push([i * step, i ? said(i * step) : "0"]);
+  return found;
 };
 
 /** @type {(range: number[], value: number) => void} */
@@ -123,15 +126,12 @@ const panels = /** @type {Panels} */ ({
     const few = ticks(low, high, 3), marks = few.length > 1 ? few : ticks(low, high, 6);
     while (one.texts.length > marks.length) one.texts.pop().remove();
     marks.forEach(([value, written_], i) => {
-      const text = (one.texts[i] ??= svg("text", { x: LEFT - 5, "text-anchor": "end" }, one.scale));
+      const text = (one.texts[i] ??= svg("text", { x: LEFT - 5, "text-anchor": "end", lengthAdjust: "spacingAndGlyphs" }, one.scale));
       if (text.textContent !== written_) text.textContent = written_;
       change(text, "y", y(value) + 4);
       // A longer number is set closer, so that none is cut off.
-      const long = written_.length > 7;
-      for (const [name, value] of [["textLength", LEFT - 8], ["lengthAdjust", "spacingAndGlyphs"]]) {
-        if (long) text.setAttribute(name, value);
-        else text.removeAttribute(name);
-      }
+      if (written_.length > 7) text.setAttribute("textLength", LEFT - 8);
+      else text.removeAttribute("textLength");
     });
     change(one.ticked, "d", marks.map(([value]) => `M${LEFT - 3} ${y(value)}h3`).join(""));
     change(one.zero, "d", low < 0 && high > 0 ? `M${LEFT} ${y(0)}H${RIGHT}` : "");

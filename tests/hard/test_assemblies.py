@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from coursework.equations.five_point import AMPLIFICATION, best_spacing, derivative, noise, rounding_error
+from coursework.motion.geometry.closed_start import closed_start
+from coursework.motion.geometry.closure import compile_closure
 from coursework.words.errors import InputError
 from tests.hard.scenes import CASES, check, expected, four_bar, numbers, scene, solve
 from tests.hard.test_change_points import chain
@@ -81,13 +83,17 @@ def test_h25_a_wheel_in_and_on_a_circle(inside):
 def test_h29_a_start_that_does_not_close_is_refused_with_the_nearest_that_does():
     data, wanted = CASES["H29"]["data"], expected("H29")
     assert data["four-bar"].startswith("a=1,b=2,c=1.5,d=2, theta=1, phi_b=0.5, phi_c=1.6")
+    run = solve(four_bar(1, 2, 1.5, 2, (1.0, 0.5, 1.6)))
     with pytest.raises(InputError) as caught:
-        _ = solve(four_bar(1, 2, 1.5, 2, (1.0, 0.5, 1.6))).motion
+        _ = run.motion
     found = numbers(str(caught.value))
     for residual in wanted["closure_residual"]:
         assert any(abs(value - float(residual)) < 1e-6 for value in found)
-    for angle in wanted["corrected (phi_b,phi_c) branch +"]:
-        assert any(abs(value - float(angle)) < 1e-14 for value in found)
+    angles = [float(angle) for angle in wanted["corrected (phi_b,phi_c) branch +"]]
+    for angle in angles:
+        assert any(abs(value - angle) < 5e-9 for value in found)  # nine digits are told, to be typed
+    closed = closed_start(compile_closure(run.scene.equations, [1.0, 0.5, 1.6]))[1]
+    assert closed == pytest.approx([1.0, *angles], rel=0, abs=1e-14)
 
 
 def test_h29_a_start_that_is_a_little_open_fails_its_check_and_the_exact_motion_starts_closed():
@@ -126,6 +132,10 @@ def test_h32_a_poor_start_does_not_fall_into_the_other_assembly():
     plus = [float(value) for value in expected("H32")["branch +: phi_b,phi_c,det"]]
     minus = [float(value) for value in expected("H32")["branch -"]]
     for near in (plus, minus):
+        start = (0.7, near[0] + 0.2, near[1] - 0.1)
+        run = solve(four_bar(1, 3, 2, 2.5, start))
         with pytest.raises(InputError) as caught:
-            _ = solve(four_bar(1, 3, 2, 2.5, (0.7, near[0] + 0.2, near[1] - 0.1))).motion
-        assert any(abs(value - near[0]) < 1e-12 for value in numbers(str(caught.value)))
+            _ = run.motion
+        assert any(abs(value - near[0]) < 5e-9 for value in numbers(str(caught.value)))  # nine digits are told
+        closed = closed_start(compile_closure(run.scene.equations, start))[1]
+        assert closed is not None and abs(closed[1] - near[0]) < 1e-12

@@ -17,13 +17,15 @@ import click
 from coursework.variant.catalogue import own_file
 from coursework.words.errors import CourseworkError, Fault, InputError
 from coursework.words.scripts import wide_letters
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
 if TYPE_CHECKING:
     from coursework.variant.record.variant import Variant
 
 _TIED = "\ue00e"
-_BEFORE_NUMBER = re.compile(r"(?<=\S) (?=[-−]?\d)")
+_UNIT = r"(?:%|(?:m|mm|rad|м|мм|рад)(?:/[sс]²?)?|[sсNНJ]|Дж)(?!\w)"
+_BESIDE_NUMBER = re.compile(rf"(?<=\S) (?=[-−]?\d|[=<] )|(?<=[=<]) |(?<=\d) (?={_UNIT})")  # gaps at which no line is broken
 _SPOKEN: ContextVar[str] = ContextVar("language", default=ENGLISH)
 
 
@@ -51,8 +53,13 @@ def title_of(variant: Variant) -> str:
 
 
 def tell(text: str, *, err: bool = False) -> None:
-    """Print a line."""
-    click.echo(in_language(text), err=err)
+    """Print a line; of a sentence before a person, several, broken between words."""
+    line = in_language(text)
+    if isinstance(text, Sentence) and not err and "\n" not in line and is_terminal():
+        indent = line[: len(line) - len(line.lstrip(" "))]
+        tell_wrapped(line, hanging=indent and f"{indent}  ")
+    else:
+        click.echo(line, err=err)
 
 
 def refuse_motor(variant: Variant) -> None:
@@ -92,7 +99,7 @@ def tell_wrapped(text: str, *, hanging: str = "") -> None:
     line = in_language(text)
     if not wide_letters(line):
         width = shutil.get_terminal_size().columns - 1  # some terminals break a line that fills theirs
-        kept = _BEFORE_NUMBER.sub(_TIED, line)  # a number stays with the word before it
+        kept = _BESIDE_NUMBER.sub(_TIED, line)
         lines = textwrap.wrap(kept, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)
         line = "\n".join(lines).replace(_TIED, " ")
     click.echo(line)

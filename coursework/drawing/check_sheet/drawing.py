@@ -22,7 +22,7 @@ from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.placing import Owner, Place
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import AXIS, BOLD, ITALIC, Sheet, Word, inside, plain
-from coursework.drawing.paper.symbols import decimal, lowered_name, name_word, short
+from coursework.drawing.paper.symbols import decimal, lowered_name, name_word, powers, short
 from coursework.drawing.plans.foot import draw_foot
 from coursework.words.sentences import say
 
@@ -113,7 +113,7 @@ class _Drawing:
         seen = abs(arrow) > SHORTEST
         if seen:
             self.sheet.vector(self.at[name], tip, VELOCITY, f' data-velocity="{plain(name)}"')
-        value = self.written(say("drawing.speed", speed=abs(velocity)))
+        value = powers(self.written(say("drawing.speed", speed=abs(velocity))))
         away = arrow or self.at[name] - self.middle
         places = [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0), (tip - arrow / 4, 1j * away, 1.0)]
         self.marks.append((("V", lowered_name(name), value), places if seen else places[:1], (tip - arrow / 2, tip)))

@@ -19,7 +19,7 @@ EDGE = 2.0  # mm
 COLUMN = 170.0  # mm: the text of an A4 page with margins of 20 mm
 # Denominators that are easily read with a ruler; a construction uses the scales of the drawing standards instead.
 _ROUND = [m * 10.0**k for k in range(12) for m in (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)]
-SCALES = tuple(sorted({*_ROUND, *(1 / m for m in _ROUND if m < 1e4)}))  # for an enlargement the other number is round
+SCALES = tuple(sorted({*_ROUND, *(1 / m for m in _ROUND if m < 1e8)}))  # for an enlargement the other number is round
 _SPEEDS = tuple(sorted(m * 10.0**k for k in range(-12, 12) for m in (1.0, 2.0, 5.0)))
 
 Circle = tuple[complex, float]  # a place (mm, y down) and the radius of the room around it

@@ -17,6 +17,8 @@ LONGEST_NAME = 12  # most letters of the name of a point or link
 LONGEST_LENGTH = 14  # most letters of a length beside a link; a longer formula would help less than none
 LONGEST_INDEX = 4  # most letters of an index
 LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_POWER = re.compile(r"e([+-]\d+)")
 _NAME = re.compile(r"(?<![^\W\d])(?<!\.)([^\W\d_]+?)(\d*)(?!\w)")
 _INDEXED = re.compile(r"([^\W\d_])(?:_?(\d+)|_(\w+)|([ijxy])|(?<=[xy])([^\W\d_])|(?<=[a-z])([A-Z]\w{0,3}))")
 _RATE = re.compile(r"(?:w|omega)_?(\w*)")
@@ -92,11 +94,16 @@ def length_word(length: Formula) -> tuple[str, str, str]:
     return name_word(length.name) if named else (length_text(length), "", "")
 
 
-def decimal(value: float) -> Sentence:
-    """Return a round number written without a power of ten: 0.0002."""
-    return say("drawing.round", value=float(value))
+def decimal(value: float) -> str:
+    """Return a round number written without a power of ten, 0.0002, unless nobody would count its zeros: 2·10⁻⁸."""
+    return say("drawing.round", value=float(value)) if 1e-5 <= value < 1e7 else powers(f"{value:.0e}")
+
+
+def powers(text: str) -> str:
+    """Return a text in which a number of a program, 1.56e-06, is written as on paper: 1.56·10⁻⁶."""
+    return _POWER.sub(lambda found: f"·10{str(int(found[1])).translate(RAISED)}", text)
 
 
 def ratio(scale: float) -> Sentence:
     """Return "1:10" for a scale of 10, "5:1" for an enlargement."""
-    return say("drawing.reduced", value=float(scale)) if scale >= 1 else say("drawing.enlarged", value=1 / scale)
+    return say("drawing.reduced", value=float(scale)) if scale >= 1 else say("drawing.enlarged", value=float(f"{1 / scale:.6g}"))

@@ -21,6 +21,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 SLIPS = {"ANGLE", "LENGTH", "NO-UNIT"}  # remarks on values with which a right start does not close
+TYPED = 9  # digits of a start to be typed: START asks for six
 OPEN = 0.01  # share of the largest length; a larger residual means a wrong start, not a rounded one
 
 
@@ -36,7 +37,7 @@ def require_start(closure: Closure | None) -> None:
     off = {
         name: value for name, value in zip(closure.names, residual.tolist(), strict=True) if abs(value) > CLOSED * closure.scale
     }
-    listed = ", ".join(f"{name} {value:.6g}" for name, value in off.items())
+    listed = ", ".join(f"{name}: {value:.6g}" for name, value in off.items())
     unit = ", ".join(dict.fromkeys(one.unit for one in closure.equations.positions if one.name in off))
     told = {"residuals": listed, "unit": unit, "hint": likelier(variant)}
     sentence = say("fault.V312", **told) if closed is None else say("fault.V313", nearest=typed_start(variant, closed), **told)
@@ -49,7 +50,7 @@ def likelier(variant: Variant) -> Sentence | str:
     return say("remark.instead", slips=slips) if slips else ""
 
 
-def typed_start(variant: Variant, start: Array, digits: int = 15) -> str:
+def typed_start(variant: Variant, start: Array, digits: int = TYPED) -> str:
     """Return start values (m,) as a user would type them into the file."""
     return ", ".join(f"{c.name} = {_typed(c, q, digits)}" for c, q in zip(variant.coordinates, start.tolist(), strict=True))
 

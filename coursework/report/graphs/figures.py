@@ -7,6 +7,7 @@ Used by `accuracy_figures.py`, the sections that show a drawing and `assigning/`
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from coursework.drawing.paper import record
 from coursework.report.text.page_context import PageContext
@@ -14,24 +15,23 @@ from coursework.report.text.parts import Figure, Paragraph, Part, Runs
 from coursework.report.text.text_runs import ITALIC, printed
 from coursework.report.text.words import Words
 
+_AMOUNT = r"[\d.,·⁻⁰¹²³⁴-⁹]*[\d⁰¹²³⁴-⁹]"
+OF_MM = rf"1\s(?:mm|мм)\s=\s{_AMOUNT}\s[^\s.,，。]+|μ\S*\s=\s{_AMOUNT}\s\([^)]+\)/(?:mm|мм)"  # the scale of a plan
 WIDTH = 170.0  # mm; the text width of A4 with margins of 20 mm
 
 
 def drawn(context: PageContext, drawing: record.Drawing) -> Figure:
     """Return a drawing as a figure of the page, its words in the page's language."""
-    caption, alt = scale_on_paper(context.words, context.rich(drawing.caption)), context.told(drawing.alt)
+    caption = scale_on_paper(context.words, printed(context.told(drawing.caption)), context.lettered)
+    alt = context.told(drawing.alt)
     return Figure(drawing.svg, drawing.width, drawing.height, alt, caption, drawing.exact, id=drawing.id)
 
 
-def scale_on_paper(words: Words, caption: Runs) -> Runs:
-    """Return a caption whose words on the scale are marked for paper only: on a screen a drawing has another size."""
+def scale_on_paper(words: Words, caption: str, lettered: Callable[[str], Runs]) -> Runs:
+    """Return a caption as runs, its words on the scale for paper only: on a screen a drawing has another size."""
     said = re.escape(words("drawing.scale", scale="1")).replace("1", r"[\d.,:]*\d")
-    found: Runs = []
-    for run in caption:
-        parts = re.split(rf"((?:[,，]\s*)?{said})", run["t"], maxsplit=1) if "t" in run else []
-        before, scale, behind = parts if len(parts) == 3 else ("", "", "")
-        found += [{"t": before}, {"o": scale}, {"t": behind}] if scale else [run]
-    return found
+    before, scale, behind = (*re.split(rf"((?:[,，]\s*)?(?:{said}|{OF_MM}))", caption, maxsplit=1), "", "")[:3]
+    return [*lettered(before), {"o": scale}, *lettered(behind)] if scale else lettered(caption)
 
 
 def drawn_parts(context: PageContext, drawing: record.Drawing) -> list[Part]:

@@ -257,6 +257,8 @@ class Joints:
     """The joints of the true mechanism and the names of its points, moved from frame to frame."""
 
     def __init__(self, field: Axes, outline: Outline, poses: Poses) -> None:
+        from matplotlib.patheffects import withStroke
+
         self.names, self.poses = outline.shown, poses
         style: dict[str, Any] = {"color": "black", "markerfacecolor": "white", "markersize": 5, "linewidth": 0, "zorder": 4}
         self.rings = field.plot([], [], marker="o", **style)[0]
@@ -264,7 +266,8 @@ class Joints:
         width = WIDTHS[-1]
         spots = spots_of(outline, [poses], self.names)[-1][: len(self.names)]
         self.beside = np.array([complex(x, -y) for x, y in spots]) / scale_of(outline, [poses], width)
-        middle: Any = {"style": "italic", "zorder": 5, "ha": "center", "va": "center"}
+        halo = withStroke(linewidth=2.5, foreground="white")  # links sweep over the names
+        middle: Any = {"style": "italic", "zorder": 5, "ha": "center", "va": "center", "path_effects": [halo]}
         self.words = [field.text(0, 0, label_text(symbol(name)), **middle) for name in self.names]
 
     def show(self, frame: int) -> None:

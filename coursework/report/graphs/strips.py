@@ -50,5 +50,6 @@ def strip(values: Sequence[float], low: float, high: float, centre: float, ends:
     pitch = min(2 * MARK, HIGHEST / max(1, len(lasts)))
     height = HEIGHT + pitch * max(0, len(lasts) - 2)
     base = height - (HEIGHT - BASE)
+    shown = ends if most > least else ("", "")  # the middle says it
     marks = tuple((f"{at:.1f}", f"{base - MARK - pitch * level:.1f}") for at, level in placed)
-    return Strip((f"{x(low):.1f}", f"{x(high) - x(low):.1f}"), f"{x(centre):.1f}", middle, marks, *ends, f"{height:.0f}")
+    return Strip((f"{x(low):.1f}", f"{x(high) - x(low):.1f}"), f"{x(centre):.1f}", middle, marks, *shown, f"{height:.0f}")

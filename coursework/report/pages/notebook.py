@@ -36,7 +36,7 @@ def drawing(context: PageContext) -> list[Part]:
 def method_line(context: PageContext) -> str:
     """Return scheme, step and end in one line."""
     run = context.run
-    step, end = context.quantity(run.step, "s"), context.quantity(run.end, "s")
+    step, end = context.step, context.quantity(run.end, "s")
     return context.words("title.method_text", scheme=context.told(run.scheme_title), step=step, end=end)
 
 

@@ -128,7 +128,7 @@ def key(context: PageContext, *, dotted: bool, exact: bool) -> list[tuple[str, R
     scheme = context.told(title_of(DEFAULT_SCHEME) if run.tableau is None else run.scheme_title)
     told = []
     if dotted:
-        told.append((_sample(dotted=True), context.say("graphs.rows", scheme=scheme, step=context.quantity(run.step, "s"))))
+        told.append((_sample(dotted=True), context.say("graphs.rows", scheme=scheme, step=context.step)))
     if exact:
         told.append((_sample(dotted=False), context.say("graphs.exact")))
     return told

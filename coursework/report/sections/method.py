@@ -19,7 +19,7 @@ def method(context: PageContext) -> list[Part]:
     run, words = context.run, context.words
     if run.tableau is None:
         label = printed(context.told(run.motion.label)).rstrip(".")
-        told = [words("method.rows_exact", step=context.quantity(run.step, "s"), label=label)]
+        told = [words("method.rows_exact", step=context.step, label=label)]
         return [Paragraph(context.lettered(words.sentences([*told, *_lesson(context)]))), *_versions(context)]
     free = "_free" if run.variant.motor else ""
     intro = context.say(f"method.intro{free}", title=context.told(run.scheme_title), order=run.tableau.order)
@@ -34,7 +34,7 @@ def method(context: PageContext) -> list[Part]:
     sentences = [
         words("method.meaning_semi" if semi else f"method.meaning{free}", **named),
         *besides_the_scheme(context),
-        words("method.time", step=context.quantity(run.step, "s")),
+        words("method.time", step=context.step),
         words("method.slopes" if free else "method.evaluations", number=context.numbers.whole(run.motion.evaluations)),
     ]
     if context.exact is not None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from coursework.motion.schemes import SCHEMES, Scheme, title_of
 from coursework.report.graphs.tangent import tangent_figure
-from coursework.report.text.numbers import deserved_decimals
+from coursework.report.text.numbers import FEW_DIGITS, MOST_DECIMALS, deserved_decimals
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text.tables import motion_parts, pieces
@@ -75,7 +75,9 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
             value = getattr(split, part) + (split.roundoff if part == "scheme" else 0.0)
             fine = 0 if part in {"first", "last"} else FINE
             shown = numbers.without_noise(value, split.first)
-            cells.append(numeral(numbers.fixed(shown, decimals[split.name] + fine, SHORT)))
+            few = decimals[split.name] > MOST_DECIMALS  # as in the table above
+            text = numbers.scalar(shown, FEW_DIGITS) if few else numbers.fixed(shown, decimals[split.name] + fine, SHORT)
+            cells.append(numeral(text))
         rows.append(cells)
     columns = [Column([], words=True)]
     columns += [Column(context.symbol_runs([split.name]), context.unit(split.unit)) for split in found]

@@ -26,7 +26,7 @@ from coursework.words.templates import clean
 
 WHOLE = 12  # rows of data that are kept on one page; more begin beside the box with the result, below the figure
 MEASURED = 8  # most digits of a measured datum; one with more has been computed
-_DECIMAL = re.compile(r"-?\d+\.\d+")
+_DECIMAL, _POWER = re.compile(r"-?\d+\.\d+"), re.compile(r"-?[\d.]+e[-+]?\d+")
 GAP = "\ue002"  # marks the place in a sentence where a text of the file goes; it occurs in no text
 
 
@@ -244,5 +244,7 @@ def _first(context: PageContext, name: str) -> str:
 
 def _given(context: PageContext, text: str) -> str:
     """Return a value as the file gives it, with the signs of the page; a number with too many digits is rounded."""
+    if _POWER.fullmatch(text.lower()):
+        return context.numbers.dressed(text.lower())
     computed = _DECIMAL.fullmatch(text) and len(text.strip("-0.").replace(".", "")) > MEASURED
     return context.numbers.plain(float(text)) if computed else as_written(context, text)

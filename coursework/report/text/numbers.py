@@ -103,7 +103,7 @@ class Numbers:
     def column(self, values: Iterable[float], size: float = 0.0, digits: int = TABLE_DIGITS) -> list[str]:
         """Return a column of a table with the same decimals in all entries, also in zeros; the largest has `digits`.
 
-        If most entries would then show none of their digits, all are rounded to three significant digits.
+        If most entries would then show none of their digits, or the largest not all, each has three significant digits.
 
         `size` is the magnitude of the terms that an entry sums up, or of the other coordinate of its point, if that may exceed
         all entries: it decides which entries are round-off.
@@ -112,6 +112,8 @@ class Numbers:
         noise = ROUND_OFF * max([size, *(abs(value) for value in entries if math.isfinite(value))])
         entries = [0.0 if abs(value) < noise else value for value in entries]
         decimals = deserved_decimals(entries, digits)
+        if decimals > MOST_DECIMALS:
+            return [self.scalar(value, FEW_DIGITS) for value in entries]
         texts = [self.fixed(value, decimals) if value else self._dress(f"{0:.{decimals}f}") for value in entries]
         if 2 * sum(TIMES in text for text in texts) > sum(map(bool, entries)):
             return [self.scalar(value, FEW_DIGITS) for value in entries]
@@ -163,7 +165,13 @@ def deserved_decimals(values: Iterable[float], digits: int = TABLE_DIGITS) -> in
     if largest == 0:
         return 0
     exponent = int(f"{largest:.{digits - 1}e}".split("e")[1])
-    return min(max(digits - 1 - exponent, 0), MOST_DECIMALS)
+    return max(digits - 1 - exponent, 0)
+
+
+def said_step(step: float) -> float:
+    """Return a step as it is said: as it is if it ends, such as 0.0125 s, else with four digits, such as 0.01667 s for 1/60 s."""
+    short = float(f"{step:.6g}")
+    return step if abs(short - step) <= NOISE * step else float(f"{step:.4g}")
 
 
 def first_of(motion: Motion, name: str) -> float:

@@ -12,7 +12,7 @@ from functools import cached_property
 
 from coursework.mechanism.derivation.constants import NamedAngles, named_angles
 from coursework.motion.integration.motion import Motion
-from coursework.report.text.numbers import Numbers
+from coursework.report.text.numbers import Numbers, said_step
 from coursework.report.text.parts import Runs
 from coursework.report.text.symbols import LINEAR, Rates, Symbol, symbol
 from coursework.report.text.text_runs import ITALIC, LONGEST_NAME, Names, derivative, printed, runs, with_names
@@ -191,6 +191,11 @@ class PageContext:
     def quantity(self, value: float, unit: str, digits: int = DATUM_DIGITS) -> str:
         """Return a datum with its unit."""
         return self.with_unit(self.numbers.plain(value, digits), unit)
+
+    @property
+    def step(self) -> str:
+        """Return the step of the run with its unit."""
+        return self.quantity(said_step(self.run.step), "s")
 
     def unit(self, unit: str) -> str:
         """Return a unit as the language of the page writes it."""

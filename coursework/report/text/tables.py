@@ -75,7 +75,7 @@ def motion_parts(context: PageContext) -> list[Part]:
     constant = given_constants(run.variant, run.motion.names, run.motion.rows)
     names = [name for name in run.motion.names if name not in constant]
     units = [run.variant.unit_of(name) for name in names]
-    step = context.quantity(run.step, "s")
+    step = context.step
     is_exact = run.tableau is None
     scheme = context.told(run.scheme_title)
     caption = words("table.caption_exact", step=step) if is_exact else words("table.caption", scheme=scheme, step=step)

@@ -24,7 +24,7 @@ def sought(context: PageContext) -> list[str]:
     No drawing shows a linear velocity, so its sentence says what moves with it: u = ds/dt or u = V_Sx.
     """
     run, words = context.run, context.words
-    end, step = context.quantity(run.end, "s"), context.quantity(run.step, "s")
+    end, step = context.quantity(run.end, "s"), context.step
     free = run.variant.motor.rates if run.variant.motor else ()  # rates that the forces determine
     unknowns = words.listing([_explained(context, name) for name in dict.fromkeys((*free, *run.variant.sought))])
     told = [words("statement.find" if unknowns else "statement.find_nothing", unknowns=unknowns, end=end, step=step)]

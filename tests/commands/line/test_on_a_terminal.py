@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from coursework.commands.line import screen
+from coursework.words.sentences import say
 from tests.command import call
 
 pytestmark = pytest.mark.usefixtures("folder")
@@ -71,7 +72,9 @@ def test_a_check_that_fails_and_a_motion_that_stops_are_told(terminal, folder):
     call("new", "stops", "--from", "31", "--set", "alpha=0.02rad")
     stopped = call("run", str(page[0]), *QUICK)
     assert stopped.exit_code == 1
-    assert "Stopped (dead point): At t = 0.116889 s" in " ".join(stopped.stdout.split())
+    text = " ".join(stopped.stdout.split())
+    assert "Stopped (dead point): At t = 0.116889 s" in text
+    assert "computed right up to the stop: 4 of 4 checks of the computation. It is not close" in text  # the table, not its rows
     call("new", "wrong", "--from", "31", "--set", "period=0.40s")
     failed = call("run", str(page[1]), *QUICK)
     assert failed.exit_code == 1
@@ -99,6 +102,7 @@ def test_verbose_is_what_a_pipe_gets(terminal):
     full = call("run", "31", *QUICK, "--verbose").stdout
     assert brief != full
     assert "  ≈ COARSE ACCURACY         0.698 of the scale (limit 0.05), phi1, row 20" in full.splitlines()
+    assert "  – SKIP   TABLE-DIGITS     No law is given as a table." in full.splitlines()  # why it is not known
     piped = subprocess.run([sys.executable, "-m", "coursework", "run", "31", *QUICK], capture_output=True, check=True)
     assert piped.stdout.decode("utf-8").splitlines() == full.splitlines()
 
@@ -111,6 +115,23 @@ def test_the_record_is_the_same(terminal, folder):
 
 def test_several_variants_may_be_verbose_too(terminal):
     assert call("run", "31", "v101", *QUICK, "--verbose").exit_code == 0
+
+
+def test_a_variant_called_as_its_file_is_named_once_and_a_step_without_an_end_has_four_digits(terminal):
+    call("new", "mine")
+    text = call("run", "mine", *QUICK, "--set", "step=1/60").stdout
+    assert text.startswith("mine: explicit Euler, h = 0.01667 s, 61 rows.\n")
+
+
+@pytest.mark.parametrize(("text", "lines"), [
+    ("the largest error is 43.1 % of its scale", ["the largest error", "is 43.1 % of its scale"]),
+    ("it begins at rest, with h = 0.02 s, and turns", ["it begins at rest, with", "h = 0.02 s, and turns"]),
+    ("наибольшая скорость 1,5 рад/с у звена", ["наибольшая", "скорость 1,5 рад/с у", "звена"]),
+])  # fmt: skip
+def test_a_number_keeps_its_unit_and_its_letter(monkeypatch, capsys, text, lines):
+    monkeypatch.setattr("shutil.get_terminal_size", lambda: os.terminal_size((26, 24)))
+    screen.tell_wrapped(text)
+    assert capsys.readouterr().out.splitlines() == lines
 
 
 @pytest.mark.parametrize(("width", "count"), [(22, 2), (23, 1)])
@@ -143,3 +164,13 @@ def test_a_real_terminal_is_noticed(folder):
     assert text.startswith("Rolling wheel")
     assert "≈ Closeness to the motion" in text
     assert "COARSE" not in text
+
+
+def test_a_sentence_is_broken_before_a_person_and_a_formula_is_not(monkeypatch, capsys):
+    monkeypatch.setattr(screen, "is_terminal", lambda: True)
+    monkeypatch.setattr("shutil.get_terminal_size", lambda: os.terminal_size((24, 24)))
+    screen.tell(say("screen.note", sentence="what the whole file means"))
+    screen.tell("    w1 = -(VMx*cos(phi2) + VMy*sin(phi2))/r1")
+    assert capsys.readouterr().out.splitlines() == [
+        "  what the whole file", "    means", "    w1 = -(VMx*cos(phi2) + VMy*sin(phi2))/r1",
+    ]  # fmt: skip

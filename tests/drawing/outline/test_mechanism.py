@@ -18,7 +18,7 @@ from coursework.drawing.paper.board import SCALES
 from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import Sheet
-from coursework.drawing.paper.symbols import ratio
+from coursework.drawing.paper.symbols import decimal, powers, ratio
 from coursework.mechanism.mechanism import build
 from coursework.mechanism.structure import driven_freedoms
 from coursework.report.wording.data_meanings import meanings
@@ -213,9 +213,14 @@ def test_bars_of_a_position_equation_are_links(closure: str, joint: str) -> None
 def test_the_scale_of_an_enlargement_is_as_round_as_that_of_a_reduction():
     """A coupling of 15 mm was drawn 6.666666666667:1."""
     told = [str(ratio(scale)) for scale in SCALES]
-    assert {"1:1", "1.5:1", "6:1", "8:1", "1:1.5", "1:8"} <= {*told}
+    assert {"30000:1", "1:1", "1.5:1", "6:1", "8:1", "1:1.5", "1:8"} <= {*told}
     assert [scale for scale in told if not re.fullmatch(r"1:\d+(\.5)?|\d+(\.5)?:1", scale)] == []
     assert all(fine < coarse for fine, coarse in pairwise(SCALES))
+
+
+def test_a_number_of_many_zeros_is_a_power_of_ten():
+    assert [str(decimal(value)) for value in (1e-5, 2e-6, 0.2, 5e6, 1e7)] == ["0.00001", "2·10⁻⁶", "0.2", "5000000", "1·10⁷"]
+    assert powers("V = 1.43e-06 m/s") == "V = 1.43·10⁻⁶ m/s" and powers("0.2 m/s") == "0.2 m/s"
 
 
 def test_a_link_whose_angle_is_counted_clockwise_is_drawn_once() -> None:

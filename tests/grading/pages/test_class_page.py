@@ -60,3 +60,15 @@ def test_what_is_simply_right_is_alike_by_nature(name: str, scores: tuple[float,
     page = class_page(facts, [], [], load_phrases("en"))
     assert f"2 submissions, {look} {'needs' if look == 1 else 'need'} your attention</h1>" in page
     assert page.count('<a href="#alike">work alike</a>') == look
+
+
+def test_one_row_is_said_once_and_a_reader_of_the_screen_hears_the_numbers_of_a_strip() -> None:
+    facts = ClassFacts()
+    for who, row in (("ada", 10), ("bob", 10), ("eva", 4), ("li", 4), ("pat", 4)):
+        facts.add(entry(who, who) | {"first_wrong": {"row": row, "column": "phi1"}})
+        page = class_page(facts, [], [], load_phrases("en"))
+        if who == "bob":
+            assert page.count(">10</text>") == 1  # not at both ends of the axis, too
+            assert 'aria-label="Where tables go wrong first: 10"' in page
+            assert '<table aria-label="Everyone">' in page and 'class="parts"' not in page  # all are marked: said above
+    assert 'aria-label="Where tables go wrong first: 4 – 10; 4"' in page

@@ -41,7 +41,7 @@ def test_a_start_may_be_off_by_whole_turns_and_a_hundredth_of_the_largest_length
     if is_closed:
         assert run.exact.column("q")[0] == pytest.approx(float(lever([0.0])[0]) + 2 * math.pi, abs=1e-12)
     else:
-        with pytest.raises(coursework.InputError, match=r"V313 .*residuals 1 0\.006 "):
+        with pytest.raises(coursework.InputError, match=r"V313 .*residuals 1: 0\.006 "):
             run.compute()
 
 

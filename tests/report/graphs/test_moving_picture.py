@@ -89,6 +89,7 @@ def test_a_name_stands_nearer_to_its_own_point_than_to_another():
     pose = poses.pose(20)
     names = dict(zip(joints.names, (complex(*word.get_position()) for word in joints.words), strict=True))
     assert all(abs(names[name] - pose[name]) < abs(names[name] - pose[other]) for name, other in ("OP", "PO", "QK", "KQ"))
+    assert all(word.get_path_effects() for word in joints.words)  # a halo, as links sweep over them
 
 
 LEVER = mechanism(

@@ -11,6 +11,8 @@ from functools import cache
 import pymupdf
 import pytest
 
+from coursework.report.graphs.figures import scale_on_paper
+from coursework.report.text.words import load_words
 from tests.report.made import model_of, paper_of, solved
 
 MM = 72 / 25.4
@@ -132,3 +134,13 @@ def test_velocities_are_as_long_as_the_scale_says() -> None:
     assert has(arrows(page), math.hypot(2.6 * math.sin(turned), 2.0 * math.cos(turned)) / speed)
     page, _, speed = construction("jansen")
     assert has(arrows(page), 10 * 0.015 / speed)
+
+
+@pytest.mark.parametrize(("language", "scale"), [
+    ("en", ", 1 mm = 0.05 m/s²"), ("en", ", scale 1:2.5"), ("en", ", 1 mm = 2·10⁻⁸ m/s"), ("ru", ", μ = 0,05 (м/с²)/мм"),
+    ("uk", ", 1 мм = 20 Н"), ("zh", "，μ = 0.5 (m/s)/mm"),
+])  # fmt: skip
+def test_a_scale_is_said_on_paper_only(language: str, scale: str) -> None:
+    """On a screen a millimetre has no fixed size; there the bar below the drawing says it."""
+    said = scale_on_paper(load_words(language), f"Row 4{scale}. The rest", lambda text: [{"t": text}])
+    assert said == [{"t": "Row 4"}, {"o": scale}, {"t": ". The rest"}]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 import pytest
 
 import coursework
+from coursework.report.sections.statement import _given
+from coursework.report.text.numbers import Numbers
 from tests.mechanisms.library import mechanism
 from tests.report.made import solved
 from tests.report.own import SHAPER
@@ -111,6 +113,7 @@ def test_a_computed_datum_is_shown_as_far_as_it_can_be_measured(real: ModuleType
     data = next(part for part in real.parts(solved("v108"), "statement") if part["kind"] == "table")
     shown = {real.text_of(row[0]): real.text_of(row[2]).strip("\u2007\u2008") for row in data["rows"]}
     assert (shown["xO"], shown["yO"], shown["R0"]) == ("1.65234", "−1.7018", "0.574")
+    assert _given(SimpleNamespace(numbers=Numbers(",")), "-1.063E-06") == "−1,063·10⁻⁶"
 
 
 def test_the_nodes_of_a_tabulated_law_have_their_unit(real: ModuleType) -> None:

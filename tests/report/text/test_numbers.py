@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from coursework.report.sections.remarks import _plausibility
-from coursework.report.text.numbers import Numbers, unit_text, with_unit
+from coursework.report.text.numbers import Numbers, said_step, unit_text, with_unit
 from coursework.report.text.words import load_words
 from coursework.variant.record.entries import Remark
 
@@ -34,6 +34,17 @@ def test_a_column_has_one_number_of_decimals_and_no_false_zero() -> None:
     assert N.column([]) == []
     assert N.column([123456.7, 1.0]) == ["123457", "1"]
     assert N.column([math.nan, 1.0]) == ["–", "1.0000"]
+
+
+def test_a_column_too_small_for_decimals_has_three_digits_each() -> None:
+    assert N.column([1.3e-4, -4e-5, 0.0]) == ["0.00013000", "−0.00004000", "0.00000000"]
+    assert N.column([9.2e-5, -4e-6, 0.0]) == ["9.20·10⁻⁵", "−4.00·10⁻⁶", "0"]
+
+
+def test_a_step_is_said_as_it_is_if_it_ends_and_else_with_four_digits() -> None:
+    assert [said_step(step) for step in (0.02, 0.0125, 0.123456, 1 / 60, math.pi / 180)] == [
+        0.02, 0.0125, 0.123456, 0.01667, 0.01745,
+    ]  # fmt: skip
 
 
 def test_times_show_just_the_decimals_they_need() -> None:

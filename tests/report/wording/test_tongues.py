@@ -145,7 +145,7 @@ def test_a_ratio_agrees_with_the_word_for_times(language: str, fewer: float, sai
 def test_rows_up_to_a_stop_are_said_to_be_right_up_to_it(tmp_path: Path) -> None:
     args = ["run", "31", "--set", "alpha=0.02rad", "--language", "ru", "--format", "csv", "--out", str(tmp_path)]
     told = CliRunner().invoke(main, args).output
-    assert "Строки до остановки вычислены верно" in told and "alpha = 0,02 рад" in told and "STOP" not in told
+    assert "Таблица вычислена верно до остановки" in told and "alpha = 0,02 рад" in told and "STOP" not in told
 
 
 @pytest.mark.parametrize(

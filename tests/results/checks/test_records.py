@@ -143,7 +143,7 @@ FOUND = say("check.ACCURACY.found", name="w1", row=5, share="30 %", scale=2.5, u
 SUMMARIES |= {
     "it stops": (
         [STOPS, judged("RESIDUAL", "PASS"), judged("INITIAL", "PASS"), judged("ACCURACY", "SKIP")],
-        "The motion stops at t = 0.117 s. The rows up to the stop are computed right: 2 of 2. "
+        "The motion stops at t = 0.117 s. The table is computed right up to the stop: 2 of 2 checks of the computation. "
         "How close it is to the motion is not known.",
     ),
     "it never begins": ([STOPS, judged("ACCURACY", "SKIP")], "The motion stops at t = 0.117 s. No row is computed."),
@@ -156,7 +156,7 @@ SUMMARIES |= {
         [judged("STOP", "COARSE", value=0.25), judged("RESIDUAL", "PASS"),
          judged("ACCURACY", "COARSE", value=0.3, column="w1", row=5, option="--scheme rk4")],
         "The rows end at t = 0.25 s, where the mechanism does not: the step is too large. "
-        "The rows up to the stop are computed right: 1 of 1. "
+        "The table is computed right up to the stop: 1 of 1 checks of the computation. "
         "It is not close to the motion: largest error 30.0 % (w1, row 5); take --scheme rk4.",
     ),
     "its scale is known": (

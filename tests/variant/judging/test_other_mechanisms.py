@@ -93,4 +93,4 @@ def test_a_value_without_a_number_is_advised_by_what_it_measures(old: str, new: 
 
 def test_the_units_of_what_is_open_are_those_of_the_equations() -> None:
     gears = mechanism("two-gears", ('"0 rad", rate = "w2"', '"0.3 rad", rate = "w2"'))
-    assert "residuals 1 0.3 (rad)." in told(gears)
+    assert "residuals 1: 0.3 (rad)." in told(gears)

@@ -43,7 +43,7 @@ def first_step(context: PageContext) -> list[Part]:
     every = dict(sorted(context.stepped.items(), key=lambda one: one[0] in ahead))
     stepped, others = (dict(list(every.items())[part]) for part in (slice(MOST_LINES), slice(MOST_LINES, None)))
     index = index_of_steps(run.variant.names)
-    told = {"index": context.lettering(index), "step": context.quantity(run.step, "s")}
+    told = {"index": context.lettering(index), "step": context.step}
     if run.variant.motor is None:
         along = context.say("derivation.along", **told)
     else:

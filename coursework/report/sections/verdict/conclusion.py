@@ -100,7 +100,7 @@ def _error(context: PageContext) -> list[str]:
         return []
     told = [sentence]
     if context.run.tableau is not None and all(one.verdict in {"PASS", "SKIP"} for one in context.run.checks):
-        told.append(say("conclusion.fine", step=context.quantity(context.run.step, "s")))
+        told.append(say("conclusion.fine", step=context.step))
     return [say.sentences(told)]
 
 
