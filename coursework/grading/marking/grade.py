@@ -15,7 +15,8 @@ import numpy as np
 
 from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.blank import empty_table
-from coursework.grading.marking.equations.equations import EquationMarks, Judge
+from coursework.grading.marking.equations.equations import Judge
+from coursework.grading.marking.equations.marks import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.questions import questions
 from coursework.grading.marking.rubric import Rubric, rounded_points

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from coursework.grading.marking.equations.equations import EquationMarks
+from coursework.grading.marking.equations.marks import EquationMarks
 from coursework.grading.marking.equations.meant_together import contradicting
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.whole import only_coarse

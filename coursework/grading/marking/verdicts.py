@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from coursework.grading.marking.equations.equations import EquationMarks
+from coursework.grading.marking.equations.marks import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.misconceptions import FEWEST, FEWEST_SHARE
 from coursework.grading.marking.table.cells import Cells

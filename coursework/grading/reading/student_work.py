@@ -127,7 +127,7 @@ class EquationReading:
 
     `guessed` is True if something was added that the line does not contain.  `is_loose` is True if the line may mean something
     else, so that the reading counts only if it is right; if it `asks`, a person must say even then that it is meant.
-    One that `is_partial` leaves out a side of a chain a = b = c, which may say more.
+    One that `is_partial` leaves out a side of a chain a = b = c, which may say more; `sides` are what its other sides say.
     """
 
     tree: Formula
@@ -136,6 +136,7 @@ class EquationReading:
     is_loose: bool = False
     asks: bool = False
     is_partial: bool = False
+    sides: tuple[EquationReading, ...] = ()
 
 
 @frozen
@@ -147,8 +148,8 @@ class EquationLine:
     that names two symbols of the variant: it is an equation; `is_prose` for one that is a sentence.  `place` says where the line
     stands in a document, for a person.  A line that `may_be_datum`, such as "w1 = 6.5" in a report, counts as an equation only if
     it is right.  One that was `passed_over` as a comment or the like is told only if equations are missing; so is one that
-    `is_partial`, a chain a = b = c of which a side could not be read.
-    `source` is the line of the file if `text` is only a part of it or written out from it, else "".
+    `is_partial`, a chain a = b = c of which a side could not be read; `sides` are the other equations that it says.
+    `source` are the lines of the file from `line` on, if `text` is a part of these or was made from them, else "".
     """
 
     file: str
@@ -165,6 +166,7 @@ class EquationLine:
     guessed: bool = False
     passed_over: bool = False
     is_partial: bool = False
+    sides: tuple[EquationReading, ...] = ()
     source: str = ""
 
     @property
@@ -181,7 +183,7 @@ class EquationLine:
     def read_as(self, reading: EquationReading, **changes: Any) -> EquationLine:
         """Return the line in another of its readings, with further changes."""
         read = {"tree": reading.tree, "repaired": reading.text, "guessed": reading.guessed, "is_partial": reading.is_partial}
-        return replace(self, **{**read, **changes})
+        return replace(self, **{**read, "sides": reading.sides, **changes})
 
     @property
     def where(self) -> Sentence:

@@ -56,21 +56,30 @@ def column_in_source(source: str, typed: str, read: str, column: int, *, is_sign
     """
     if (begun := source.find(typed)) >= 0:
         return begun + column_as_handed_in(typed, read, column, is_sign=is_sign)
-    place = column_as_handed_in(typed, read, column)
-    if (found := _by_what_stands_around(source, typed, place)) == 0:
-        return column_as_handed_in(source, read, column, is_sign=is_sign)
+    around = _by_what_stands_around(source, typed, column_as_handed_in(typed, read, column))
+    nearly = column_as_handed_in(source, read, column, is_sign=is_sign)
+    if not around:
+        return nearly
+    # The line that has most of the text: of a matrix, the row with the other cells as well.
+    lines = [source[source.rfind("\n", 0, place) + 1 :].partition("\n")[0] for place in around]
+    likeness = {
+        line: sum(block.size for block in SequenceMatcher(None, line, typed, autojunk=False).get_matching_blocks())
+        for line in lines
+    }
+    found = min(zip(around, lines, strict=True), key=lambda one: (-likeness[one[1]], abs(one[0] - nearly)))[0]
     return _sign_before(source, found) if is_sign else found
 
 
-def _by_what_stands_around(source: str, text: str, column: int) -> int:
-    """Return the column of the longest part of a text around a place that stands once in another text, 0 if there is none."""
+def _by_what_stands_around(source: str, text: str, column: int) -> list[int]:
+    """Return the columns of the longest part of a text around a place that stands in another text, [] if it is short."""
     begin, end = column - 1, column
     while end < len(text) and text[begin : end + 1] in source:
         end += 1
     while begin and text[begin - 1 : end] in source:
         begin -= 1
     part = text[begin:end]
-    return source.index(part) + column - begin if len(part) >= _LEAST and source.count(part) == 1 else 0
+    found = re.finditer(f"(?={re.escape(part)})", source) if len(part) >= _LEAST else ()
+    return [one.start() + column - begin for one in found]
 
 
 def has_sign(text: str, column: int) -> bool:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from itertools import accumulate, pairwise
 from typing import Any, Literal
 
@@ -38,9 +39,13 @@ class Edit:
     column: int
 
 
-def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
-    """Yield every single edit of `left - right`; `kinds` maps names to kinds, and names of one kind are exchanged."""
+def edits(tree: Formula, kinds: Mapping[str, str], values: Mapping[str, float] | None = None) -> Iterator[Edit]:
+    """Yield every single edit of `left - right`; `kinds` maps names to kinds, and names of one kind are exchanged.
+
+    So are the `values` of data that a line has put in.
+    """
     alike = grouped((kind, name) for name, kind in kinds.items())
+    data = {name: Fraction(str(value)) for name, value in (values or {}).items() if value > 0 and name in kinds}
     factors = [named(name) for name, kind in kinds.items() if kind in {"m", "rad/s", "m/s"}]
     angles = [named(name) for name, kind in kinds.items() if kind == "rad"]
     factors += [Formula("call", (angle,), name=call) for angle in angles for call in ("sin", "cos")]
@@ -62,6 +67,10 @@ def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
             for other in alike[kinds[node.name]]:
                 if other != node.name:
                     yield Edit("name", path, Formula("name", name=other, column=node.column), column)
+        if node.op == "number" and node.value in data.values():
+            kind = next(kinds[name] for name, value in data.items() if value == node.value)
+            for value in sorted({data[other] for other in alike[kind] if other in data} - {node.value}):
+                yield Edit("name", path, replace(number(value), column=node.column), column)
         if node.op == "*":
             yield from (Edit("factor", path, arg, column) for arg in node.args)
         if node.op == "/":

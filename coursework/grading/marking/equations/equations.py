@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
-from typing import Any, Literal
 
 import numpy as np
 
@@ -20,94 +19,29 @@ from coursework.grading.marking.equations.doubts import part_of_chain, question_
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness, written
 from coursework.grading.marking.equations.hints import Hint
 from coursework.grading.marking.equations.lacks import lack_of, law_of
-from coursework.grading.marking.equations.linear import Linear, differing, is_one_slip, linear, rank, says_more, usual_size
+from coursework.grading.marking.equations.linear import (
+    Linear,
+    differing,
+    is_fulfilled,
+    is_one_slip,
+    linear,
+    rank,
+    says_more,
+    usual_size,
+)
+from coursework.grading.marking.equations.marks import COUNTED, JUDGED, EquationMark, EquationMarks, Verdict
 from coursework.grading.marking.equations.meant_together import as_lists_or_minus, as_others_of_their_kind
 from coursework.grading.marking.equations.numbers import NoValue
 from coursework.grading.marking.equations.other_forms import with_other_sign, without_ratios
 from coursework.grading.marking.equations.own_numbers import own_numbers
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
 from coursework.grading.marking.key.key import Key
-from coursework.grading.reading.student_work import EquationLine
-from coursework.grading.reading.submission import Note, note
-from coursework.system.frozen import frozen
-from coursework.variant.formula.tree import Formula, spelled
-from coursework.words.sentence import Sentence
-from coursework.words.sentences import joined, say
+from coursework.grading.reading.student_work import EquationLine, EquationReading
+from coursework.variant.formula.tree import Formula, constant, spelled
+from coursework.words.sentences import say
 
-Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
 # Residual over the sum of the terms: for round-off; for data printed with three or four digits; for the exact motion's accuracy.
 RIGHT, ROUNDED, ON_CLOSURE = 1e-9, 2e-3, 1e-7
-COUNTED = ("right", "rounded", "closure")
-JUDGED = (*COUNTED, "wrong")
-
-
-@frozen
-class EquationMark:
-    """One line: its verdict, a hint if there is one, and what it lacks if it earns nothing and no slip is found."""
-
-    line: EquationLine
-    verdict: Verdict
-    hint: Hint | None = None
-    lack: Sentence | str = ""
-
-    @property
-    def hint_of_slip(self) -> Hint | None:
-        """Return the hint of a wrong line; None for any other line."""
-        return self.hint if self.verdict == "wrong" else None
-
-    def plain(self) -> dict[str, Any]:
-        """Return the record as grades.json writes it."""
-        hint = self.hint.plain() if self.hint else None
-        return {"line": self.line.line, "place": self.line.where, "text": self.line.text, "verdict": self.verdict, "hint": hint}
-
-
-@frozen
-class EquationMarks:
-    """The marks of all lines: `independent` of `needed` equations; `dependent` are numbers of lines that add nothing new.
-
-    `different` counts the wrong lines; the same wrong line written twice is one fault. `turned` says that lines were marked
-    with the opposite sign of all angular velocities, because they hold so.
-    """
-
-    marks: tuple[EquationMark, ...]
-    independent: int
-    needed: int
-    dependent: tuple[int, ...]
-    different: int
-    turned: bool = False
-
-    @property
-    def wrong(self) -> tuple[EquationMark, ...]:
-        """Return the wrong lines."""
-        return tuple(mark for mark in self.marks if mark.verdict == "wrong")
-
-    @property
-    def questions(self) -> tuple[EquationMark, ...]:
-        """Return the lines that could not be read and may earn points: all of them if none could; empty if none is missing."""
-        unread = [mark for mark in self.marks if mark.verdict == "unreadable" and self.independent < self.needed]
-        return tuple(mark for mark in unread if mark.line.relates or (len(unread) == len(self.marks) and not mark.line.is_prose))
-
-    @property
-    def unread(self) -> EquationMark | None:
-        """Return the first line in `questions`, None if there is none."""
-        return next(iter(self.questions), None)
-
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """Return notes for a person: how many lines were completed in order to read them, which numbers are not the task's."""
-        guessed = sum(mark.line.guessed and mark.verdict != "unreadable" for mark in self.marks)
-        own = {(mark.hint.text, mark.hint.term) for mark in self.marks if mark.hint and mark.hint.kind == "datum"}
-        rounded = [str(mark.line.line) for mark in self.marks if mark.verdict == "rounded"]
-        return (
-            *([note("repaired", number=guessed)] if guessed else []),
-            *(note("data_differ", "own_number", written=written, meant=meant) for written, meant in sorted(own)),
-            *([note("rounded", lines=joined(rounded, "join.comma"))] if rounded else []),
-        )
-
-    @property
-    def share(self) -> float:
-        """Return independent / max(needed, independent + different): to guess every combination of signs does not pay."""
-        return self.independent / max(self.needed, self.independent + self.different, 1)
 
 
 @dataclass(frozen=True)
@@ -233,10 +167,25 @@ class Judge:
         verdict = self._verdict(line.tree)
         if verdict == "wrong":
             meant = (line, *(line.read_as(other) for other in line.others if not other.asks))
-            told = (EquationMark(one, verdict, slip) for one in meant if (slip := self._slip(one.difference, one)))
-            return next(chain(filter(None, map(self._with_own_number, meant)), told), EquationMark(line, verdict))
+            told = chain(map(self._with_own_number, meant), map(self._with_slip, meant))
+            return next(filter(None, told), EquationMark(line, verdict))
         repaired = Hint("repaired", 1, line.repaired) if line.repaired else None
-        return EquationMark(line, verdict, repaired)
+        return self._wrong_side(line) or EquationMark(line, verdict, repaired)
+
+    def _wrong_side(self, line: EquationLine) -> EquationMark | None:
+        """Return the mark of a side that makes a chain wrong, as 2*v = v = r*w is; numbers are values in some row."""
+        probes = (self.off_closure, self.on_closure) if line.sides else ()
+        for one in line.sides:
+            tree = one.tree
+            if not {*map(constant, tree.args)} <= {None, 0} or any(is_fulfilled(tree, probe, ROUNDED) for probe in probes):
+                continue
+            if {*self.key.variant.sought}.isdisjoint(tree.names()):  # of the known velocities
+                tree = Formula("-", (line.difference.args[0], tree.args[0]))
+                one = EquationReading(tree, " = ".join(map(spelled, tree.args)))
+            mark = self._mark(line.read_as(one, others=()))
+            if mark.verdict == "wrong":
+                return mark
+        return None
 
     def _with_own_number(self, line: EquationLine) -> EquationMark | None:
         """Return the mark of a line as right if only a number or a law of the drive in it is not the task's, else None."""
@@ -263,14 +212,20 @@ class Judge:
         except NoValue:
             return "wrong"
 
-    def _slip(self, tree: Formula, line: EquationLine) -> Hint | None:
-        """Return the likeliest single edit that makes a line right as a hint, with the number of others; None if none does."""
-        read = line.repaired or line.text
+    def _with_slip(self, line: EquationLine) -> EquationMark | None:
+        """Return the mark of a wrong line with the likeliest single edit that makes it right as a hint, None if none does.
+
+        Its line is the one of the file in which that stands.
+        """
+        tree, read = line.difference, line.repaired or line.text
         if not (found := self.slips(tree, read)):
             return None
-        best = found[0]
-        column = column_in_source(line.source or line.text, line.text, read, best.column, is_sign=best.kind == "sign")
-        return Hint(best.kind, column, written(applied(tree, best)), len(found) - 1, term=spelled(term_of(tree, best)))
+        best, source = found[0], line.source or line.text
+        place = column_in_source(source, line.text, read, best.column, is_sign=best.kind == "sign")
+        before = source[: place - 1].split("\n")
+        text, term = written(applied(tree, best)), spelled(term_of(tree, best))
+        hint = Hint(best.kind, len(before[-1]) + 1, text, len(found) - 1, term=term)
+        return EquationMark(replace(line, line=line.line + len(before) - 1), "wrong", hint)
 
     def slips(self, tree: Formula, read: str) -> list[Edit]:
         """Return all single edits that make a wrong line right, the likeliest first; `read` is the text of the line as read."""
@@ -280,7 +235,7 @@ class Judge:
         except NoValue:
             return []
         found: list[Edit] = []
-        for edit in edits(tree, self.kinds):
+        for edit in edits(tree, self.kinds, self.key.variant.values):
             after = values.after(edit)
             if after is None or np.iscomplexobj(after) or not np.all(np.abs(after) <= ROUNDED * scale):
                 continue

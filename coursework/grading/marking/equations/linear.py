@@ -105,6 +105,15 @@ def usual_size(tree: Formula, probe: Probe) -> float:
     return float(np.median(real(size_of(tree, probe.names), probe.count))) or 1.0
 
 
+def is_fulfilled(tree: Formula, probe: Probe, limit: float) -> bool:
+    """Return whether `left - right` is at most `limit` of its terms as written at all points, though it may say nothing."""
+    try:
+        value, size = (real(found(tree, probe.names), probe.count) for found in (value_of, size_of))
+    except NoValue:
+        return False
+    return bool(np.all(np.abs(value) <= limit * size))
+
+
 def rank(lines: Sequence[Linear]) -> int:
     """Return how many of the lines are independent at the point where they are fewest."""
     if not lines:

@@ -17,7 +17,8 @@ from coursework.system.grouped import grouped
 from coursework.words.sentences import say
 
 _BEGINS = r"\s*(?:[(\[]?\d{1,3}[)\].:]{0,2}\s*)?(?=[-–—]"
-_DASHED, _CLOSELY = re.compile(rf"{_BEGINS}\s)"), re.compile(rf"{_BEGINS})")  # the second without a blank behind the dash
+# The second without a blank behind the dash; "- slider: v = …" has no minus.
+_DASHED, _CLOSELY = re.compile(rf"{_BEGINS}\s(?![^\W\d_]{{3}}[^=:]*:\s))"), re.compile(rf"{_BEGINS})")
 _SIGNS = re.compile(r"[\s\-–—−(]*")
 _STEM = re.compile(r"\s*([^\d=]{1,20})\d{1,2}\s*+[)\]]?\s*+(?:\([\w\s,]*\))?\s*(?::?=|<-)")
 _UNNAMED = "="

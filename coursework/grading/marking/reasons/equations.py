@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from coursework.grading.marking.answers import AnswerMarks
-from coursework.grading.marking.equations.equations import COUNTED, EquationMark, EquationMarks
+from coursework.grading.marking.equations.marks import COUNTED, EquationMark, EquationMarks
 from coursework.grading.marking.reasons.reason import Reason, quoted
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say

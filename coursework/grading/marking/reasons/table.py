@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 
-from coursework.grading.marking.equations.equations import EquationMarks
+from coursework.grading.marking.equations.marks import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.reasons.reason import Reason, in_sum, misconception_sentence, quoted
 from coursework.grading.marking.rubric import Rubric

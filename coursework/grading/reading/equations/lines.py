@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from itertools import islice, pairwise
 
 from coursework.grading.reading.equations.answers import read_answer
+from coursework.grading.reading.equations.formulas.denials import is_denied
 from coursework.grading.reading.equations.formulas.equations import (
     OWN_NAME,
     TURNED,
@@ -25,7 +26,7 @@ from coursework.grading.reading.equations.formulas.equations import (
     read_as_one,
     read_line,
 )
-from coursework.grading.reading.equations.formulas.labels import without_labels
+from coursework.grading.reading.equations.formulas.labels import without_labels, without_words
 from coursework.grading.reading.equations.formulas.plain_text import plain
 from coursework.grading.reading.equations.notation.signs import VANISHED, depths, plain_signs, relates_two_sides
 from coursework.grading.reading.equations.systems.complex_factors import by_parts
@@ -36,6 +37,7 @@ from coursework.grading.reading.equations.text.line_kinds import (
     definition,
     is_datum,
     is_equation_without_sign,
+    is_law,
     is_question,
     is_row,
     is_step,
@@ -64,7 +66,7 @@ _COMMENTED = re.compile(r"^[ \t]*(?:#+|//+|%+)[ \t]*(?=[^\s=])", re.MULTILINE)  
 # Limits on time: per equation that may be handed in, so many lines of a text are tried; in all, so many characters. A
 # line longer than a formula counts more than it has: its time grows with the square of its length.
 _TRIED, _CHARACTERS = 10, 60_000
-_MOST_LINES, _MOST_SIDES = 20_000, 3
+_MOST_LINES, _MOST_SIDES, _MOST_JOINED = 20_000, 3, 20
 
 
 @dataclass(slots=True)
@@ -117,7 +119,7 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
     sections = sections_of(lines, names) if beside is None else [len(lines)]
     meanings = definitions_of(lines, names, sections) if beside is None else [{}]
     listed = sign_of_list([line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical)
-    reader = _Reader(name, text.split("\n"), names, kept, passed)
+    reader = _Reader(name, text.split("\n"), sorted({number for number, _ in lines}), names, kept, passed)
     found, answers, tried, characters = Lines(), dict[str, AnswerLine](), 0, 0
     with_own, defined = names, set[str]()
     for place, (number, line) in enumerate(lines):
@@ -130,6 +132,8 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
             found.unread += "=" in line
         elif expected.answers and (answer := read_answer(line[:500], expected.answers)):
             answers.setdefault(answer.name, answer)
+        elif is_denied(line[:EQUATION_CHARACTERS], names.is_single):
+            passed.append((number, line))
         elif beside is not None:
             read = reader.as_equation(number, line, names)
             found.equations += [read] if relates(read, names) else []
@@ -150,11 +154,13 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
 class _Reader:
     """What each line of a text is: an equation, or one of those that are `passed` over or give a `named` formula.
 
-    `names` are those of the task; `handed_in` has the lines of the `file` as they are.
+    `names` are those of the task; `handed_in` has the lines of the `file` as they are, of which the numbers in `begun` begin one
+    of those that were read.
     """
 
     file: str
     handed_in: Sequence[str]
+    begun: Sequence[int]
     names: Names
     kept: _Kept
     passed: list[tuple[int, str]]
@@ -162,7 +168,8 @@ class _Reader:
 
     def as_equation(self, number: int, line: str, names: Names) -> EquationLine:
         """Return a line as an equation, with the line of the file that it is from."""
-        source = self.handed_in[number - 1] if number <= len(self.handed_in) else ""
+        following = next((other for other in self.begun[bisect(self.begun, number) :]), number + _MOST_JOINED)
+        source = "\n".join(self.handed_in[number - 1 : min(following - 1, number + _MOST_JOINED)])
         is_other = source != line and len(source) <= EQUATION_CHARACTERS
         return replace(read_line(line, self.file, number, names), source=source if is_other else "")
 
@@ -173,7 +180,7 @@ class _Reader:
         if is_named or (is_chain and not says_more(line, names)):
             self.named.append((number, line))
             return self._at_rest(number, line, names)
-        if any(is_other(line, self.names) for is_other in (is_datum, is_step, is_question)) or is_row(line):
+        if any(is_other(line, self.names) for is_other in (is_datum, is_step, is_question, is_law)) or is_row(line):
             return self._at_rest(number, line, names)
         line = "=".join(line.split("=")[:2]) if is_chain else line  # i = (R + r)/r = 1 + R/r
         one = self.kept(self.as_equation(number, line, names)) if _is_equation(line, self.names) else None
@@ -203,9 +210,10 @@ def _pieces(text: str, names: Names, passed: list[tuple[int, str]]) -> Iterator[
 def _names_first(lines: Sequence[tuple[int, str]], names: Names) -> list[tuple[int, str]]:
     """Return the lines with "vA = r*w1" for "r*w1 = vA", where no line before or behind has the student's name on the left."""
     found = [*lines]
-    left = {line.partition("=")[0].strip() for _, line in lines}
-    for place, (number, line) in enumerate(lines):
-        formula, _, right = (side.strip(" .;,") for side in without_labels(line[:EQUATION_CHARACTERS]).partition("="))
+    bare = [without_words(without_labels(line[:EQUATION_CHARACTERS]), names.is_name) for _, line in lines]
+    left = {line.partition("=")[0].strip() for line in bare}
+    for place, ((number, _), line) in enumerate(zip(lines, bare, strict=True)):
+        formula, _, right = (side.strip(" .;,") for side in line.partition("="))
         if _ON_THE_RIGHT.fullmatch(right) and right not in left and not OWN_NAME.fullmatch(formula) and -1 not in depths(formula):
             said = f"{right} = {formula}"
             if own_name(said, names.spellings)[0]:

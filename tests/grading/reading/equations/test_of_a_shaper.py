@@ -7,7 +7,8 @@ from functools import cache
 import pytest
 
 import coursework
-from coursework.grading.marking.equations.equations import EquationMarks, Judge
+from coursework.grading.marking.equations.equations import Judge
+from coursework.grading.marking.equations.marks import EquationMarks
 from coursework.grading.marking.key.key import key_to_mark_by
 from coursework.grading.reading.equations.lines import read_lines
 from coursework.grading.reading.expected import Expected

@@ -12,7 +12,7 @@ from functools import partial
 
 import numpy as np
 
-from coursework.grading.marking.equations.equations import EquationMarks
+from coursework.grading.marking.equations.marks import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, Family, TableUnderTest
 from coursework.grading.marking.table.causes.clockwise import turned_back

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.grading.marking.equations.equations import EquationMarks
+from coursework.grading.marking.equations.marks import EquationMarks
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim
 from coursework.grading.marking.table.causes.closer import as_it_was, closer

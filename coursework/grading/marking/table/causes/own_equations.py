@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, places
-from coursework.grading.marking.equations.equations import EquationMarks
+from coursework.grading.marking.equations.marks import EquationMarks
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import kinds, names_at
 from coursework.grading.marking.key.key import Key

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from itertools import islice
 from unicodedata import category
 
+from coursework.grading.reading.equations.formulas.denials import DENIED
 from coursework.grading.reading.equations.formulas.labels import ASIAN, CHANGES
 from coursework.grading.reading.equations.notation.signs import depths
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
@@ -35,11 +36,6 @@ _REFERS = re.compile(
 _WRAPPED = re.compile(
     r"^([^=]{0,40}?[:.)\-–•]\s+|\s*)(?:\*\*([^*].*=.*[^*])\*\*|_([^_].*=.*[^_])_|~([^~].*=.*[^~])~|<([^<>]*=[^<>]*)>|\((.*=.*)\)|\{(.*=.*)\}|\[(.*=.*)\])\s*[.,;]?\s*$"
 )
-_DENIED = re.compile(
-    r"\b(?:not?|never|nicht|keine?|false|wrong|falsch\w*|instead|statt|нет|не|вместо|неверно|pas|faux"
-    r"|signs?|\w*vorzeichen\w*|знак\w*|signe|signo|segno|reversed|umgekehrt\w*|moins|menos|meno|doble|doppio|moitié|mitad|metà)\b|[不非错反]",
-    re.I,
-)
 _LETTERS = "phi|psi|alpha|beta|gamma|delta|theta|chi|eps|omega"
 _FUNCTIONS = "|".join(sorted(FUNCTION_WORDS))
 _IN_CHAIN = re.compile(f"{_LETTERS}|{_FUNCTIONS}", re.I)
@@ -52,6 +48,13 @@ _COLON = re.compile(  # "Step 4: and v = …", "both wheels have one speed there
     r"[^=:]{0,60}[^\W\d_]{3}[^=:]{0,20}(?::|,\s(?:so|hence|thus|donc|daher|also|luego|откуда|поэтому|значит|тому|звідки)\b)\s+(?=[^=:]+=)"
 )
 _SHORT, _CUTS, _MOST, _LONG, _WORD_LETTERS = 3, 6, 12, 300, 2
+
+
+def unwrapped(text: str) -> str:
+    """Return a line without the brackets or marks around its whole equation, Loop 2: (v = r*w), and the label before them."""
+    found = _WRAPPED.match(text) if len(text) <= EQUATION_CHARACTERS else None
+    bare = next(part for part in found.groups()[1:] if part) if found else ""
+    return bare if bare and -1 not in depths(bare) else text  # "(3) v = r*w (a)" is no line in brackets
 
 
 def without_edges(text: str, is_single: Callable[[str], bool]) -> Iterator[tuple[str, bool]]:
@@ -68,12 +71,6 @@ def without_edges(text: str, is_single: Callable[[str], bool]) -> Iterator[tuple
     """
     if len(text) > EQUATION_CHARACTERS or "=" not in text:
         return
-    wrapped = _WRAPPED.match(text)
-    bare = next(part for part in wrapped.groups()[1:] if part) if wrapped else ""
-    # "(3) v = r*w (a)" is no line in parentheses
-    if wrapped and bare and -1 not in depths(bare) and not _DENIED.search(wrapped[1]):
-        yield bare, False
-        text = bare
     found = ((one, asks) for start in _begun(text, is_single) for one, asks in _ended(*start, is_single) if one != text)
     yield from islice(found, _MOST if len(text) <= _LONG else 1)  # to read a long line takes time
 
@@ -82,7 +79,7 @@ def _begun(text: str, is_single: Callable[[str], bool]) -> Iterator[tuple[str, b
     """Yield a line, and the line from behind each of its first words; a name of the task among them asks."""
     yield text, False
     start, asks = 0, False
-    if (colon := _COLON.match(text)) and not _DENIED.search(colon[0]):
+    if (colon := _COLON.match(text)) and not DENIED.search(colon[0]):
         start = colon.end()
         yield text[start:], False
     for _ in range(_CUTS):
@@ -126,7 +123,7 @@ def _is_remark(cut: str, is_single: Callable[[str], bool]) -> bool:
 
 def _changes(cut: str) -> bool:
     """Return whether what stands at an edge changes the equation, or says that it does not hold: a sign, a number, a function."""
-    if CHANGES.search(cut) or _DENIED.search(cut) or _RECKONS.search(cut) or _FUNCTION.search(cut):
+    if CHANGES.search(cut) or DENIED.search(cut) or _RECKONS.search(cut) or _FUNCTION.search(cut):
         return True
     if any(map(str.isalpha, cut)) or re.match(r"=\s*\W", cut):  # = ...
         return False

@@ -12,7 +12,7 @@ from dataclasses import field, replace
 from functools import lru_cache, partial
 from itertools import combinations, pairwise
 
-from coursework.grading.reading.equations.formulas.edges import without_edges
+from coursework.grading.reading.equations.formulas.edges import unwrapped, without_edges
 from coursework.grading.reading.equations.formulas.labels import bare_equations, without_labels
 from coursework.grading.reading.equations.formulas.meanings import Meanings, in_smaller_units, meaning_of, put_in
 from coursework.grading.reading.equations.formulas.names_in_text import BUILT_IN, Spellings, place_of_name, spellings_of
@@ -64,7 +64,9 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     A line that may be meant in several ways has the other readings in `others`: a label may be a number, and a formula without a
     name may be the value of any velocity.
     """
-    found, fault = _readings(text, names)
+    bare = unwrapped(text)
+    found, fault = _readings(bare, names)
+    found = found if bare == text else [replace(one, text=one.text or bare) for one in found]
     variant = names.expected.variant
     if before := names.before:
         for meant in (text, _apart(text, names, before)):
@@ -79,7 +81,7 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
     found += [_loosely(tree) for one in found if (tree := with_angles_in_degrees(one.tree, variant)) is not None]
     shorter = [
         replace(one, text=one.text or meant, is_loose=True, asks=asks)
-        for meant, asks in without_edges(text, names.is_single)
+        for meant, asks in without_edges(bare, names.is_single)
         for one in _readings(meant, names)[0]
     ]
     found += shorter
@@ -214,7 +216,8 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
         read = strictly(f"{text} = {kept[-1]}", names)
         if not isinstance(read, Fault):
             found.append(EquationReading(read, f"{text} = {kept[-1]}", is_loose=is_loose, is_partial=is_partial))
-    return found
+    formulas = tuple(one for one in found if one.tree.args[0].op != "name")  # f1 = … = 0 and V_C = 0 are labels
+    return [replace(one, sides=tuple(other for other in formulas if other is not one)) for one in found]
 
 
 @lru_cache(1024)  # several readers look at the same line in turn

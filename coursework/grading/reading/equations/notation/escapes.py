@@ -18,7 +18,7 @@ _WORDS = "icefrac|ewline|ewpage|onumber|otag|oindent|abla|ormalsize"
 _ANY_LINE_END = re.compile(rf"(?:\\{{1,2}}r)?\\{{1,2}}n(?!(?:{_WORDS})(?![A-Za-z]))")
 _OF_LATEX = re.compile(r"\\(?!r?\\?n|[rt](?![A-Za-z]))[A-Za-z]|\\(?:newcommand|def)\b|\\\\\s|\\$", re.MULTILINE)
 _PRINTED = re.compile(r"\\n[\"']\s*,\s*\w")  # printf("w3 = %f\n", w3)
-_QUOTED = re.compile(r"([\"'])((?:(?!\1).)*)\1(?=\s*(?:[,;\])}]|$))")
+_QUOTED = re.compile(r"(?<!\w)([\"'])((?:(?!\1).)*)\1(?=\s*(?:[,;\])}]|$))")
 _AROUND = re.compile(r"[\s\w.:=>,;\[\]{}\"'-]*")  # keys and brackets of lists
 _TAGGED = re.compile(r"\s*<(\w{1,20})\b[^<>]{0,80}>(.*)</\1>\s*")  # in XML
 _SHOWN = re.compile(r"\s*(?:print|disp|puts|display)\s*\(?\s*([\"'])((?:(?!\1)[^{%])*)\1\s*\)?\s*;?")  # print("a = b")

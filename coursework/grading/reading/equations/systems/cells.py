@@ -33,7 +33,7 @@ _RANGE = re.compile(
     rf"{_WORDS}\$?([A-Z])\$?(\d{{1,4}})\s*(?:[:–—-]|\.\.+|…|\w{{1,4}})\s*\$?([A-Z])\$?(\d{{1,4}}){_BETWEEN}((?:{_NAME},\s*)+{_NAME})\W*"
 )
 _NO_LEGEND = re.compile(rf"[*+^/]|{_PLACE}|[,;]\s*[A-Z]{{1,2}}{_BETWEEN}\w|\bsin|\bcos", re.IGNORECASE)
-_PARTS, _NEXT = re.compile(r"[,;|\t]"), re.compile(rf"[;,\t]\s*(?=(?:{_PLACE})\s*[:=(])")
+_PARTS, _NEXT = re.compile(r"[,;|\t]|\s{2,}"), re.compile(rf"[;,\t]\s*(?=(?:{_PLACE})\s*[:=(])")
 _FEWEST, _MOST_CHARACTERS, _LONGEST = 2, 40_000, 600
 
 
@@ -66,10 +66,13 @@ def with_cells_named(text: str, meaning: Callable[[str], str | None], data: froz
     ):
         return text
 
+    said_of = {cell.rstrip(digits) for cell in legend}
+
     def named(found: re.Match[str]) -> str:
         cell = _bare(found[0])
         column = "" if re.search(r"\$\d", found[0]) else cell.rstrip(digits)
-        return legend.get(cell) or columns.get(column) or (cell if meaning(cell) is None else f"cell_{cell}")
+        is_free = meaning(cell) is None or cell.rstrip(digits) not in said_of  # V1 of the task, where no column V is named
+        return legend.get(cell) or columns.get(column) or (cell if is_free else f"cell_{cell}")
 
     written = list[str]()
     for place, pieces in enumerate(lines):

@@ -28,7 +28,8 @@ _NAMED = re.compile(r"(?:(.+?)\s*[*·⋅]\s*)?([^\W\d]\w{0,20})")
 _VELOCITY = re.compile(r"([vV])_?([A-Z]\w?)")
 _BEFORE = re.compile(r"^(?:[^-+*/=()\[\]\d_]*[,:\s](?=[vV]_?[A-Z])|[^-+*/=()\[\],;]{1,40}:\s+)")  # words, or the label of a line
 _PLUS = re.compile(r"(?<=[\w)\]}])\s*[-+](?=\s*[\w(\[\\])")
-_BRACKET = re.compile(r"(?<![\w)\]])[(\[]|(?<=[\w)])\s+[(\[]")
+_BRACKET = re.compile(r"(?<![\w)\]])[(\[]|(?<=[\w)])\s+[(\[]|(?<=\d)[(\[]")
+_BY_POINTS = re.compile(r"[-+\s]*(?:[vV]_?[A-Z]{1,2}|[^\W\d]\w{0,2}(?:\s*k)?\s*[*x]\s*[A-Z]{2})(?:\s*[-+]|$)")  # v_A + ω × AB
 _FACTOR = re.compile(r"[^\W\d]\w*")
 _OWN = re.compile(r"[a-zα-ω]\w{0,2}")  # a factor that the student names; K is a matrix
 _DECIMAL = re.compile(r"\d,\d")
@@ -48,7 +49,7 @@ def by_axes(lines: Sequence[str], meaning: Callable[[str], str | None], is_name:
     (['(a) = (c); b = (d)', 'w = (a, b)'], ['v_Bx - v_Ax = (a); v_By - v_Ay = (b)'])
     """
     found = [*lines]
-    vectors = {place for place, line in enumerate(lines[:_MOST_LINES]) if _may_be(line)}
+    vectors = {place for place, line in enumerate(lines[:_MOST_LINES]) if may_be_of_vectors(line)}
     if not vectors:
         return found
     said = _Vectors(meaning, is_name)
@@ -78,7 +79,7 @@ def by_axes(lines: Sequence[str], meaning: Callable[[str], str | None], is_name:
     return found
 
 
-def _may_be(line: str) -> bool:
+def may_be_of_vectors(line: str) -> bool:
     """Return whether a line may have a vector: two cells in brackets, or a unit."""
     if "=" not in line or len(line) > EQUATION_CHARACTERS:
         return False
@@ -86,7 +87,7 @@ def _may_be(line: str) -> bool:
 
 
 def _plain(line: str) -> str:
-    line = line.replace(r"\left", "").replace(r"\right", "")
+    line = re.sub(r"\\[,;:!](?=[\s\w\\-])|\\(?:left|right)(?![a-z])", " ", line)
     return plain_signs(_INDEX.sub(r"_\1", _VECTOR_SIGN.sub(lambda found: found[1] or "", line))).replace("&", "")
 
 
@@ -109,24 +110,33 @@ class _Vectors:
             return
         needed = set[str]()
         read = [self._side(side.strip(), needed) for side in sides]
+        if sum(map(bool, read)) and len(sides) > 2:
+            # What is said of points alone, the components beside it say.
+            kept = [at for at, side in enumerate(sides) if at == 0 or not self._is_of_points(side)]
+            sides, read = [sides[at] for at in kept], [read[at] for at in kept]
         known = [one for one in read if one is not None]
         first = sides[0].strip()
         if read[0] is None and len(known) == len(read) - 1 > 0 and _NAMED.fullmatch(first) and first.isidentifier():
             components = [self.meaning(f"{first}{axis}") or self.meaning(f"{first}_{axis}") for axis in "xy"]
             self.cells[first], self.needs[place] = known[0], needed
             if any(components):
-                self.equations[place] = [
-                    f"{name} = {one[axis]}"
+                said = [
+                    f"{name} = {one[axis] or '0'}"
                     for one in known
                     for axis, name in enumerate(components)
                     if name and self.meaning(one[axis].strip("+( )")) != name  # v_K = (vKx, vKy) = …
                 ]
+                self.equations[place] = said + _equated(known, [axis for axis, name in enumerate(components) if not name])
             elif len(known) > 1:
                 self.equations[place] = _equated(known)
             else:
                 self.lines[first] = place
         elif len(known) == len(read) and any(map(any, known)):
             self.equations[place], self.needs[place] = _equated(known), needed
+
+    def _is_of_points(self, side: str) -> bool:
+        """Return whether a side adds vectors of points that no line gives by components, v_A + ω × AB."""
+        return not _BY_POINTS.sub("", side.strip()) and not {*_FACTOR.findall(side)} <= self.cells.keys()
 
     def used(self) -> set[int]:
         """Return the places of the lines that name the vectors which stand in the equations."""
@@ -210,10 +220,10 @@ def _cut(content: str) -> int:
     return found[0] if len(found) == 1 else 0
 
 
-def _equated(sides: list[Cells]) -> list[str]:
+def _equated(sides: list[Cells], axes: Sequence[int] = (0, 1)) -> list[str]:
     return [
         f"{one[axis] or '0'} = {other[axis] or '0'}"
         for one, other in pairwise(sides)
-        for axis in (0, 1)
+        for axis in axes
         if one[axis] or other[axis]
     ]

@@ -15,11 +15,13 @@ from coursework.grading.reading.equations.notation.signs import ARROW, ARROWS, d
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.formula.reader import MAX_DEPTH
 
+_BETWEEN_BRACKETS = re.compile(r"(?<=\))\s(?:[^\W\d_]{1,5}|&)\s(?=\()")  # (a = b) e (c = d)
 _BETWEEN = re.compile(
     rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s&\s(?!\s*=)|\|\||\s\|\s|\s--\s|/\\|[∧⋀]|\\(?:land|wedge)(?![A-Za-z])|<br\s*/?>"
     r"|(?<=[\w)]):\s+(?=[^\W\d]\w{0,20}\s*:=)|(?<=[\w)])\.\s(?=[A-ZА-ЯІЇЄΑ-Ω][^\W\d_]{2,20}\s)|\s(?:and|und|et|y|и|та|і|且|和|en|och|og|és|samt|serta|sekä)\s"
-    r"|\se\s(?=\w{1,6}\s*=)|\s(?:d['’]où|donc|oraz|ve|iar|si|ja|και|dan|và|și|mentre|sowie|wobei|daher|somit|hence|thus|therefore|откуда"
-    r"|отсюда|звідки|звідси|stąd|skąd|de donde|da cui)\s(?=.{1,30}=)"
+    rf"|(?<=[\w)])\s[ei]\s(?=\w{{1,6}}\s*=)|{_BETWEEN_BRACKETS.pattern}"
+    r"|\s(?:d['’]où|donc|oraz|ve|iar|si|ja|και|dan|và|și|mentre|sowie|wobei|daher|somit|hence|thus|therefore|откуда"
+    r"|отсюда|звідки|звідси|stąd|skąd|de donde|da cui)\s(?=[^=]{1,120}=)"
 )
 # Another equation begins after "= 0": nothing multiplies or adds to a zero.
 _VANISHED = re.compile(
@@ -77,8 +79,10 @@ def parts_of(line: str) -> list[str]:
         return [f"{name.strip()} = 0" for name in line.split("=")[:-1]]
     if len(line) > EQUATION_CHARACTERS:
         return [line]
-    if (said := _SAID_BESIDE.search(line)) and "$" not in line and not _FORMULA.search(said[1] + said[3].strip()):
-        return [*(parts_of(said[1]) if relates_two_sides(said[1]) else []), said[2].strip()]
+    said = None if _BETWEEN_BRACKETS.search(line) else _SAID_BESIDE.search(line)
+    if said and "$" not in line and not _FORMULA.search(said[1] + said[3].strip()):
+        label = said[1] if said[1].rstrip().endswith(":") else ""
+        return [*(parts_of(said[1]) if relates_two_sides(said[1]) else []), f"{label}{said[2].strip()}"]
     line = with_formulas_joined(line)
     if line.count("$") > 2 and not relates_two_sides(_BETWEEN_DOLLARS.sub(" ", line)):
         # Prose around formulas: take only the formulas that relate two sides.

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from coursework.grading.reading.equations.formulas.equations import Names
+from coursework.grading.reading.equations.formulas.equations import OWN_NAME, Names
 from coursework.grading.reading.equations.notation.signs import VANISHED, depths
 from coursework.grading.reading.equations.text.line_kinds import is_equation_without_sign, is_part_of_equation
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
@@ -21,7 +21,7 @@ _FIXED = re.compile(r"^ {5}(?:&|[1-9+$*])\s*([-+*/(&][^=]*)$")  # the sixth colu
 _STATEMENT = " " * 6  # before the first line of one
 _IMPORT = re.compile(r"\s*(?:from|import)\s+\w")  # from sympy import *
 _GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&|\s_)\s*$")
-_MARKED = re.compile(r"[\w)\]]\s*\\\s*$")
+_MARKED = re.compile(r"[\w)\]]\s*(?:\\|\.{3}|…)\s*$")
 _BARE = re.compile(r"[^-+/−–\s]+")  # the names of a line with no other sign: "vC/a -"
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
 _BEGINS = re.compile(r"\s*[-+*/=−–]")
@@ -64,8 +64,9 @@ def _goes_on(kept: str, line: str, names: Names, is_part: bool) -> bool:
     if kept.lstrip().startswith("[[") and depths(kept)[-1]:
         return True
     both = "=" in kept and "=" in line
-    if both and _MARKED.search(kept, near) and not _BEGINS.match(_ALIGNED.sub("", line)):
-        return False  # in Typst the sign ends a line
+    is_open = kept.count("(") + kept.count("[") > kept.count(")") + kept.count("]")
+    if both and _MARKED.search(kept, near) and not is_open and not _BEGINS.match(_ALIGNED.sub("", line)):
+        return False  # in Typst the sign ends a line; "= u ..." leads to the number of the equation
     if _GOES_ON.search(kept, near):
         return not ("=" in line and _OPEN_END.search(kept, near))
     if "=" in kept and not both and kept.count("(") > kept.count(")"):
@@ -73,6 +74,9 @@ def _goes_on(kept: str, line: str, names: Names, is_part: bool) -> bool:
     rest = _ALIGNED.sub("", line)
     if both and rest.startswith("=") and rest != line and not kept.startswith("=") and not VANISHED.search(kept):
         return True  # another side of the same equation
+    if both and rest[:1] == "+" and kept.count("=") == line.count("=") == 1 and not VANISHED.search(kept):
+        name = kept.partition("=")[0].strip()  # V_C = a … + b = 0
+        return OWN_NAME.fullmatch(name) is not None and names.spellings.canonical(name) not in names.expected.variant.sought
     if both or not _BEGINS.match(rest):
         return False
     if "=" in line:

@@ -45,7 +45,7 @@ def with_legend(lines: Sequence[tuple[int, str]], names: Names) -> tuple[Names, 
     called: dict[str, str] = {}
     rest: list[tuple[int, str]] = []
     for number, line in lines:
-        found = [*_pairs(line, names.spellings, {*names.expected.variant.sought})]
+        found = [*_pairs(line, names.spellings, {*names.expected.variant.velocities})]
         called |= {plain_name(name): meant for name, meant in found if plain_name(name) not in called}
         # and the rate of the angle β that is ψ is ω_β
         rates = {f"{sign}{plain_name(name)}": names.spellings.rates.get(meant) for name, meant in found for sign in _OMEGA}

@@ -254,6 +254,13 @@ def says_nothing(text: str, names: Names) -> bool:
     return no_velocity(left, names) and strange == [right.strip(" .,;")]
 
 
+def is_law(text: str, names: Names) -> bool:
+    """Return whether a line gives the speed of a point as a law of time and data, V_M = V1*sin(p*t), as the task does."""
+    law = definition(text, names)
+    told = {*law[1].names()} if law and law[0][0] in "vV" else set[str]()
+    return "t" in told and told <= {*names.spellings.data, *BUILT_IN}
+
+
 def is_question(text: str, names: Names) -> bool:
     """Return whether a line asks the teacher something, "why is w3 = 0 at the dead point?", with one name and a number in it."""
     if not text.rstrip().endswith(("?", "？")) or TURNED.search(text) or len(text) > EQUATION_CHARACTERS:

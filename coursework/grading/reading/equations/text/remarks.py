@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
+from coursework.grading.reading.equations.formulas.denials import JUDGED
 from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 
@@ -23,7 +24,6 @@ _STRUCK = re.compile(
 _COMMENTED_TERM = re.compile(r"(.*=[^=]*?[^=\s])\s*(?:#|%|//|/\*|\(\*|!)\s*([-+−–][\w\s.*·⋅^(){}\\]+?)(?:\*[/)])?\s*")
 # What is said or asked of the equation before it; a term is neither.
 _ASKED = re.compile(r"\s(?:<-{1,3}|←)\s(?!\s*[-+−–])(?=[^=]*$)|\s\?{2,9}(?!\s*[-+−–*/·])")
-_WITHDRAWN = re.compile(r"\b(?:crossed|struck|wrong|falsch|ungültig|cancel|ignore|неверно|зачеркнуто)|错|划掉", re.IGNORECASE)
 # Comments of Fortran, known by its words; and the names that a comment of any language explains.
 _FORTRAN = re.compile(r"(?im)^[ \t]*(?:!|(?:subroutine|program|implicit|end|call|real|double precision)\b|d(?:sin|cos)\()|\s!\s")
 _OF_FORTRAN = re.compile(r"(?:^|(?<=\s))!(?!=).*|^[Cc*](?:\s{2,}.*|\s*$)")
@@ -58,10 +58,13 @@ def without_remarks(line: str, is_name: Callable[[str], bool]) -> str:
     words = re.findall(r"[^\W\d]\w*", term[2]) if term else []
     if term and words and all(map(is_name, words)):
         return f"{term[1]} // {term[2]}"  # a question: no reader understands it
-    line = _REMARK.sub("", line.partition("#")[0]).strip()
+    bare = _REMARK.sub("", line.partition("#")[0]).strip()
+    if "=" in bare and len(line) <= EQUATION_CHARACTERS and JUDGED.search(line.removeprefix(bare)):
+        return line  # with what the comment says of it
+    line = bare
     line = _SAME_AS.sub(r"\1 = \2", line) if len(line) <= EQUATION_CHARACTERS else line
     asked = _ASKED.search(line) if len(line) <= EQUATION_CHARACTERS else None
-    return line[: asked.start()] if asked and "=" in line[: asked.start()] and not _WITHDRAWN.search(line) else line
+    return line[: asked.start()] if asked and "=" in line[: asked.start()] and not JUDGED.search(line) else line
 
 
 def without_constants(line: str) -> str:

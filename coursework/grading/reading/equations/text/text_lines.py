@@ -15,14 +15,14 @@ from coursework.grading.reading.equations.formulas.names_in_text import Spelling
 from coursework.grading.reading.equations.notation.escapes import unquoted, with_line_ends
 from coursework.grading.reading.equations.notation.latex import logical_lines
 from coursework.grading.reading.equations.systems.cells import with_cells_named
-from coursework.grading.reading.equations.systems.component_sums import by_axes
+from coursework.grading.reading.equations.systems.component_sums import by_axes, may_be_of_vectors
 from coursework.grading.reading.equations.systems.components import by_components, in_one_vector
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.negated import with_a_name
 from coursework.grading.reading.equations.systems.of_c import without_pointers
 from coursework.grading.reading.equations.systems.own_functions import as_names
-from coursework.grading.reading.equations.systems.parts import of_row
+from coursework.grading.reading.equations.systems.parts import of_row, parts_of
 from coursework.grading.reading.equations.systems.round_matrices import in_square_brackets
 from coursework.grading.reading.equations.systems.vectors import with_entries_named, with_short_names
 from coursework.grading.reading.equations.text.continued_lines import continued
@@ -65,7 +65,7 @@ def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = N
     Comments and statements with a sign of equality are added to `passed`.
     """
     passed = [] if passed is None else passed
-    said = [*_bare_lines(text, names, passed)]
+    said = [(number, function, part) for number, function, line in _bare_lines(text, names, passed) for part in _of_vectors(line)]
     sought, spellings = names.expected.variant.sought, names.spellings
     axes = by_axes([line for *_, line in said], spellings.canonical, partial(_is_name, names))
     for (number, function, _), bare in zip(said, axes, strict=True):
@@ -85,6 +85,12 @@ def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = N
         bare = closed(bare)
         if any(map(str.isalnum, bare)):  # not an underline of signs below a title
             yield number, bare
+
+
+def _of_vectors(line: str) -> list[str]:
+    """Return the equations of vectors that a line has beside each other; any other line as it is."""
+    parts = parts_of(line) if line.count("=") > 1 and may_be_of_vectors(line) else [line]
+    return parts if all(map(may_be_of_vectors, parts)) else [line]
 
 
 def _bare_lines(text: str, names: Names, passed: list[tuple[int, str]]) -> Iterator[tuple[int, str, str]]:
