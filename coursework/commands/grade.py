@@ -160,7 +160,7 @@ def _bytes(path: Path) -> bytes:
 
 
 def _tell(listed: ClassList, graded: Graded, out: Path, written: list[str]) -> None:
-    counts, fresh, kept = Counter(entry.grade["status"] for entry in graded.entries()), graded.fresh, len(graded.places)
+    counts, fresh, kept = Counter(graded.states.values()), graded.fresh, len(graded.places)
     named = {state: say(f"feedback.state.{state.replace('-', '_')}") for state in sorted(counts)}
     counted = [say("screen.state", count=counts[state], state=name) for state, name in named.items()]
     told = joined(counted, "join.numbers") if counted else say("screen.nobody")

@@ -53,10 +53,11 @@ class Change:
 
 @dataclass
 class Graded:
-    """The result of a run: the place of each student's grade in the journal, how many are new, and what changed."""
+    """The result of a run: the place of each student's grade in the journal, its state, how many are new, and what changed."""
 
     journal: Journal
     places: dict[str, int] = field(default_factory=dict)
+    states: dict[str, str] = field(default_factory=dict)
     fresh: int = 0
     changes: list[Change] = field(default_factory=list)
 
@@ -88,8 +89,8 @@ def grade_class(
         for task in listed.tasks(source, overrides, timed):
             key = task.key(setup)
             student = task.submission.id
-            if key in by_key and _page_stands(out, journal.read(by_key[key]), setup.pages):
-                graded.places[student] = by_key[key]
+            if key in by_key and _page_stands(out, entry := journal.read(by_key[key]), setup.pages):
+                graded.places[student], graded.states[student] = by_key[key], entry.grade["status"]
                 progress()
                 continue
             names.setdefault(key, []).append(student)
@@ -104,7 +105,7 @@ def grade_class(
     with closing(done):
         for key, outcome in done:
             entry = Entry(key, outcome.id, outcome.grade, _page_written(out, outcome))
-            graded.places[outcome.id] = journal.add(entry)
+            graded.places[outcome.id], graded.states[outcome.id] = journal.add(entry), outcome.grade["status"]
             graded.fresh += 1
             if change := _change(entry, journal.read(by_id[outcome.id]) if outcome.id in by_id else None):
                 graded.changes.append(change)

@@ -99,12 +99,15 @@ class Journal:
 
     def read(self, place: int) -> Entry:
         """Return the entry at a place.  Raises `RuntimeError` if its line was changed meanwhile."""
-        file = self._open()
-        file.seek(place)
-        entry = _read(file.readline())
+        entry = _read(self._line(place))
         if entry is None:
             raise RuntimeError(f"{self.path}: the line at {place} was changed while the class was graded")
         return entry
+
+    def _line(self, place: int) -> bytes:
+        file = self._open()
+        file.seek(place)
+        return file.readline()
 
     def add(self, entry: Entry) -> int:
         """Append one entry without buffering, so that it is there even if the program ends now; return its place."""
@@ -126,7 +129,7 @@ class Journal:
             try:
                 with part.open("wb") as file:
                     for place in places:
-                        file.write(_written(self.read(place)))
+                        file.write(self._line(place))
                 self._open().close()
                 part.replace(self.path)
             except BaseException:

@@ -55,6 +55,7 @@ def _pattern(mark: str, other: str) -> re.Pattern[str]:
     )
 
 
+_PLAINLY = re.compile(r"-?[0-9]+\.[0-9]+")  # most cells: nothing stands around such a number
 _NUMBER = {".": _pattern(r"\.", ","), ",": _pattern(",", r"\.")}
 
 
@@ -124,7 +125,7 @@ def plain_text(text: str) -> str:
 @lru_cache(maxsize=8192)
 def _matched(text: str) -> tuple[str, re.Match[str] | None, re.Match[str] | None]:
     """Return a cell's plain text and its matches with a decimal comma and with a point; cached: a cell is read several times."""
-    plain = plain_text(text)
+    plain = text if _PLAINLY.fullmatch(text) else plain_text(text)
     return plain, _NUMBER[","].fullmatch(plain), _NUMBER["."].fullmatch(plain)
 
 

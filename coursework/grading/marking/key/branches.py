@@ -74,17 +74,23 @@ def _roots(closure: Closure, variant: Variant) -> Iterator[Array]:
     own = closed_start(closure)[1]
     known = [closure.start if own is None else own]
     chance = np.random.Generator(np.random.PCG64(_SEED))
-    for _ in range(_GUESSES):
-        guess = closure.start.copy()
-        guess[list(closure.free)] = chance.uniform(-sizes, sizes)
-        with suppress(ArithmeticError, ValueError):
-            root = closure.newton(0.0, guess, closure.origin)
-            if root is None or not np.all(np.isfinite(root)):
-                continue
-            root[turning] = (root[turning] + np.pi) % _TURN - np.pi
-            if not any(_apart(root, other, turning) < _SAME for other in known):
-                known.append(root)
-                yield root
+    guesses = np.tile(closure.start, (_GUESSES, 1))
+    guesses[:, list(closure.free)] = chance.uniform(-sizes, sizes, (_GUESSES, len(sizes)))
+    for root in _closed(closure, guesses):
+        root[turning] = (root[turning] + np.pi) % _TURN - np.pi
+        if not any(_apart(root, other, turning) < _SAME for other in known):
+            known.append(root)
+            yield root
+
+
+def _closed(closure: Closure, guesses: Array) -> list[Array]:
+    """Return the positions (m,) to which guesses (n, m) lead, without those that lead to none."""
+    try:
+        found, is_closed = closure.newton_rows(np.zeros(len(guesses)), guesses, np.tile(closure.origin, (len(guesses), 1)))
+        return [*found[is_closed]]
+    except np.linalg.LinAlgError:  # one of them is singular on its way: it must not spoil the others
+        roots = (closure.newton(0.0, guess, closure.origin) for guess in guesses)
+        return [root for root in roots if root is not None and np.all(np.isfinite(root))]
 
 
 def _apart(first: Array, second: Array, turning: Flags) -> float:

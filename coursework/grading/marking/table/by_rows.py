@@ -13,7 +13,7 @@ import numpy as np
 
 from coursework.grading.marking.decimals import NO_GAP
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.sensitivity import sensitivity
+from coursework.grading.marking.sensitivity import with_spread
 from coursework.grading.marking.table.cells import Cells, mark_cells, marks_by
 from coursework.grading.marking.table.points import TablePoints, table_points
 from coursework.grading.marking.table.ways import (
@@ -56,8 +56,7 @@ def _own(key: Key, student: StudentTable) -> tuple[Way, Way]:
     assert key.free is not None
     values, units, h = student.values, np.nan_to_num(student.units), key.step
     state, count = list(key.free.state), len(key.free.state) // 2
-    found = key.free.rows_of(values[:, state])
-    spread = sensitivity(key.free.rows_of, values[:, state], units[:, state])
+    found, spread = with_spread(key.free.rows_of, values[:, state], units[:, state])
     width = values.shape[1]
     slack = SLACK * np.maximum(np.abs(found[:, :width]), LEAST * key.ranges)
     places = np.setdiff1d(np.arange(width), state)

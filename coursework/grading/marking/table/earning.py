@@ -7,7 +7,8 @@ Better work never earns less: each rule also counts right cells, and none depend
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -67,7 +68,11 @@ def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found
         explained = table_points(key, own.cells, rubric.carried).share
         worth = rubric.start_floor if len(own.names) < 2 else rubric.start_floor_several
         rules.append(_earned("start", points, explained, worth, own.cause))
-    return max([*rules, *_by_explanation(key, rubric, points, found)], key=lambda earned: earned.share)
+    best = max(rules, key=lambda earned: earned.share)
+    at_best = (replace(fit, beyond_euler=True) for fit in found.at_best)
+    if all(earned.share <= best.share for fit in at_best for earned in _by_explanation(key, rubric, points, [fit])):
+        return best  # no cause can earn more, however much a closer look would find that it explains
+    return max([best, *_by_explanation(key, rubric, points, found.fits)], key=lambda earned: earned.share)
 
 
 def _is_row(key: Key, cells: Cells, table: Array) -> bool:
@@ -78,7 +83,7 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
     return bool(np.all(alike(key, cells.student, table)[:1] | np.isnan(first)))
 
 
-def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
+def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, fits: Sequence[Fit]) -> Iterator[Earned]:
     """Yield what each explanation earns; another variant's table is not the student's work and earns nothing, nor does what
     explains less of it, as other data that are near the variant's do.
 
@@ -87,11 +92,11 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, found: Found)
     What explains no more than Euler's rules do counts as a wrong method, which is worth least: cells put right make these rules
     explain more, and must not take what the cause was worth where the gates let the cells earn less.
     """
-    beyond = [fit for fit in found.fits if fit.beyond_euler]
+    beyond = [fit for fit in fits if fit.beyond_euler]
     most = max((fit.share for fit in beyond if _is_slip(key, fit)), default=0.0)
     copied = max((fit.share for fit in beyond if fit.code.startswith("variant_")), default=0.0)
     least = max((fit.share + TIE for fit in beyond if _is_slip(key, fit)), default=0.0)
-    for fit in found.fits:
+    for fit in fits:
         worth = _worth(rubric, fit)
         ratio = _ratio(key, fit)
         is_number = ratio > 0 if ratio is not None else fit.code.startswith((*_DATA, _SWAPPED, DATA_ROUNDED))

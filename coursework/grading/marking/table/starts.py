@@ -59,19 +59,20 @@ def own_start(key: Key, cells: Cells) -> OwnStart | None:
     m, student = len(key.coordinates), cells.student
     to_print = HALF * (np.nan_to_num(student.units[0, :m]) + key.told_to)
     least = int((cells.marks == KEY).sum() + _MORE * cells.marks.size)
-    found = [
-        (start, made)
-        for start in _starts(key, cells)
-        if (made := _marked_from(key, cells, start))
-        and (near(student.values[0, :m], start, to_print).all() or (made.marks == KEY).sum() >= least)
-    ]
+    best, most = None, -1
+    for start in _starts(key, cells):
+        in_print = near(student.values[0, :m], start, to_print).all()
+        made = _marked_from(key, cells, start, most + 1 if in_print else max(least, most + 1))
+        if made and (count := int((made.marks == KEY).sum())) > most and (in_print or count >= least):
+            best, most = (start, made), count
     for start in _told_by_velocities(key, cells):
-        made = _marked_from(key, cells, start)
-        if made and ((made.marks == KEY) | (cells.marks == KEY))[cells.counted].mean() >= _NEARLY_ALL:
-            found.append((start, made))
-    if not found:
+        made = _marked_from(key, cells, start, most + 1)
+        of_both = 0.0 if made is None else ((made.marks == KEY) | (cells.marks == KEY))[cells.counted].mean()
+        if made and of_both >= _NEARLY_ALL and (count := int((made.marks == KEY).sum())) > most:
+            best, most = (start, made), count
+    if best is None:
         return None
-    start, made = max(found, key=lambda one: int((one[1].marks == KEY).sum()))
+    start, made = best
     task = key.table[0, : len(start)]
     names = tuple(key.coordinates[place] for place in np.flatnonzero(start != task).tolist())
     one = one_number(key, start, 2 * to_print) if len(names) > 1 else ""
@@ -151,9 +152,14 @@ def _told_by_velocities(key: Key, cells: Cells) -> Iterator[Array]:
                 break
 
 
-def _marked_from(key: Key, cells: Cells, start: Array) -> Cells | None:
-    m = len(key.coordinates)
-    made = mark_cells(key, cells.student, march(key, start, key.velocities_at))
+def _marked_from(key: Key, cells: Cells, start: Array, least: int) -> Cells | None:
+    """Return the table marked from a start, None if row 1 does not follow from it or fewer cells than `least` can be its."""
+    m, table = len(key.coordinates), march(key, start, key.velocities_at)
+    units = cells.student.units.copy()
+    units[:, :m] = np.maximum(units[:, :m], own_ways(key, cells.student).coarse)
+    if (near(cells.student.values, table, as_printed(key, units)) | (cells.marks == KEY)).sum() < least:
+        return None
+    made = mark_cells(key, cells.student, table)
     made.marks[:1, :m][cells.marks[:1, :m] == GIVEN] = GIVEN
     made.marks[(made.wrong | made.carried) & (cells.marks == KEY)] = KEY
     return None if made.wrong[0, m:].any() else made

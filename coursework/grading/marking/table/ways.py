@@ -6,6 +6,7 @@ Enters: a `Key` and the student's table on its grid.  Leaves: `Way`s.  Used by `
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 
 from coursework.grading.marking.key.kept import FEW_NUMBERS
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.sensitivity import sensitivity
+from coursework.grading.marking.sensitivity import with_spread
 from coursework.system.arrays import Array, Flags
 
 Places = NDArray[np.intp]
@@ -140,13 +141,24 @@ def _kept(key: Key, shape: tuple[int, ...], values: bytes, units: bytes, coarse:
 
 
 def _own_ways(key: Key, student: StudentTable, coarse: float | None) -> OwnWays:
-    step = _steps(key, student)
     computed_to = None
     if coarse is None:
-        coarse, computed_to = _coarse(key, student, step)
-    angles = _own_angles(key, student, coarse)
-    step = replace(step, tolerance=np.maximum(step.tolerance, coarse))
-    return OwnWays(angles, _own_velocities(key, student, coarse), step, _true_steps(key, student, angles), computed_to, coarse)
+        coarse, computed_to = _coarse(key, student, _steps(key, student))
+    return replace(ways_of_all(key, [student], coarse)[0], computed_to=computed_to)
+
+
+def ways_of_all(key: Key, tables: Sequence[StudentTable], coarse: float) -> list[OwnWays]:
+    """Return the ways from the cells of each of several tables with the same floor, their velocities computed together."""
+    stacked = StudentTable(np.vstack([one.values for one in tables]), np.vstack([one.units for one in tables]))
+    both = [_own_angles(key, stacked, coarse), _own_velocities(key, stacked, coarse)]
+    found = []
+    for place, table in enumerate(tables):
+        rows = slice(place * len(key.t), (place + 1) * len(key.t))
+        angles, earlier = (Way(way.name, way.expected[rows], way.tolerance[rows]) for way in both)
+        step = _steps(key, table)
+        step = replace(step, tolerance=np.maximum(step.tolerance, coarse))
+        found.append(OwnWays(angles, earlier, step, _true_steps(key, table, angles), None, coarse))
+    return found
 
 
 def _coarse(key: Key, student: StudentTable, step: Way) -> tuple[float, int | None]:
@@ -226,8 +238,7 @@ def _several_steps(key: Key, student: StudentTable, expected: Array, tolerance: 
 
     at = student.values[last, :width]
     size = np.maximum(np.abs(student.values[last, m : 2 * m]), LEAST * key.usual_ranges[m : 2 * m])
-    expected[below, :m] = marched(at)
-    spread = sensitivity(marched, at, student.units[last, :width])
+    expected[below, :m], spread = with_spread(marched, at, student.units[last, :width])
     tolerance[below, :m] = HALF * (student.units[below, :m] + spread) + SLACK * h * times[:, None] * np.nan_to_num(size)
 
 
@@ -249,13 +260,7 @@ def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
     """Return the way of the reference velocities at the student's own angles."""
     m = len(key.coordinates)
     q, units = student.values[:, :m], np.maximum(student.units[:, :m], coarse)
-    found = key.velocities_at(key.t, q)
-    copies = 2 * m
-
-    def at(shifted: Array) -> Array:
-        return key.velocities_at(np.tile(key.t, copies), shifted)
-
-    spread = sensitivity(at, q, units)
+    found, spread = with_spread(lambda rows: key.velocities_at(np.tile(key.t, len(rows) // len(key.t)), rows), q, units)
     return _velocity_way(ANGLES, key, found, velocity_tolerance(key, student.units[:, m:], found, spread))
 
 
@@ -264,7 +269,7 @@ def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:
     m, r = len(key.coordinates), len(key.velocities)
     units = student.units.copy()
     units[:, :m] = np.maximum(units[:, :m], coarse)
-    expected, tolerance = np.full((len(key.t), r), np.nan), np.full((len(key.t), r), np.nan)
+    expected, tolerance = np.full((len(units), r), np.nan), np.full((len(units), r), np.nan)
     for index, block in enumerate(key.blocks):
         if not index:
             continue
@@ -273,11 +278,11 @@ def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:
         def at(cells: Array, index: int = index) -> Array:
             return key.block_at(index, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m], cells[:, m:])
 
-        found = at(student.values)
+        found, spread = with_spread(at, student.values, units)
         size = np.maximum(np.abs(found), LEAST * key.usual_ranges[[m + place for place in places]])
         own = np.where(np.isnan(units), 0.0, units)[:, [m + place for place in places]]
         expected[:, places] = found
-        tolerance[:, places] = HALF * own + HALF * sensitivity(at, student.values, units) + SLACK * size
+        tolerance[:, places] = HALF * own + HALF * spread + SLACK * size
     return _velocity_way(EARLIER, key, expected, tolerance)
 
 

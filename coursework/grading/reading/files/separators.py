@@ -29,6 +29,7 @@ _TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
 _BARS = str.maketrans(dict.fromkeys("│┃║┆┊❘", "|"))
 _REMARKS = {"#", "%", "//", "!", "--", "%%", "##"}
 _KNITTED = re.compile(r"(?m)^(?:##|#>)(?=[ \t])")  # the prefix of each line of R's output in a knitted page
+_BEST = (1.0, 1.0, 1.0, 0.0)  # how a score begins if nothing in a table speaks against its separator
 _FEWEST = 3  # least number of consecutive rows of numbers that make a block
 
 
@@ -59,7 +60,12 @@ def split(text: str, room: Room) -> Split | None:
     if lines and (hint := _HINT.fullmatch(lines[0])):
         return Split(NAMES.get(hint[1], hint[1]), _cells(["", *lines[1:]], hint[1], room.columns))
     signs = [sign for sign in (";", "\t", ",", "|", " ") if sign == " " or any(sign in line for line in lines[:_SAMPLE])]
-    judged = [(sign, found) for sign in signs if (found := _judged(_cells(lines[:_SAMPLE], sign, room.columns), sign))]
+    judged: list[tuple[str, tuple[tuple[float, ...], bool]]] = []
+    for sign in signs:
+        if sign == " " and any(score[:4] == _BEST for _, (score, _) in judged):
+            break  # blanks are the last choice among equally good ones
+        if found := _judged(_cells(lines[:_SAMPLE], sign, room.columns), sign):
+            judged.append((sign, found))
     if not judged:
         # Each number may be on a line of its own.
         rows = named_rows("\n".join(_lines(text, room.rows * room.columns)), room.rows)

@@ -17,7 +17,9 @@ def test_an_edit_explains_a_row_within_what_rounding_allows(monkeypatch, off, is
     monkeypatch.setattr(own_equations, "value_of", lambda tree, names: tree)
     monkeypatch.setattr(own_equations, "real", lambda value, count: np.full(count, float(value)))
     monkeypatch.setattr(own_equations, "size_of", lambda tree, names: 0.0)
-    monkeypatch.setattr(own_equations, "sensitivity", lambda residuals, values, units: np.full((10, 1), 0.01))
+    monkeypatch.setattr(
+        own_equations, "with_spread", lambda residuals, values, units: (residuals(values), np.full((10, 1), 0.01))
+    )
     values = SimpleNamespace(after=lambda edit: np.full(10, off * allowed))
     monkeypatch.setattr(own_equations, "Values", lambda tree, names: values)
     monkeypatch.setattr(own_equations, "applied", lambda tree, edit: (tree, edit))

@@ -12,8 +12,12 @@ import pytest
 from coursework.grading.marking.key import branches
 
 
-def test_roots_are_looked_for_from_many_places_and_each_is_told_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of x = 0.3, 2 and -1.5 rad beside s = 1 m the first is the start's; some guesses find nothing, or no number."""
+@pytest.mark.parametrize("singular", [False, True])
+def test_roots_are_looked_for_from_many_places_and_each_is_told_once(singular: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of x = 0.3, 2 and -1.5 rad beside s = 1 m the first is the start's; some guesses find nothing, or no number.
+
+    Where one guess meets a singular position they are followed one by one.
+    """
     turn = 2 * math.pi
     roots = [None, (0.3, 1.0), (math.nan, 1.0), (2.0, 1.0), (2.0 - turn, 1.0), (-1.5 + 2 * turn, 1.0), (2.0, 1.1)]
     asked: list[Any] = []
@@ -23,7 +27,16 @@ def test_roots_are_looked_for_from_many_places_and_each_is_told_once(monkeypatch
         root = roots[len(asked) - 1] if len(asked) <= len(roots) else (0.3, 1.0)
         return None if root is None else np.array(root)
 
-    closure: Any = SimpleNamespace(newton=newton, free=[0, 1], start=np.array([0.31, 1.0]), scale=2.0, origin=None)
+    def newton_rows(times: Any, guesses: Any, origins: Any) -> Any:
+        if singular:
+            raise np.linalg.LinAlgError
+        found = [newton(0.0, guess, None) for guess in guesses]
+        is_closed = np.array([root is not None and bool(np.isfinite(root).all()) for root in found])
+        return np.array([(0.0, 0.0) if root is None else root for root in found]), is_closed
+
+    closure: Any = SimpleNamespace(
+        newton=newton, newton_rows=newton_rows, free=[0, 1], start=np.array([0.31, 1.0]), scale=2.0, origin=np.zeros(2)
+    )
     monkeypatch.setattr(branches, "closed_start", lambda closure: (None, np.array([0.3, 1.0])))
     variant: Any = SimpleNamespace(coordinates=[SimpleNamespace(unit="rad"), SimpleNamespace(unit="m")])
     found = [root.tolist() for root in branches._roots(closure, variant)]

@@ -13,8 +13,9 @@ import pytest
 
 import coursework
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table import earning
 from coursework.grading.marking.table.causes.misconceptions import Found
-from coursework.grading.marking.table.earning import _by_explanation
+from coursework.grading.marking.table.earning import _by_explanation, best_rule
 from coursework.grading.marking.table.explained import Fit
 
 KEY: Any = SimpleNamespace(variant=coursework.load("31"))  # in which r1 is 0.953 m and V1 is 4.5 m/s
@@ -53,6 +54,27 @@ def fit_of(text: str) -> Fit:
     ("=sign_w3 0.95", [0.95]), ("=sign_w3 0.8", [0.5]),
 ])  # fmt: skip
 def test_the_worth_of_a_cell_by_each_explanation(fits: str, worth: list[float]) -> None:
-    found = [*_by_explanation(KEY, Rubric(), POINTS, Found(fits=tuple(map(fit_of, fits.split("; ")))))]
+    found = [*_by_explanation(KEY, Rubric(), POINTS, [*map(fit_of, fits.split("; "))])]
     assert [one.worth for one in found] == pytest.approx(worth)
     assert [one.share for one in found] == pytest.approx([one.worth * one.explained for one in found])
+
+
+@pytest.mark.parametrize(("at_best", "share", "looks"), [
+    ("heun 1.0", 0.69, True), ("heun 1.0", 0.7, False), ("heun 0.86", 0.46, True), ("heun 0.86", 0.47, False),
+    ("anything 0.9; datum_r1 1.0 0.9 m", 0.94, True), ("anything 0.9; datum_r1 1.0 0.9 m", 0.95, False),
+])  # fmt: skip
+def test_a_closer_look_is_taken_only_if_a_cause_can_earn_more(
+    at_best: str, share: float, looks: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A cause that explains all of a table earns its worth, 0.7 for another rule; the cells may have earned that already."""
+    monkeypatch.setattr(earning, "stands_still", lambda key, cells: False)
+    looked: list[str] = []
+
+    def closer_look() -> tuple[Fit, ...]:
+        looked.append(at_best)
+        return tuple(map(fit_of, at_best.split("; ")))
+
+    points: Any = SimpleNamespace(share=share, shut={})
+    found = Found(at_best=tuple(map(fit_of, at_best.split("; "))), closer_look=closer_look)
+    earned = best_rule(KEY, Rubric(), KEY, points, found, {})
+    assert bool(looked) is looks and (earned.rule == "cells") is not looks

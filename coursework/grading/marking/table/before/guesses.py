@@ -106,20 +106,22 @@ def agreed(
         return []
     x, again = _begun(key, printed, row, place, by)
     row, place, by = row[again], place[again], by[again]
-    at, rows, beside = np.arange(len(row)), printed[row], beside_makers(printed, m)[row][:, cells]
+    at, beside = np.arange(len(row)), beside_makers(printed, m)[row][:, cells]
+    rows, places, times = np.tile(printed[row], (2, 1)), np.tile(place, 2), np.tile(key.t[row], 2)
     turning = _is_open(key, place, by)
     wild = turning & (np.abs(beside[at, by]) > key.ranges[m + cells[by] % r])
 
-    def makes(x: Array) -> Array:
-        rows[at, place] = x
-        return made_from_rows(key, key.t[row], rows)
+    def makes(x: Array) -> tuple[Array, Array]:
+        rows[np.arange(len(rows)), places] = np.concatenate([x, x + _DIFFERENCE])
+        found, moved = np.split(made_from_rows(key, times, rows), 2)
+        return found, (moved - found) / _DIFFERENCE
 
     with np.errstate(all="ignore"):
         for last in range(_ROUNDS + 1):
             if last == _ROUNDS:
                 x = x - np.where(turning, whole_turns(x - key.table[row, place]), 0.0)
-            found = makes(x)
-            slopes, off = (makes(x + _DIFFERENCE) - found) / _DIFFERENCE, beside - found
+            found, slopes = makes(x)
+            off = beside - found
             if last < _ROUNDS:  # near a singular position the reciprocal of a velocity is nearly linear
                 straight = np.where(wild, (found / beside)[at, by], 1.0)
                 x = x + np.nan_to_num(straight * off[at, by] / slopes[at, by], posinf=0.0, neginf=0.0)

@@ -42,8 +42,11 @@ def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> St
     for _ in range(_PASSES):
         q, units = _marched(key, student, right[:, :m], follows, w)
         made = _made(key, q, w)
+        before = w
         with np.errstate(invalid="ignore"):
             w = np.where(right[:, m:] & (np.abs(printed - made) > allowed), made, printed)
+        if np.array_equal(w, before, equal_nan=True):
+            break
     values = np.hstack([q, w])
     return None if np.array_equal(values, student.values, equal_nan=True) else replace(student, values=values, units=units)
 

@@ -14,7 +14,7 @@ a row that was never put into the pool.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -23,7 +23,7 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.guesses import FEW, Counts, guesses, makers_of_several
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers
-from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, as_printed, near, own_ways
+from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, as_printed, near, own_ways, ways_of_all
 from coursework.system.arrays import Flags
 from coursework.system.frozen import frozen
 
@@ -110,13 +110,22 @@ class _Search:
 
     def was(self, table: StudentTable) -> _Was:
         """Return a table with the ways from its cells: the same record for the same numbers."""
-        numbers = table.values.tobytes() + table.units.tobytes()
-        if numbers not in self._known:
-            ways = self.own if table is self.student else own_ways(self.key, table, self.own.coarse)
+        return self.were([table])[0]
+
+    def were(self, tables: Iterable[StudentTable]) -> list[_Was]:
+        """Return several tables with the ways from their cells."""
+        numbers = [(table.values.tobytes() + table.units.tobytes(), table) for table in tables]
+        new = {one: table for one, table in numbers if one not in self._known}
+        for (one, table), ways in zip(new.items(), self._ways([*new.values()]), strict=True):
             other = _other(table, self.student)
             slips = other & ~ways.holds(table.values) if other.any() else other
-            self._known[numbers] = _Was(table, ways, ways.holds(self.student.values), other, slips)
-        return self._known[numbers]
+            self._known[one] = _Was(table, ways, ways.holds(self.student.values), other, slips)
+        return [self._known[one] for one, _ in numbers]
+
+    def _ways(self, tables: Sequence[StudentTable]) -> list[OwnWays]:
+        if len(tables) != 1:
+            return ways_of_all(self.key, tables, self.own.coarse) if tables else []
+        return [self.own if tables[0] is self.student else own_ways(self.key, tables[0], self.own.coarse)]
 
     def _costs(self, pool: Sequence[_Was], *, velocities_first: bool = False) -> tuple[Counts, Counts]:
         """Return what each row of each table in the `pool` costs: its velocities (k, n), and its coordinates (k, k, n).
@@ -199,8 +208,7 @@ class _Search:
         for base in dict.fromkeys(map(self.was, bases)):
             yield base
             silent = ~base.ways.holds(printed)
-            for guess in guesses(self.key, base.table, base.ways, speaking & silent, self.other, self.other & ~told):
-                yield self.was(guess)
+            yield from self.were(guesses(self.key, base.table, base.ways, speaking & silent, self.other, self.other & ~told))
 
 
 def _silent(moved: Flags, gains: Flags) -> Flags:

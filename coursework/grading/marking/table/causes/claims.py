@@ -13,7 +13,7 @@ from functools import cache, cached_property, partial
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.sensitivity import sensitivity
+from coursework.grading.marking.sensitivity import with_spread
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.starts import march
 from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear, put_right, velocity_tolerance
@@ -132,12 +132,15 @@ class TableUnderTest:
         tolerance = velocity_tolerance(self.key, self.w_units, found, spread)
         return clear(self.key, found, tolerance), tolerance
 
-    def spread(self, function: Callable[[Array], Array], at: Array | None = None, units: Array | None = None) -> Array:
-        """Return how uncertain a function of cells (by default the angles) is because of their last places."""
+    def with_spread(
+        self, function: Callable[[Array], Array], at: Array | None = None, units: Array | None = None
+    ) -> tuple[Array, Array]:
+        """Return a function of cells (by default the angles), and how uncertain it is because of their last places."""
         at = self.q if at is None else at
         if not self.closely:
-            return np.zeros_like(function(at))
-        return sensitivity(function, at, self.q_units if units is None else units)
+            found = function(at)
+            return found, np.zeros_like(found)
+        return with_spread(function, at, self.q_units if units is None else units)
 
     def stacked(self, function: Callable[[Array, Array], Array], t: Array | None = None) -> Callable[[Array], Array]:
         """Return the function of q alone, for stacked copies of the rows, as sensitivities need it."""
@@ -148,7 +151,7 @@ class TableUnderTest:
     def true_velocities(self) -> tuple[Array, Array]:
         """Return the velocities at the time and angles printed in each row, and their tolerance."""
         at = self.stacked(self.key.velocities_at)
-        return self.velocities(at(self.q), self.spread(at))
+        return self.velocities(*self.with_spread(at))
 
     def nearly(self, found: Array) -> bool:
         """Return whether velocities (n, r) come near enough to the printed ones for the hypothesis to be examined.
@@ -157,13 +160,19 @@ class TableUnderTest:
         """
         if not self.closely:
             return True
-        tolerance = _NEAR * self.true_velocities[1]
-        of_task = self.of_task[:, self.m :]
-        put = put_right(of_task)
-        there = np.isfinite(found) & np.isfinite(self.student.values[:, self.m :]) & (put | ~of_task)
+        printed, tolerance, put, looked_at = self._nearness
+        there = np.isfinite(found) & looked_at
         with np.errstate(invalid="ignore"):
-            close = put | (np.abs(self.student.values[:, self.m :] - found) <= tolerance)
-        return bool(there.any()) and float(close[there].mean()) >= _NEARLY
+            close = (put | (np.abs(printed - found) <= tolerance)) & there
+        count = np.count_nonzero(there)
+        return bool(count and np.count_nonzero(close) / count >= _NEARLY)
+
+    @cached_property
+    def _nearness(self) -> tuple[Array, Array, Flags, Flags]:
+        """Return velocities (n, r), how near others must come, which may have been put right, and which to look at."""
+        of_task, printed = self.of_task[:, self.m :], self.student.values[:, self.m :]
+        put = put_right(of_task)
+        return printed, _NEAR * self.true_velocities[1], put, np.isfinite(printed) & (put | ~of_task)
 
     @property
     def with_turns(self) -> Array | None:
@@ -184,7 +193,8 @@ class TableUnderTest:
         q = self.q if q is None else q
         found = stacked(q) if found is None else found
         if self.nearly(found):
-            claim = self.claim(code, None, self.velocities(found, self.spread(stacked, q)), names)
+            spread = self.with_spread(stacked, q)[1] if self.closely else np.zeros_like(found)
+            claim = self.claim(code, None, self.velocities(found, spread), names)
             yield replace(claim, table=self.marched(at), velocities_at=at)
 
     def marched(

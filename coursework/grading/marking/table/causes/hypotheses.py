@@ -84,8 +84,7 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
     tried += [("step_ahead", EULER, h, 1.0), ("step_behind", EULER, -h, 1.0)]
     rules = [(code, partial(increments, scheme=one, ahead=ahead, clock=clock)) for code, one, ahead, clock in tried]
     for code, made in [*rules, ("in_place", partial(_one_by_one, printed.key))]:
-        stacked = printed.stacked(partial(made, w=np.empty(0)))
-        claim = printed.claim(code, printed.steps(stacked(printed.q), printed.spread(stacked)))
+        claim = printed.claim(code, printed.steps(*printed.with_spread(printed.stacked(partial(made, w=np.empty(0))))))
         yield replace(claim, table=printed.marched(velocities_at, made))
     rates, units = printed.w, printed.w_units[:, :m]
     following, units_after = shifted(rates, -1), np.nan_to_num(shifted(units, -1))
@@ -198,8 +197,8 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
         claims = [printed.claim(OTHER_STEP, step)]
         made: list[Velocities] = [printed.key.velocities_at, partial(_of_times, printed.key, part, 0.0)]
         at = printed.stacked(made[1])
-        if printed.nearly(found := at(printed.q)):
-            claims.append(printed.claim("other_step", step, printed.velocities(found, printed.spread(at))))
+        if printed.nearly(at(printed.q)):
+            claims.append(printed.claim("other_step", step, printed.velocities(*printed.with_spread(at))))
         claims = [
             replace(claim, table=printed.marched(velocities_at, longer), velocities_at=velocities_at)
             for claim, velocities_at in zip(claims, made, strict=False)
@@ -215,7 +214,7 @@ def _in_small_steps(printed: TableUnderTest, times: int) -> Claim:
     """Return the claim that each row was made in several Euler steps."""
     several = partial(small_steps, printed.key, times)
     at_once = printed.stacked(several)
-    claim = printed.claim(OTHER_STEP, printed.steps(at_once(printed.q), printed.spread(at_once)))
+    claim = printed.claim(OTHER_STEP, printed.steps(*printed.with_spread(at_once)))
     return replace(claim, table=printed.marched(printed.key.velocities_at, several))
 
 
@@ -255,8 +254,7 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
                 q[:, done] += h * cells[:, [m + place for place in done]]
                 return key.block_at(index, np.tile(key.t, len(cells) // len(key.t)), q, cells[:, m:])
 
-            moved[:, places] = at(printed.student.values)
-            spread[:, places] = printed.spread(at, printed.student.values, units)
+            moved[:, places], spread[:, places] = printed.with_spread(at, printed.student.values, units)
         solved += [place for place in places if place < m]
     if len(key.blocks) > 1:
         yield printed.claim("new_phi", None, printed.velocities(moved, spread))
@@ -266,9 +264,9 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
             yield from printed.velocity_claim(code, velocities)
             if (handed_in := printed.with_turns) is not None:  # a whole turn is none in degrees
                 yield from printed.velocity_claim(code, velocities, q=handed_in)
-            if code == RADIAN_MODE and printed.nearly(misread := printed.stacked(velocities)(printed.q)):
+            if code == RADIAN_MODE and printed.nearly(printed.stacked(velocities)(printed.q)):
                 # Students who take degrees for radians also add rad/s to them: only the starts are not those of the task.
-                spread = printed.spread(printed.stacked(velocities))
+                misread, spread = printed.with_spread(printed.stacked(velocities))
                 angles = tuple(one.name for one in key.variant.coordinates if one.unit == "rad")
                 each = h * _of_degrees(key)
                 steps = printed.steps(each * printed.w, each * printed.w_units[:, :m])

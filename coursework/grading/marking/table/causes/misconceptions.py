@@ -6,8 +6,9 @@ Used by `earning.py`, `grade.py`, `whole.py`, `verdicts.py`, `table_marks.py`, a
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -29,7 +30,7 @@ from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, 
 from coursework.grading.marking.table.untold import FINEST, untold_cells
 from coursework.grading.marking.table.ways import KEY, OwnRows, StudentTable, near
 from coursework.system.arrays import Flags
-from coursework.system.frozen import frozen
+from coursework.system.frozen import caching, frozen
 
 # A cause is named from the share NAMED on, if it explains BETTER more than Euler's rules; one that is worse by TIE is a tie.
 NAMED, BETTER, TIE = 0.93, 0.02, 0.005
@@ -57,23 +58,31 @@ class Misconception:
         return {"code": self.code, **shares, "ties": list(self.ties)}
 
 
-@frozen
+@caching
 class Found:
-    """What is `named` with good reason, and what explains anything at all, one `Fit` for each code.
+    """What is `named` with good reason, and what explains anything at all.
 
+    `at_best` are the causes with the most that each can explain of the table; what they do explain takes a `closer_look`.
     `from_own_start` is the table marked against Euler's from the student's own start, None if that explains nothing. `untold`
     (n, m + r) are right cells that the digits cannot tell from the best explanation; None if the table was not examined.
     """
 
     named: Misconception | None = None
-    fits: tuple[Fit, ...] = ()
+    at_best: tuple[Fit, ...] = ()
+    closer_look: Callable[[], tuple[Fit, ...]] = tuple
     from_own_start: OwnStart | None = None
     untold: Flags | None = None
+
+    @cached_property
+    def fits(self) -> tuple[Fit, ...]:
+        """Return what explains more than Euler's rules do, or than the cells alone, one `Fit` for each code."""
+        return self.closer_look()
 
     @property
     def own_line(self) -> str:
         """Return the line of the student's own equations from which the table follows, "" if it follows from none."""
-        return next((fit.names[0] for fit in self.fits if fit.code == OWN and fit.share >= NAMED and fit.beyond_euler), "")
+        fits = self.fits if any(fit.code == OWN for fit in self.at_best) else ()
+        return next((fit.names[0] for fit in fits if fit.code == OWN and fit.share >= NAMED and fit.beyond_euler), "")
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
@@ -106,19 +115,19 @@ def explanations(
     for claim in told:
         if claim.code not in hidden or claim.code.startswith(ROUNDED_OMEGA):
             weighed.hear(claim)
-    weighed.look_closer()
     untold = _untold(key, cells, *weighed.teller) if weighed.teller else np.zeros_like(cells.wrong)
-    fits = weighed.better_fits()
+    further: list[Fit] = []
     if (own := cells.student.own) and (fitting := _other_step(key, cells, own)):
         share, fit = fitting
         if share >= NAMED:
             weighed.name_step(share, told_step(own.step))
             untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
         if fit > weighed.euler_fit + BETTER:
-            fits[OTHER_STEP, True] = Fit(OTHER_STEP, fit)  # beside what the rows as handed in say of it
+            further.append(Fit(OTHER_STEP, fit, in_print=True))  # beside what the rows as handed in say of it
     if began and (share := share_of(*euler_cells(began.cells))) >= NAMED and share > weighed.rivals.key + BETTER:
         weighed.named[began.cause] = Misconception(began.cause, share, weighed.rivals.key, (), began.names)
-    return Found(weighed.likeliest(equations), tuple(fits.values()), began, untold)
+    at_best = (*weighed.at_best(), *further)
+    return Found(weighed.likeliest(equations), at_best, lambda: (*weighed.better_fits(), *further), began, untold)
 
 
 @frozen
@@ -188,22 +197,26 @@ class _Weighed:
         as_it_stands = claim.student is None and not claim.is_whole
         return not as_it_stands or bool((holds & ~self.explained & ~self.gates.by_key).any())
 
-    def look_closer(self) -> None:
+    def _look_closer(self) -> None:
         """Hold the likeliest claims against the whole table."""
         key, cells = self.gates.key, self.gates.cells
         for code, claim, holds in closer(self.held):
             fit = self.gates.share(holds | as_it_was(key, cells, claim), table=claim.table() if claim.table else None)
             self._fit(Fit(code, fit, claim.names))
 
-    def better_fits(self) -> dict[tuple[str, bool], Fit]:
-        """Return the fits that explain more than the cells alone or Euler's rules do."""
+    def at_best(self) -> Iterator[Fit]:
+        """Yield what each cause explains, or all of the table if a closer look may find that."""
+        yield from self.fits.values()
+        yield from (Fit(code, 1.0, claim.names) for code, claim, _ in closer(self.held))
+
+    def better_fits(self) -> Iterator[Fit]:
+        """Yield the fits that explain more than the cells alone or Euler's rules do, after a closer look."""
+        self._look_closer()
         least = min(self.euler_fit, table_points(self.gates.key, self.gates.cells).share)
-        found = {}
-        for place, fit in self.fits.items():
+        for fit in self.fits.values():
             is_whole = fit.code.startswith((ROWS_SHIFTED, ORIGIN))
             if is_whole or fit.share > least + BETTER:
-                found[place] = replace(fit, beyond_euler=is_whole or fit.share > self.euler_fit + BETTER)
-        return found
+                yield replace(fit, beyond_euler=is_whole or fit.share > self.euler_fit + BETTER)
 
     def name_step(self, share: float, step: str) -> None:
         """Name the step that the table's own times prove, even if its digits do not.

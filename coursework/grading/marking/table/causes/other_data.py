@@ -117,33 +117,33 @@ def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:
     if not printed.closely or not len(given):
         return
     velocities, of_task = printed.student.values[:, printed.m :], printed.of_task[:, printed.m :]
-    found = [_solved(printed, given, velocities, begin) for begin in _BEGINS]
+    searches = [(velocities, begin) for begin in _BEGINS]
     if of_task.mean() > _PUT_RIGHT:
-        found.append(_solved(printed, given, np.where(of_task, np.nan, velocities)))
+        searches.append((np.where(of_task, np.nan, velocities), 1.0))
     told: set[tuple[str, str]] = set()
-    for datum, value in zip(cycle(given), np.concatenate(found).tolist(), strict=False):
+    for datum, value in zip(cycle(given), _solved(printed, given, searches).tolist(), strict=False):
         shown = datum.name, f"{value:.6g}"
         if np.isfinite(value) and value * datum.value > 0 and abs(value / datum.value - 1) > _ANOTHER and shown not in told:
             told.add(shown)
             yield datum, value
 
 
-def _solved(printed: TableUnderTest, given: Sequence[Given], velocities: Array, begin: float = 1.0) -> Array:
-    """Return for each datum the value (k,) that velocities (n, r) give for it alone, NaN among them left out.
+def _solved(printed: TableUnderTest, given: Sequence[Given], searches: Sequence[tuple[Array, float]]) -> Array:
+    """Return for each search and datum the value (s * k,) that velocities (n, r) give for it alone, NaN among them left out.
 
-    The search begins at this part of the task's values; away from them NaN stands where it settles on nothing.
+    Each search begins at a part of the task's values; away from them NaN stands where it settles on nothing.
     """
-    key, task = printed.key, np.array([datum.value for datum in given])
-    found, step = begin * task, np.zeros(len(task))
+    key, task = printed.key, np.tile([datum.value for datum in given], len(searches))
+    begin, velocities = (np.repeat([search[at] for search in searches], len(given), axis=0) for at in (1, 0))
+    found, steps, names = begin * task, _DIFFERENCE * np.abs(task), [datum.name for datum in given] * (2 * len(searches))
+    step = np.zeros(len(task))
     with np.errstate(all="ignore"):
         for _ in range(_ROUNDS):
-            steps = _DIFFERENCE * np.abs(task)
             values = np.concatenate([found, found + steps])
-            both = key.sets_at(key.t, printed.q, [{datum.name: value} for datum, value in zip([*given] * 2, values, strict=True)])
-            made, beside = both[: len(given)], both[len(given) :]
+            made, beside = np.split(key.sets_at(key.t, printed.q, [{one: at} for one, at in zip(names, values, strict=True)]), 2)
             slopes = np.nan_to_num((beside - made) / steps[:, None, None], posinf=0.0, neginf=0.0)
             felt = np.abs(slopes) > _FELT * np.max(np.abs(slopes), axis=(1, 2), keepdims=True)
-            moves = np.where(felt, (velocities - made) / slopes, np.nan).reshape(len(given), -1)
+            moves = np.where(felt, (velocities - made) / slopes, np.nan).reshape(len(task), -1)
             step = np.clip(_medians(moves), -np.abs(task), np.abs(task))
             found = found + step
     return np.where((begin == 1.0) | (np.abs(step) < _SETTLED * np.abs(task)), found, np.nan)
@@ -151,7 +151,9 @@ def _solved(printed: TableUnderTest, given: Sequence[Given], velocities: Array, 
 
 def _medians(rows: Array) -> Array:
     """Return the median (k,) of the finite numbers in each row (k, n), 0 if there are none."""
-    return np.array([np.median(row[np.isfinite(row)]) if np.isfinite(row).any() else 0.0 for row in rows])
+    ordered = np.sort(np.where(np.isfinite(rows), rows, np.inf), axis=1)
+    count, every = np.isfinite(rows).sum(axis=1), np.arange(len(rows))
+    return np.where(count > 0, (ordered[every, (count - 1) // 2] + ordered[every, count // 2]) / 2, 0.0)
 
 
 def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterator[Claim]:

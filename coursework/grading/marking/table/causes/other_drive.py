@@ -30,13 +30,12 @@ def other_drive(printed: TableUnderTest) -> Iterator[Claim]:
     if not printed.closely or opposite is None or len(laws) != 1 or laws[0].name not in printed.key.variant.known_rates:
         return
     own, at = printed.student.values[:, printed.m :], printed.stacked(key.velocities_at)
-    task, other = at(printed.q), printed.stacked(opposite)(printed.q)
+    (task, spread), other = printed.with_spread(at), printed.stacked(opposite)(printed.q)
     first = key.velocities.index(laws[0].name)
     with np.errstate(invalid="ignore"):
         if not (np.abs(own - task)[:, first] > _ROUNDED * printed.w_units[:, first]).any():
             return
     still, driven = (task + other) / 2, (task - other) / 2
-    spread = printed.spread(at)
     best, most = np.full_like(own, np.nan), np.full(len(own), -1)
     tolerance = np.full_like(own, np.nan)
     for place in sorted(range(own.shape[1]), key=lambda one: one != first):

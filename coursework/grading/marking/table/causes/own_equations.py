@@ -18,7 +18,7 @@ from coursework.grading.marking.equations.marks import EquationMarks
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import kinds, names_at
 from coursework.grading.marking.key.key import Key
-from coursework.grading.marking.sensitivity import sensitivity
+from coursework.grading.marking.sensitivity import with_spread
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.ways import HALF, SLACK
 from coursework.system.arrays import Array
@@ -130,9 +130,10 @@ def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
 
     try:
         names = values_of(student.values)
-        rows = np.isfinite(here := residuals(student.values))
+        here, spread = with_spread(residuals, student.values, student.units)
+        rows = np.isfinite(here)
         sizes = np.column_stack([real(size_of(line.tree, names), len(rows)) for line in lines])
-        allowed = HALF * sensitivity(residuals, student.values, student.units) + SLACK * sizes
+        allowed = HALF * spread + SLACK * sizes
     except NoValue:
         return []
     found = []
@@ -148,16 +149,19 @@ def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
 
 def _with_slip(line: Line, names: Mapping[str, Any], limit: Array, holds: float, count: int) -> Used | None:
     """Return a line with the single slip that explains clearly more of `count` rows than it `holds` in; None if none does."""
-    values, found = Values(line.tree, names), []
-    for edit in line.edits:
-        after = values.after(edit)
-        if after is None or np.iscomplexobj(after):
-            continue
-        off = np.abs(after) / limit  # nan where there is no value: such a row does not hold
-        share = float(np.count_nonzero(off <= 1.0)) / count
-        if share > holds + _BETTER:
-            # With few digits several edits fit every row: the nearest one is taken.
-            found.append((share, -float(np.nanmean(np.minimum(off, _FAR) ** 2)), edit))
+    values = Values(line.tree, names)
+    made = [(edit, after) for edit in line.edits if (after := values.after(edit)) is not None and not np.iscomplexobj(after)]
+    every = np.empty((len(made), len(limit)))
+    for place, (_, after) in enumerate(made):
+        every[place] = after
+    every = np.abs(every) / limit  # nan where there is no value: such a row does not hold
+    shares = np.count_nonzero(every <= 1.0, axis=1) / count
+    # With few digits several edits fit every row: the nearest one is taken.
+    found = [
+        (float(share), -float(np.nanmean(np.minimum(off, _FAR) ** 2)), edit)
+        for share, off, (edit, _) in zip(shares, every, made, strict=True)
+        if share > holds + _BETTER
+    ]
     if not found:
         return None
     share, _, edit = max(found, key=lambda one: one[:2])

@@ -109,7 +109,7 @@ def test_a_start_is_another_by_more_than_its_rounding(
     before: float | None, off: float, is_own: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Half a digit as it is printed; a whole one where what stood there was put right."""
-    monkeypatch.setattr(starts, "_marked_from", lambda key, cells, start: SimpleNamespace(marks=np.zeros((1, 1))))
+    monkeypatch.setattr(starts, "_marked_from", lambda key, cells, start, least: SimpleNamespace(marks=np.zeros((1, 1))))
     monkeypatch.setattr(starts, "_told_by_velocities", lambda key, cells: iter(()))
     monkeypatch.setattr(starts, "_stepped_back", lambda key, cells: None)
     key = SimpleNamespace(coordinates=("q",), table=np.array([[3.0]]), told_to=0.0, stride=0.02)
