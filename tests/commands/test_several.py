@@ -56,7 +56,8 @@ def test_each_gets_a_folder_and_the_faulty_ones_a_line(folder):
 
 def test_the_summary_names_what_is_coarse_only_where_that_counts(folder):
     for strict, status in (([], "0"), (["--strict"], "1")):
-        call("run", "mine", "31", "--step", "0.04", *strict, *CSV, "--out", "o")
+        ran = call("run", "mine", "31", "--step", "0.04", *strict, *CSV, "--out", "o")
+        assert ran.stderr == "", "a bar is for a terminal"
         row = summary(Path("o"))["31"]
         assert (row["status"], "ACCURACY" in row["sentence"]) == (status, bool(strict))
 
@@ -129,8 +130,8 @@ def test_what_looks_at_one_variant_asks_for_one(options):
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
-def test_a_process_that_dies_takes_only_its_item_along(jobs, monkeypatch):
-    """Whether it is the first of the pool or the second that is lost: the others are run, each once."""
+def test_a_process_that_dies_takes_only_its_item_along(jobs, monkeypatch, capfd):
+    """Whether it is the first of the pool or the second that is lost: the others are run, each once, as it would die again."""
     monkeypatch.setattr(several, "OPENED", "tests.commands.dying:opened")
     items = [Item(name, name) for name in ("die", "a", "b", "die", "die", "c")]
     task = RunTask(Path("o"), None, "en", {}, Budget())
@@ -140,6 +141,7 @@ def test_a_process_that_dies_takes_only_its_item_along(jobs, monkeypatch):
         found[index] = outcome
     assert [(found[k].item, found[k].status) for k in range(6)] == [(item, 2 if item.variant == "die" else 0) for item in items]
     assert {outcome.message for outcome in found.values() if outcome.status} == {say("screen.lost", variant="die")}
+    assert capfd.readouterr().err.count("dies") == 3
 
 
 def test_the_worst_status_is_that_of_the_command():

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 from coursework import solve
+from coursework.drawing import trajectories
 from coursework.drawing.paper.record import Drawing
 from coursework.run import Run
 from coursework.scene.way_to_motion import PLACES
@@ -96,3 +98,26 @@ def test_a_motion_that_stops_is_followed_as_far_as_it_goes() -> None:
     ((drawing,),) = run.figures().values()
     assert run.scene.one_period.t == pytest.approx(run.exact.t[-1] * np.linspace(0, 1, 12 * PLACES + 1))
     assert measured.overlaps(drawing.svg) == []
+
+
+@pytest.mark.parametrize("fastest", [0.004, 250.0])
+@pytest.mark.parametrize(("count", "off", "even", "pace"), [(13, 0.98e-9, True, 1), (14, 1.02e-9, False, 2), (27, 0.0, True, 5)])
+def test_up_to_13_rows_are_numbered_and_a_velocity_that_changes_by_round_off_is_even(fastest, count, off, even, pace):
+    rows = fastest * np.exp(1j * np.arange(count) / 5)
+    rows[3] *= 1 - off
+    found = trajectories._hodograph("B", rows, rows, np.arange(float(count)))
+    assert (found.caption.key == "drawing.hodograph.even") is even
+    words = {word.text for word in measured.words(found.svg)}
+    assert {word for word in words if word.isdecimal()} == {str(row) for row in range(1, count + 1, pace)}
+
+
+@pytest.mark.parametrize("fastest", [0.004, 250.0])
+def test_a_point_at_rest_but_for_round_off_has_no_hodograph(fastest, monkeypatch):
+    outline = SimpleNamespace(names=("A", "B", "C", "P"), wheels=[SimpleNamespace(contact="P")])
+    moving = {
+        name: fastest * part * np.exp(1j * np.arange(3)) for name, part in (("A", 0.98e-9), ("B", 1.02e-9), ("C", 1), ("P", 1))
+    }
+    monkeypatch.setattr(trajectories, "read_outline", lambda _: outline)
+    monkeypatch.setattr(trajectories, "_velocities", lambda *_: moving)
+    motion = SimpleNamespace(t=np.arange(3.0))
+    assert [one.id for one in trajectories.draw_hodographs(None, None, motion, motion)] == ["hodograph-B", "hodograph-C"]

@@ -67,7 +67,7 @@ def _crossed(
 
 def ended_at(flow: Flow, rows: Motion, exact_at: Callable[[Array], Motion], about: float) -> tuple[float, str]:
     """Return when (s) rows that end near a change point, `about` a time, reach it, and how: `CHANGE`, `SINGLE` or `LIMIT`."""
-    if _free(flow) is None or not len(rows.t):
+    if not len(rows.t):
         return about, CHANGE
     found = _reached(flow, exact_at, int(np.argmin(np.abs(rows.scaled[-1]))), about, rows.step)
     if found is None:

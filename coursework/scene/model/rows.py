@@ -20,7 +20,7 @@ def rows_of(model: Model, sets: Sets, scheme: Scheme, times: Array) -> tuple[Arr
     """Return the rows at `times` (t = i h), and for which sets (n,) the scheme stepped over nothing and stayed finite."""
     q, numbers = sets.begin, sets.numbers
     m, k = len(q), len(model.velocities)
-    step = float(times[1] - times[0]) if len(times) > 1 else 0.0
+    step = float(times[1] - times[0])  # no table has fewer rows than two
     guarded = model.angles_in_determinants
     table = np.empty((len(times), m + k, q.shape[1]))
     good = np.ones(q.shape[1], dtype=bool)

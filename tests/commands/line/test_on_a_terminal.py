@@ -4,10 +4,13 @@ import os
 import re
 import subprocess
 import sys
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from coursework.commands.line import screen
+from coursework.commands.run_on_screen import _first_and_last
 from coursework.words.sentences import say
 from tests.command import call
 
@@ -174,3 +177,13 @@ def test_a_sentence_is_broken_before_a_person_and_a_formula_is_not(monkeypatch, 
     assert capsys.readouterr().out.splitlines() == [
         "  what the whole file", "    means", "    w1 = -(VMx*cos(phi2) + VMy*sin(phi2))/r1",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+def test_what_is_left_of_zero_by_round_off_is_printed_as_0(size):
+    """Below 1e-12 of the largest number of a unit: of a column, or of another one with its unit."""
+    rows = np.array([[0.98e-12 * size, size, 1.02e-12 * size], [-1.02e-12 * size, 0.0, 0.0]])
+    motion = SimpleNamespace(t=np.arange(2.0), rows=rows, names=("a", "b", "c"))
+    run = SimpleNamespace(motion=motion, variant=SimpleNamespace(unit_of=lambda _: "m"))
+    first, last = ([part.values["value"] for part in line.values["values"].values["parts"]] for line in _first_and_last(run))
+    assert (first, last) == ([0.0, size, rows[0, 2]], [rows[1, 0], 0.0, 0.0])

@@ -121,3 +121,14 @@ def test_a_slider_that_no_pair_ties_to_the_drive_is_left_open() -> None:
     bodies = [Body("1", ("O", "A")), Body("2", ("K",), guide=1 + 0j)]
     pose = scene({"O": 0j, "A": 1 + 1j, "K": 2 + 0j}, bodies, fixed="O", guided={"K": 1 + 0j}, velocities={"A": 1j - 1})
     assert construct(pose).missing == ("2",)
+
+
+@pytest.mark.parametrize("size", [0.02, 250.0])
+@pytest.mark.parametrize(("times", "is_told"), [(99.0, True), (-99.0, True), (101.0, False), (-101.0, False)])
+def test_a_centre_farther_away_than_a_hundred_times_the_mechanism_is_at_infinity(
+    size: float, times: float, is_told: bool
+) -> None:
+    body = Body("1", ("A", "B"))
+    found = construct(scene({"A": 0j, "B": size + 0j}, [body], velocities={"A": 3j, "B": 3j * (1 - 1 / times)}))
+    assert found.centres["1"].at == (pytest.approx(times * size) if is_told else None)
+    assert found.omegas["1"] == pytest.approx(-3 / times / size)

@@ -32,6 +32,7 @@ def test_each_force_stands_at_its_image_and_its_arm_across_its_line():
         assert stands(0j, foot) is (h != 0.0) and stands(image, foot) is (abs(foot - image) > 0.3)
         assert 0 <= (pole + tip).real <= drawing.width and 0 <= (pole + tip).imag <= drawing.height
     assert (drawing.id, drawing.exact) == ("lever-M1", True)
+    assert "row 4" in drawing.caption and "row 4" in drawing.alt
     around = [(pole, 6.0), *((one.points[k], 6.0 + k) for one in arrows.values() for k in (0, -1))]
     around += [(pole + h * -1j * force / abs(force), 3.0) for _, force, h in ARMS.values()]
     low, high = min(at.imag - room for at, room in around), max(at.imag + room for at, room in around)

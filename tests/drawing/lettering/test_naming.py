@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from coursework.drawing.lettering import dimensions, naming
+from coursework.drawing.paper.symbols import angle_word, length_text, short
 from coursework.variant.formula.tree import named
 
 
@@ -127,3 +128,18 @@ def test_an_extension_line_begins_beside_its_point_or_below_the_ground_of_its_hi
         assert got == (found and pytest.approx(found))
     else:
         assert got is not None and (abs(got[0]), abs(got[1])) == pytest.approx(found)
+
+
+@pytest.mark.parametrize(("name", "word"), [("ABCDEFGHIJKL", "ABCDEFGHIJKL"), ("ABCDEFGHIJKLM", "ABCDEFGHIJK…")])
+def test_a_name_of_more_than_twelve_letters_is_cut(name: str, word: str) -> None:
+    assert short(name) == word
+
+
+@pytest.mark.parametrize(("name", "word"), [("phi_abcd", ("φ", "abcd", "")), ("phi_abcde", ("phi_abcde", "", ""))])
+def test_an_angle_has_an_index_of_up_to_four_letters(name: str, word: tuple[str, str, str]) -> None:
+    assert angle_word(name) == word
+
+
+@pytest.mark.parametrize(("letters", "shown"), [(14, True), (15, False)])
+def test_a_length_of_up_to_fourteen_letters_stands_beside_its_link(letters: int, shown: bool) -> None:
+    assert length_text(named("q" * letters)) == "q" * letters * shown

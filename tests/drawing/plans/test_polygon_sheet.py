@@ -8,6 +8,8 @@ from xml.etree import ElementTree
 import pytest
 
 from coursework.drawing.paper.record import Drawing
+from coursework.drawing.plans.foot import _screen_bar, sheet_over_foot
+from coursework.words.sentences import load_phrases
 from tests.drawing import measured
 from tests.drawing.check_sheet.checked import check_of
 from tests.drawing.plans.test_polygons import drawings_of, shafts
@@ -111,3 +113,14 @@ def test_a_plan_has_its_margins_and_stands_over_its_foot(name: str, plan: str) -
     rights = [pole.real + 11, *(tip.real + 9 for tip in tips), *(right + 2 for *_, right, _ in inset)]
     assert (min(tops), max(lows)) == pytest.approx((0.0, drawing.height - 17.0), abs=0.02)
     assert (min(lefts) + max(rights)) / 2 == pytest.approx(drawing.width / 2, abs=0.02) and min(lefts) > -0.02
+
+
+@pytest.mark.parametrize(("amount", "told"), [
+    (0.5, "10 m"), (0.501, "20 m"), (0.0249, "0.5 m"), (1.01e-8, "0.000001 m"), (0.99e-8, ""), (2.49e5, "5000000 m"),
+    (2.51e5, ""),
+])  # fmt: skip
+def test_the_bar_of_a_screen_is_a_round_amount_from_20_to_100_mm_long(amount: float, told: str) -> None:
+    sheet = sheet_over_foot(170.0, 60.0)
+    _screen_bar(sheet, 3 + 55j, (amount, "m"), load_phrases("en").written)
+    words = [word.text.replace("\u00a0", " ") for word in measured.words(sheet.svg().replace(' display="none"', ""))]
+    assert words == ([told] if told else [])

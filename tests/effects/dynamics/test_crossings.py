@@ -2,12 +2,14 @@
 
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
 import coursework
+from coursework.effects.dynamics.crossings import ended_at
 from coursework.effects.dynamics.why_ended import CHANGE
 from coursework.report.live.page import _words
 from coursework.words.sentences import load_phrases
@@ -164,3 +166,11 @@ def test_rows_that_pass_a_position_of_0_over_0_between_two_rows_are_told_right()
     t = run.motion.t
     assert run.motion.column("a") == pytest.approx(t + 0.02 / (0.03 + 0.045 + 0.011 / 4) * t**2 / 2 - 0.5, abs=1e-7)
     assert len(t) == 7 and not run.motion.notes
+
+
+@pytest.mark.parametrize("rates", [("w1", "w2"), ()])
+def test_where_not_one_coordinate_alone_is_free_rows_end_about_where_they_end(rates):
+    """A way to the change point is known along one coordinate only."""
+    flow = SimpleNamespace(equations=SimpleNamespace(variant=SimpleNamespace(known_rates=rates, rates=("w1", "w2", "w3"))))
+    rows = SimpleNamespace(t=np.zeros(1), scaled=np.ones((1, 2)), step=0.1)
+    assert ended_at(flow, rows, None, 0.7) == (0.7, CHANGE)

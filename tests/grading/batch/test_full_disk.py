@@ -61,3 +61,12 @@ def test_a_line_torn_off_by_a_crash_spoils_none_behind_it(tmp_path):
     with Journal(tmp_path) as journal:
         place = journal.add(Entry("k1", "a", {"status": "graded", "score": 1.0}))
         assert (journal.places()[0], journal.read(place).id) == ({"k1": place}, "a")
+
+
+def test_a_line_that_was_changed_meanwhile_is_not_taken_for_a_grade(tmp_path):
+    with Journal(tmp_path) as journal:
+        place = journal.add(Entry("k1", "a", {"status": "graded"}))
+        assert journal.read(place).id == "a"
+        journal.path.write_bytes(journal.path.read_bytes().replace(b"graded", b"graced"))
+        with pytest.raises(RuntimeError, match="the line at 0 was changed"):
+            journal.read(place)

@@ -7,6 +7,7 @@ import pytest
 
 from coursework.grading.marking import verdicts
 from coursework.grading.marking.reasons.table import shut
+from coursework.grading.marking.table_marks import TableMarks
 
 
 @pytest.mark.parametrize(
@@ -37,3 +38,13 @@ def test_right_cells_that_do_not_count_are_told_where_cells_count():
     assert shut(marked) == {"motion": 3}
     marked.earned.rule = "misconception"
     assert shut(marked) == {}
+
+
+@pytest.mark.parametrize(("right", "asked"), [((9, 10), ""), ((10, 8), "which?")])
+def test_nine_right_cells_of_ten_answer_whose_a_column_is(right, asked):
+    """The first of three columns is named by its head, so that nobody asks."""
+    columns = [SimpleNamespace(name=name, by="head" if name == "a" else "position") for name in "abc"]
+    shown = np.ones((10, 3), dtype=bool)
+    cells = SimpleNamespace(judged=shown, right=np.arange(10)[:, None] < [0, *right])
+    marks = SimpleNamespace(table=SimpleNamespace(columns=columns, asked="which?"), cells=cells)
+    assert (TableMarks.open_question(marks, ("a", "b", "c")) or "") == asked

@@ -10,7 +10,7 @@ import pytest
 
 from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.collecting.matching import Matched, _run_together, match
-from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
+from coursework.grading.platforms.autograder import Outcome, PartOutcome, _text, gradescope, prairielearn, results_json
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.downloads import feedback_zip
@@ -284,3 +284,8 @@ def test_a_cell_is_found_by_its_title_and_is_empty_where_the_record_ends_before_
 def test_a_short_first_line_of_a_roster_loses_no_further_column() -> None:
     students = read_roster(b"id,group\na\nb,ME-21\n", "r.csv")
     assert [student.more for student in students] == [{"group": ""}, {"group": "ME-21"}]
+
+
+@pytest.mark.parametrize(("letters", "end"), [(60_000, "aa"), (60_001, "a…")])
+def test_a_text_of_more_than_sixty_thousand_letters_is_cut(letters, end):
+    assert (text := _text("a" * letters)).endswith(end) and len(text) == 60_000

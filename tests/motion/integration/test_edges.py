@@ -1,9 +1,9 @@
-"""Where a refined motion is cut between two rows: at edges of short stretches, no two within a jump; and how far it is off."""
+"""Where a refined motion is cut between two rows: at edges of short stretches, no two within a jump; how far it is off."""
 
 import numpy as np
 import pytest
 
-from coursework.motion.integration.exact_motion import Growth, quick_times
+from coursework.motion.integration.exact_motion import Growth, OutOfReach, _halved, quick_times
 
 
 @pytest.mark.parametrize(
@@ -26,3 +26,17 @@ def test_what_is_off_grows_as_a_way_beside_does_and_stays_where_that_ends(factor
         growth.go_on(lambda position: 5.0 + factor * (position - 4.0), np.full(2, 4.0), np.full(2, 5.0), 1.0)
     assert growth.off == pytest.approx(off, rel=1e-9)
     assert np.max(np.abs(growth.beside)) == pytest.approx(1e-6)
+
+
+@pytest.mark.parametrize("left", [48, 49, 1000])
+def test_an_interval_is_halved_until_it_agrees_while_steps_are_left(left):
+    """With 4 and 8 steps a quarter agrees and a half does not: 7 intervals of 12 steps, the last halved after 48 of them."""
+
+    def loop(begin, parts, step, q):
+        return (q + parts * (parts * step > 0.3),)
+
+    if left > 48:
+        assert _halved(loop, 0.0, 1.0, [2.0], 4, left, None) == ([2.0], 0.0, 84)
+    else:
+        with pytest.raises(OutOfReach):
+            _halved(loop, 0.0, 1.0, [2.0], 4, left, None)

@@ -90,6 +90,8 @@ def test_a_step_that_turns_too_far_is_told_with_the_row_it_leaves():
     stop = Row(4, 0.08, np.zeros(1)).too_wide(rates, 0, 1.7, 0.02)
     assert (stop.row, stop.time) == (4.0, 0.08)
     assert "At row 5 (t = 0.08 s) one step of 0.02 s would turn phi by 1.7 rad (97°)" in str(stop.cause)
+    broken = Row(4, 0.08, np.zeros(1)).broken("event.singular", 0.02)
+    assert "At row 5 (t = 0.08 s) the velocities cannot be computed" in str(broken.cause)
 
 
 @pytest.mark.parametrize(("old", "new", "told"), [

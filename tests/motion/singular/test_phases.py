@@ -5,6 +5,7 @@ import math
 import pytest
 
 import coursework
+from coursework.motion.singular.explain import explain
 from coursework.motion.singular.phases import _intervals
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.variant.reading.set_values import with_set
@@ -59,3 +60,16 @@ def test_a_change_point_far_from_where_a_motion_stops_is_not_gone_to(monkeypatch
     assert run.stop.kind == "dead point"
     assert "is possible for" in run.scene.phases
     assert len(looked) < 1500  # 2485 where each is gone to
+
+
+def test_a_dead_point_is_told_with_the_rows_about_it():
+    """At a row if it misses it by round-off only: the fifth, 4 h, by 5e-9 h."""
+    scene = coursework.solve(with_set(coursework.load("31"), ("alpha=0.02rad",), None), quantities=["table"]).scene
+    steps, told = (4 - 5.1e-9, 4 - 4.9e-9, 4.0, 4 + 4.9e-9, 4 + 5.1e-9, 4.5, 0.5), []
+    for number in steps:
+        stop = explain(scene.search.event, scene.equations, scene.reduction, scene.search.event.time / number, None)
+        told.append(str(stop.cause).partition(" s, ")[2].partition(",")[0])
+    assert told == [
+        "between rows 4 and 5", "at row 5", "at row 5", "at row 5", "between rows 5 and 6", "between rows 5 and 6",
+        "between rows 1 and 2",
+    ]  # fmt: skip

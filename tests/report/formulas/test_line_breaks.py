@@ -6,7 +6,7 @@ import re
 import pytest
 
 from coursework.report.formulas.display import math_equation
-from coursework.report.formulas.svg import LONG, _opened
+from coursework.report.formulas.svg import LONG, _gathered, _opened, pieces
 from coursework.variant.formula.reader import parse
 
 END = "e sin phi_2 " + "a" * LONG
@@ -22,6 +22,20 @@ END = "e sin phi_2 " + "a" * LONG
 )
 def test_a_sum_in_parentheses_of_its_own_is_parted_at_its_signs(piece, parts):
     assert [*map(str.rstrip, _opened(piece))] == parts
+
+
+@pytest.mark.parametrize(("length", "lines"), [(24, 1), (25, 2)])
+def test_neighbours_of_up_to_44_signs_share_a_line_and_the_end_has_none_of_its_own(length, lines):
+    first, second, end = "a" * 20, "b" * length, " = 0"
+    assert _gathered([first, second]) == ([first + second] if lines == 1 else [first, second])
+    assert _gathered([first, second, end]) == [*_gathered([first, second])[:-1], _gathered([first, second])[-1] + end]
+
+
+@pytest.mark.parametrize(("length", "parted"), [(LONG - 1, False), (LONG, True)])
+def test_a_formula_of_56_signs_is_long(length, parted):
+    formula = "x = " + "a" * 30
+    formula += " + " + "b" * (length - len(formula) - 3)
+    assert (len(pieces(formula)) > 1) is parted
 
 
 def width_of(piece):

@@ -134,3 +134,9 @@ def test_a_guide_that_only_the_group_has_is_told_like_one_of_the_frame(real: Mod
     bare = coursework.parse_variant(mechanism(name, (f"[ {{ through = {rail} }} ]", "[]")))
     told = real.text_of(real.parts(coursework.solve(bare), "statement"))
     assert "A is a fixed pivot. C moves in a straight guide." in told
+
+
+@pytest.mark.parametrize(("name", "told"), [("pendulum", True), ("example-2-motor", False)])
+def test_forces_that_act_without_a_motor_are_said_to(real: ModuleType, name: str, told: bool) -> None:
+    run = coursework.solve(coursework.parse_variant(mechanism(name)), quantities=["table"], end=0.05)
+    assert ("No motor acts." in " ".join(map(real.text_of, real.parts(run, "statement")))) is told

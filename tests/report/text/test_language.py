@@ -253,6 +253,7 @@ def test_what_was_set_has_the_units_of_the_language(language: str, told: str) ->
     )
     page = " ".join(said(run, language)).replace("\N{NO-BREAK SPACE}", " ")
     assert told in page
+    assert load_phrases(language).said("check.QUOTE.set") in page, "the file quotes numbers of its own data"
 
 
 @pytest.mark.parametrize(("language", "between"), [("ru", "; "), ("uk", "; "), ("en", ", ")])

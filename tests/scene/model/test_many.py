@@ -269,7 +269,8 @@ def test_sets_that_forces_move_are_solved_one_by_one():
     assert possible.tolist() == [True, False] and not none and "At t = 0." in why
 
 
-def test_sets_that_forces_move_may_be_solved_by_the_scheme_of_such_motion():
+@pytest.mark.parametrize("scheme", ["semi-implicit", "euler"])
+def test_sets_that_forces_move_may_be_solved_by_the_schemes_of_such_motion(scheme):
     pendulum = coursework.parse_variant(mechanism("pendulum"))
-    (_, table) = coursework.solve_many(pendulum, {"k": [150.0, 200.0]}, "semi-implicit", end=0.1)
-    assert np.array_equal(table.to_numpy(), coursework.solve(pendulum, "semi-implicit", end=0.1).table.to_numpy())
+    (_, table) = coursework.solve_many(pendulum, {"k": [150.0, 200.0]}, scheme, end=0.1)
+    assert np.array_equal(table.to_numpy(), coursework.solve(pendulum, scheme, end=0.1).table.to_numpy())

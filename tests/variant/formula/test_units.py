@@ -6,7 +6,7 @@ from fractions import Fraction
 import pytest
 
 from coursework.variant.formula import mass_units, motion_units
-from coursework.variant.formula.units import UnitFault, read
+from coursework.variant.formula.units import UnitFault, known_units, read
 
 
 @pytest.mark.parametrize(
@@ -71,3 +71,8 @@ def test_each_unit_has_the_dimension_and_the_size_of_its_parts():
         for one in shown.split(", "):
             if one not in {"deg", "min", "deg/s", "rpm", "deg/s^2"}:
                 assert of_parts(one)[0] == of_parts(unit)[0], one
+
+
+def test_units_of_mass_are_advised_where_forces_are_asked_for_alone():
+    plain, whole = known_units(), known_units(of_mass=True)
+    assert whole.startswith(plain) and ("kg" in plain, "kg" in whole) == (False, True)

@@ -28,6 +28,8 @@ def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = F
     20
     >>> [column_as_handed_in("r ω sin φ + 2 v = 0", "r*w*sin(phi) - 2*v = 0", column) for column in (1, 5, 18)]
     [1, 5, 15]
+    >>> column_as_handed_in("v = a*2", "v = a*(c + 7)", 8)  # behind what both have
+    7
     """
     if is_sign:
         column = _sign_before(read, column)

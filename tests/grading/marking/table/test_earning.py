@@ -9,14 +9,16 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 import coursework
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table import earning
 from coursework.grading.marking.table.causes.misconceptions import Found
-from coursework.grading.marking.table.earning import _by_explanation, best_rule
+from coursework.grading.marking.table.earning import _by_explanation, _is_row, best_rule
 from coursework.grading.marking.table.explained import Fit
+from coursework.grading.marking.table.ways import StudentTable
 
 KEY: Any = SimpleNamespace(variant=coursework.load("31"))  # in which r1 is 0.953 m and V1 is 4.5 m/s
 POINTS: Any = SimpleNamespace(share=0.1, shut={})
@@ -78,3 +80,19 @@ def test_a_closer_look_is_taken_only_if_a_cause_can_earn_more(
     found = Found(at_best=tuple(map(fit_of, at_best.split("; "))), closer_look=closer_look)
     earned = best_rule(KEY, Rubric(), KEY, points, found, {})
     assert bool(looked) is looks and (earned.rule == "cells") is not looks
+
+
+@pytest.mark.parametrize(("row", "others", "agrees"), [
+    ((1.25, 3.5), (1.25, 3.5), True), ((1.25, 3.5), (1.2501, 3.4999), True), ((1.25, 3.5), (1.25, 3.6), False),
+    ((np.nan, 3.5), (9.0, 3.5), True), ((np.nan, 3.5), (1.25, 3.6), False),
+])  # fmt: skip
+def test_a_start_is_another_s_if_the_first_row_agrees_as_far_as_it_is_printed(
+    row: tuple[float, ...], others: tuple[float, ...], agrees: bool
+) -> None:
+    """Whatever stands below it, and only of a table of the same size."""
+    student: Any = StudentTable(np.array([row, (7.0, 7.0)]), np.full((2, 2), 1e-3))
+    table = np.array([others, (8.0, 8.0)])
+    key: Any = SimpleNamespace(table=table, ranges=np.ones(2), usual_ranges=np.ones(2))
+    cells: Any = SimpleNamespace(student=student)
+    assert _is_row(key, cells, table) is agrees
+    assert not _is_row(key, cells, np.array([others]))

@@ -49,6 +49,11 @@ BELOW_ONE = "0.1234 0.2345 0.3456 0.4567 0.5678 0.6789 0.7891 1.234 1.235 1.236"
     ("0.1234 0.2345 0.3456 1.234 12345.6", 4, "4 4 4 4 4"),  # a whole number may be longer
     # Most numbers below 1 have four decimals either way: three of five above 1 with four digits are enough, three of six not.
     (f"{BELOW_ONE} 1.2 1.3", 4, "4 4 4 4 4 4 4 3 3 3 3 3"), (f"{BELOW_ONE} 1.2 1.3 1.4 0.8912 0.9123", 4, "4 " * 15),
+    # A double keeps 15 digits: a zero behind more of them is round-off, and a column of as many was printed in full.
+    ("12.345 1.2345 123.45 1.234 4.02000000000000", 3, "3 4 2 3 9"),
+    ("12.345 1.2345 123.45 1.234 4.014999999999999", 3, "3 4 2 4 9"),
+    ("2345678.1234567 234567.12345678 234567.123456 23456.123456789 234567.12345670", 8, "7 8 6 9 8"),
+    ("12345678.1234567 1234567.12345678 1234567.123456 123456.123456789 1234567.12345670", 8, "7 8 8 9 8"),
 ])  # fmt: skip
 def test_the_last_place_of_each_cell(cells: str, decimals: int, places: str) -> None:
     found = last_places([printed(cell, ".") for cell in cells.split()])

@@ -3,11 +3,14 @@
 import cmath
 import math
 import re
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 import coursework
 from coursework.motion.geometry.judging.rails import _degrees
+from coursework.motion.geometry.judging.rigid import _Seen
 from coursework.variant.formula.reader import parse
 from coursework.variant.record.held import is_arm
 from tests.commands.test_cli import call
@@ -222,3 +225,24 @@ def test_a_driven_point_that_nothing_moves_is_to_be_given_a_coordinate():
     still = mechanism("guided-driver", ('M = "(0, yM)"', 'M = "(0, 0)"'), ("[closure]\n", '[closure]\ndriven = "M"\n'), yM=None)
     with pytest.raises(coursework.InputError, match=r'V304 .*Write yM = { start = "0 m", rate = "VMy" } in \[coordinates\]'):
         _ = coursework.solve(coursework.parse_variant(still)).table
+
+
+def seen(size, tracks, *growing):
+    """Three positions of points, in parts of the largest length (m), with a wheel about C that touches at P."""
+    wheel = SimpleNamespace(name="4", wheel="C", contact="P")
+    variant = SimpleNamespace(links=[wheel], points=(), file="", nearest_line=lambda *_: 1)
+    places = {name: size * np.array(track, dtype=complex) for name, track in tracks.items()}
+    return _Seen(variant, np.arange(3.0), places, [size * np.array(one) for one in growing], size, frozenset())
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize("part", [0.995, 1.005])
+def test_limits_are_shares_of_the_largest_length_or_of_the_way(size, part):
+    """A millionth of the length for a distance; for a path a millionth of its way and 1e-9 of the length."""
+    inside, off, way = part < 1, part * 1e-6, part * (1e-6 * 0.1 + 1e-9)
+    assert seen(size, {"A": [0, 0, 0], "B": [1, 1j, -1 - off]}).keeps("A", "B") is inside
+    assert len([*seen(size, {"C": [0, 0, 0], "P": [1, off, 1]}).of_wheels()]) == inside
+    assert seen(size, {})._leaves(size * np.array([0, 0.05 + 1j * way, 0.1]), 1) is not inside
+    assert seen(size, {"A": [0, 0, 0], "B": [0.3, 0.4, 0.4]}, [-0.2, -0.3, -0.3 - way])._grows("A", "B") is inside
+    told = seen(size, {})._between(size * np.array([part * 1e-9, 0.0, -0.5]))
+    assert (told["first"] == 0.0) is inside and (told["last"], told["time"]) == (0.5 * size, 2.0)

@@ -2,10 +2,13 @@
 
 import math
 import re
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.geometry.judging.turning import _of_link
 from coursework.variant.reading.reader import parse_variant
 from tests.mechanisms.library import changed, mechanism
 
@@ -191,3 +194,23 @@ def test_a_planet_is_judged_where_each_drive_leads(written, told):
     """While the carrier waits, the wrong sign looks like an angle counted clockwise; Willis: w2 = wc - (w1 - wc) z1/z2."""
     run = coursework.solve(coursework.parse_variant(TRAIN.replace("= -(w1", written)), "rk4", quantities=("table", "checks"))
     assert re.search(told, run.summary) if told else "Link" not in run.summary
+
+
+@pytest.mark.parametrize("largest", [0.02, 300.0])
+@pytest.mark.parametrize(("found", "named", "others", "told"), [
+    ([0.5, 0.7], [0.5, 0.7 + 0.9e-6], [], None), ([0.5, 0.7], [0.5, 0.7 + 1.1e-6], [], ("alone", 0.7)),
+    ([0.5, -0.7], [-0.5, 0.7 + 0.9e-6], [], None), ([0.5, -0.7], [-0.5, 0.7 + 1.1e-6], [], ("alone", -0.7)),
+    ([0.9e-6, 0.0], [1.0, 0.3], [], ("alone", 0.0)), ([1.1e-6, 0.0], [1.0, 0.3], [], ("alone", 1.1e-6)),
+    ([0.5, 0.7], [0.2, 0.2], [0.5, 0.7 + 0.9e-6], ("as", 0.7)), ([0.5, 0.7], [0.2, 0.2], [0.5, 0.7 + 1.1e-6], ("alone", 0.7)),
+    ([0.5, 0.7, 0.9], [0.5, 0.7 + 0.9e-6, 0.1], [], ("alone", 0.9)),
+    ([0.5, 0.7, 0.9], [0.5, 0.7 + 1.1e-6, 0.1], [], ("alone", 0.7)),
+])  # fmt: skip
+def test_a_rate_may_be_off_by_a_millionth_of_the_largest(largest, found, named, others, told):
+    """Rates in parts of the largest; the third is of no time of the run, and told only if the first two agree."""
+    variant = SimpleNamespace(links=[], forces=None, bindings=[], file="", nearest_line=lambda *_: 1)
+    closure = SimpleNamespace(configurations=(np.arange(2.0),), equations=SimpleNamespace(variant=variant))
+    of = [("w3", largest * np.array(others))] if others else []
+    rates = (largest * np.array(one)[:, None] for one in (found, named))
+    fault = _of_link(SimpleNamespace(link="2", rate="w2"), closure, np.arange(3.0), *rates, largest, of)
+    said = fault and (fault.message.key.rpartition(".")[2], fault.message.values["found"])
+    assert said == (told and (told[0], pytest.approx(largest * told[1], rel=1e-12)))

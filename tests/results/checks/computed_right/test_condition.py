@@ -64,5 +64,6 @@ def test_a_divisor_that_becomes_nought_is_told_first_unless_the_table_is_close(
     assert (found.verdict, bool(found.headline)) == (verdict, headline)
     assert found.value == (digits if verdict == "FAIL" else 12.0)
     assert digits is None or ("b" in found.sentence and "0.6 s" in found.sentence)
+    assert digits is None or verdict == "FAIL" or "between rows 2 and 3" in found.sentence
     evidence.used = ()
     assert _condition(evidence).verdict == "SKIP"

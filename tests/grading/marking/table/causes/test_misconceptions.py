@@ -9,6 +9,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.key.key import key_of
+from coursework.grading.marking.table.causes import misconceptions
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.closer import closer
 from coursework.grading.marking.table.causes.hypotheses import claims
@@ -182,3 +183,20 @@ def test_a_velocity_put_right_beside_an_angle_that_nothing_explains_excuses_no_r
     explained[3, 0], given[put] = False, True
     table = SimpleNamespace(key=SimpleNamespace(coordinates=("p",)), spoken=np.ones((5, 2), dtype=bool), _rows=np.arange(5))
     assert np.flatnonzero(Explained._beside_put(table, given, explained)).tolist() == rows
+
+
+@pytest.mark.parametrize(("start", "row", "elsewhere"), [
+    ((1.63, 3.37, 2.87), None, False), ((1.73, 3.37, 2.87), None, True), ((1.73, 3.37, 2.87), 0.0, True),
+    ((1.63, 3.37, 2.87), 9.0, True),
+])  # fmt: skip
+def test_a_table_begins_elsewhere_by_its_first_row_or_by_those_below(key, monkeypatch, start, row, elsewhere):
+    """The first row was put right in the third; in the fourth nothing follows from it."""
+    table, seen = students.table(start=start), []
+    if row is not None:
+        table[0] = key.table[0] + row
+    weighed = misconceptions._Weighed
+    monkeypatch.setattr(
+        misconceptions, "_Weighed", lambda *args, **more: seen.append(more["elsewhere"]) or weighed(*args, **more)
+    )
+    misconceptions.explanations(key, mark_cells(key, printed(table, 4)), [])
+    assert seen == [elsewhere]

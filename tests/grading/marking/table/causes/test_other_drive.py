@@ -3,10 +3,13 @@
 import numpy as np
 import pytest
 
+from coursework.grading.marking.table.causes.claims import TableUnderTest
+from coursework.grading.marking.table.causes.other_drive import other_drive
 from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.machines import SLIDER_CRANK, Machine
 from tests.grading.marking.table.causes.test_clockwise import GEARED
 from tests.grading.marking.table.desks import Desk, codes, with_a_steady_drive
+from tests.grading.marking.table.test_cells import printed_exactly
 
 LAWS = ["1.2*({})", "({})*(1 + 0.3*sin(5*t))", "({})**2", "({}) + 2*t", "0.7*({}) - 1"]
 
@@ -59,3 +62,11 @@ def test_a_drive_rounded_in_another_way_is_not_suspected(desk, digits):
     """Rounded up throughout, so that each number may be off by a whole unit of its last place."""
     table = np.ceil(desk.machine.table() * 10**digits) / 10**digits
     assert "other_drive" not in codes(desk.marked(table, digits=digits)[1])
+
+
+@pytest.mark.parametrize(("units", "suspected"), [(1.98, False), (-1.98, False), (2.02, True), (-2.02, True)])
+def test_a_drive_is_suspected_beyond_two_units_of_its_last_place(units, suspected):
+    desk = with_a_steady_drive()
+    table = desk.machine.table()
+    table[5, desk.key.names.index("w1")] += units * 1e-4
+    assert bool([*other_drive(TableUnderTest(desk.key, printed_exactly(table)))]) is suspected

@@ -1,5 +1,7 @@
 """Columns that are right but for how they were printed: as many cells must say so as are no chance, and it costs the same."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -33,6 +35,21 @@ def test_so_many_cells_exchanged_are_no_chance(rows, told):
     table = desk.key.table.copy()
     table[8 : 8 + rows, 3:5] = table[8 : 8 + rows, 4:2:-1].copy()
     assert [*{claim.code for claim in other_columns(TableUnderTest(desk.key, printed(table)))}] == told
+
+
+@pytest.mark.parametrize(("unit", "way", "off", "told"), [
+    ("rad", 1, np.pi / 2 + 0.0029, ["origin_phi2"]), ("rad", 1, np.pi / 2 + 0.0031, []), ("rad", 1, 0.0, []),
+    ("rad", -1, 0.0, ["origin_phi2"] * 2), ("rad", -1, 0.0031, []), ("rad", 1, np.nan, []),
+    ("m", 1, np.pi / 2, []), ("m", -1, 0.0, []),
+])  # fmt: skip
+def test_only_an_angle_is_counted_from_another_axis_and_no_length(unit, way, off, told):
+    """A quarter turn on, to 0.003 rad, or the other way round, with its rate or without; what is not there is neither."""
+    desk = variants()[0]
+    coordinates = tuple(replace(one, unit=unit) if one.name == "phi2" else one for one in desk.variant.coordinates)
+    key = replace(desk.key, variant=replace(desk.variant, coordinates=coordinates))
+    table = desk.key.table.copy()
+    table[:, 1] = way * table[:, 1] + off
+    assert [claim.code for claim in other_columns(TableUnderTest(key, StudentTable(table, np.full(table.shape, 1e-9))))] == told
 
 
 @pytest.mark.long

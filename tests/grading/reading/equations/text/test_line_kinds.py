@@ -7,6 +7,8 @@ import pytest
 from coursework.grading.reading.equations.formulas.equations import names_for
 from coursework.grading.reading.equations.text import line_kinds as kinds
 from coursework.grading.reading.equations.text import list_marks as marks
+from coursework.grading.reading.equations.text.own_names import _meet
+from coursework.variant.formula.reader import parse
 from tests.grading.scenes import expected
 
 LONG = 4000  # characters of an equation that are read
@@ -202,3 +204,13 @@ def test_a_datum_is_short_and_no_name_of_one_s_own_where_answers_are_asked(names
     assert kinds.is_datum("r1 = 2".ljust(80), names) and not kinds.is_datum("r1 = 2".ljust(81), names)
     asked = names_for(expected("31", ("w1",)))
     assert kinds.is_datum("r1 = 2", asked) and not kinds.is_datum("k = 2", asked)
+
+
+@pytest.mark.parametrize("size", [0.004, -250.0])
+@pytest.mark.parametrize(("first", "second", "alike"), [
+    ("a", "0.9801*a", True), ("a", "0.9799*a", False), ("0.9801*a", "a", True), ("a", "-a", False),
+    ("a + t", "a*sin(pi/2)", True), ("a", "b", True),
+])  # fmt: skip
+def test_two_ways_about_a_loop_differ_by_two_parts_in_a_hundred(first: str, second: str, alike: bool, size: float) -> None:
+    """At t = 0; a name without a value, b, tells nothing."""
+    assert _meet(parse(first), parse(second), {"a": size}) is alike
