@@ -22,7 +22,7 @@ from coursework.grading.marking.table.points import (
     stands_still,
 )
 from coursework.grading.marking.table.untold import but, ramp
-from coursework.grading.marking.table.ways import KEY, Places, put_right
+from coursework.grading.marking.table.ways import KEY, Places
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import caching, frozen
 
@@ -87,7 +87,7 @@ class Explained:
         """
         rows = self._rows
         beside = np.zeros(len(holds), dtype=bool)
-        beside[rows] = self._beside_put(put_right(self.by_key[rows]) & (~holds & self.spoken)[rows], explained[rows])
+        beside[rows] = self._beside_put((self.by_key & ~holds & self.spoken)[rows], explained[rows])
         others, lost = self.spoken & ~beside[:, None], self.spoken & beside[:, None] & ~explained
         usual = (explained & others).sum(axis=0) / np.maximum(_FEW * len(rows), others.sum(axis=0))
         before = np.zeros_like(explained)

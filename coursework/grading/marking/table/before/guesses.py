@@ -69,16 +69,21 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
                 yield as_it_was(key, guess, other & ~wrong & ~told, own_ways(key, guess, own.coarse)) or guess
     if above := as_it_was(key, was, untold, own):
         yield above
-        for part in () if is_method else _parts(np.asarray(np.abs(above.values - was.values) > was.units), makes, m):
+        for part in _parts(np.asarray(np.abs(above.values - was.values) > was.units), makes, m, alone=is_method):
             yield as_it_was(key, was, untold & part, own) or was
 
 
-def _parts(moved: Flags, makes: Flags, m: int) -> Iterator[Flags]:
-    """Yield coordinates, then rows, of which `moved` cells (n, m + r) are other alone, where a row `makes` wrong cells (n,)."""
+def _parts(moved: Flags, makes: Flags, m: int, *, alone: bool) -> Iterator[Flags]:
+    """Yield coordinates, then rows, of which `moved` cells (n, m + r) are other alone, where a row `makes` wrong cells (n,).
+
+    With `alone`, only single coordinates.
+    """
     columns, rows = np.flatnonzero(moved[makes, :m].any(axis=0)), np.asarray(moved.any(axis=1))
-    for count in range(1, len(columns) + 1):
+    for count in range(1, 2 if alone else len(columns) + 1):
         yield from (np.isin(np.arange(moved.shape[1]), some) for some in combinations(columns.tolist(), count))
-    if (rows[:-1] & (rows & makes)[1:]).any():  # the lower one of two was made beside the upper one as it is printed
+    if (
+        not alone and (rows[:-1] & (rows & makes)[1:]).any()
+    ):  # the lower one of two was made beside the upper one as it is printed
         yield from (np.arange(len(rows))[:, None] % 2 == odd for odd in range(2))
 
 

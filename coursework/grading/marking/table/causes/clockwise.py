@@ -13,12 +13,14 @@ import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
-from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, StudentTable, put_right
+from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, StudentTable
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
 # The first rows, by which it is judged in which sense a table begins to turn.
 _BEGINNING = 5
+# Where this part of a column is right only when turned back, its other cells may have been put right; less is chance.
+_TURNED = 0.1
 # A mirrored motion must explain this part of the velocities.
 _EXPLAINED = 0.93
 
@@ -84,7 +86,8 @@ def _with_points(against: Array, angular: Flags, m: int) -> Flags:
 def _turned(key: Key, student: StudentTable, signs: Flags, *, mirrored: bool) -> StudentTable:
     """Return a table with other `signs` (m + r,) of velocities; if `mirrored`, of angles too, about their first value.
 
-    A cell that is right as it stands, one of few in its column, was put right in the table handed in, and stays.
+    A cell that is right as it stands was put right in the table handed in, and stays, where others of its column are right only
+    when turned back: however many there are of each, as one more becomes right no other one goes.
     """
     m, angular = len(key.coordinates), _angular(key)[: len(key.coordinates)]
 
@@ -97,8 +100,8 @@ def _turned(key: Key, student: StudentTable, signs: Flags, *, mirrored: bool) ->
 
     own = student.own and replace(student.own, values=back(student.own.values))
     undone = replace(student, values=back(student.values), own=own)
-    right = alike(key, student, key.table)
-    put = put_right(right) & ~alike(key, undone, key.table)
+    right, as_turned = (alike(key, table, key.table) for table in (student, undone))
+    put = right & ~as_turned & ((as_turned & ~right).mean(axis=0) >= _TURNED)
     return replace(undone, values=np.where(put, student.values, undone.values))
 
 

@@ -110,10 +110,12 @@ def test_what_is_no_step_from_above_becomes_that_step_with_the_digits_of_what_it
 def test_parts_are_the_coordinates_that_move_where_wrong_cells_are_made_and_every_second_row_of_two(moved, makes, columns, odd):
     """Of two coordinates and a velocity, which never makes a part of its own."""
     flags = np.array([[sign == "1" for sign in row] for row in moved.split()])
-    found = list(_parts(flags, np.array([sign == "1" for sign in makes]), 2))
     rows = [[[False], [True]] * 2, [[True], [False]] * 2]
-    assert sorted(np.flatnonzero(one).tolist() for one in found if one.ndim == 1) == sorted(columns)
-    assert sorted(one.tolist() for one in found if one.ndim == 2) == (rows if odd else [])
+    for alone in (False, True):  # where most rows are wrong, one by one: the other is nearer to what it was as printed
+        found = list(_parts(flags, np.array([sign == "1" for sign in makes]), 2, alone=alone))
+        expected = sorted(some for some in columns if len(some) == 1 or not alone)
+        assert sorted(np.flatnonzero(one).tolist() for one in found if one.ndim == 1) == expected
+        assert sorted(one.tolist() for one in found if one.ndim == 2) == (rows if odd and not alone else [])
 
 
 def test_an_angle_is_open_by_whole_turns_where_a_velocity_tells_it():

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -200,3 +201,15 @@ def test_a_table_begins_elsewhere_by_its_first_row_or_by_those_below(key, monkey
     )
     misconceptions.explanations(key, mark_cells(key, printed(table, 4)), [])
     assert seen == [elsewhere]
+
+
+@pytest.mark.parametrize("count", [3, 4, 5])
+def test_what_was_made_from_cells_put_right_counts_whether_few_or_most_of_their_column_are(count):
+    """It counted up to half of the column: with the next cell put right, all that stands beside the others was lost."""
+    by_key, shown = np.zeros((8, 2), dtype=bool), np.ones((8, 2), dtype=bool)
+    by_key[:count, 0] = True
+    explained = shown.copy()
+    explained[: count + 1, 1] = False
+    table = SimpleNamespace(key=SimpleNamespace(coordinates=("p",)), _rows=np.arange(8), spoken=shown, by_key=by_key)
+    table._beside_put = partial(Explained._beside_put, table)
+    assert (Explained._as_before(table, explained & ~by_key, explained) == ~explained).all()
