@@ -14,7 +14,7 @@ from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.textbook.cramer import cramer
 from coursework.motion.singular.lines import always_told
 from coursework.results.checks.computed_right.beginning import start_of
-from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_ties
+from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_ties, unlike_links
 from coursework.run import Run
 from coursework.scene.quantities import ENERGY, FORCES
 from coursework.scene.scene import Scene
@@ -38,7 +38,7 @@ def _tell(run: Run) -> int:
     tell_remarks(run)
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
-    if chosen.motor is None and {FORCES.name, ENERGY.name} & {*run.asked} and len(scene.motion.t):
+    if (chosen.motor is not None or {FORCES.name, ENERGY.name} & {*run.asked}) and len(scene.motion.t):
         run.of(FORCES)  # raises what `run` would find wrong with masses and forces
     free = chosen.motor.rates if chosen.motor is not None else ()
     if chosen.sought:  # if forces move each link by itself, nothing is left to solve
@@ -57,8 +57,9 @@ def _tell(run: Run) -> int:
     _tell_blocks(scene)
     if closure is None:
         tell(say("screen.all_free" if free else "screen.no_positions"))
-        for tie in () if free else proposed_ties(equations, scene.start):
-            tell(tie)
+        for told in () if free else (unlike_links(equations, scene.motion), *proposed_ties(equations, scene.start)):
+            if told is not None:
+                tell(told)
     elif not closure.names:
         tell(say("screen.all_driven"))
     else:
@@ -66,6 +67,8 @@ def _tell(run: Run) -> int:
         tell(say_count(key, len(closure.names)))
         at_once = scene.stop is not None and not scene.stop.time  # a dead point at the start hides the result of the geometry
         if not at_once and (doubt := open_to_doubt(closure)):
+            if (unlike := unlike_links(equations, scene.motion)) is not None:
+                tell(unlike)
             tell(doubt[0])
     begun = start_of(closure)
     if begun.sentence not in {say("check.START.pass"), say("check.START.skip")}:

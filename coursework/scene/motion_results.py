@@ -103,7 +103,8 @@ class MotionResults(Travelling):
         """The reactions in every joint and what must drive the mechanism, of every row (N, N m)."""
         from coursework.effects.kinetostatics.analysis import analyse
 
-        return analyse(self.scene.mechanism, self.scene.equations, self.motion, self.accelerations)
+        moved = self.scene.stirred(self.motion)
+        return analyse(self.scene.mechanism, self.scene.equations, self.motion, self.accelerations, moved)
 
     @computed("forces")
     def energy(self) -> Energy:

@@ -18,7 +18,7 @@ from coursework.effects.dynamics.dynamics import TOLERANCE, Dynamics
 from coursework.effects.dynamics.dynamics_checks import Evidence, check_dynamics
 from coursework.effects.dynamics.dynamics_lesson import Moved, energy_of_rows, is_heavy, rates_of
 from coursework.effects.dynamics.equations_of_motion import EquationsOfMotion
-from coursework.effects.dynamics.free_motion import FreeMotion
+from coursework.effects.dynamics.free_motion import FreeMotion, one_by_one
 from coursework.effects.dynamics.known_rows import COARSER, LOOKS, UNDEFINED, known_rows, up_to_values
 from coursework.effects.dynamics.motion_writer import MotionWriter
 from coursework.effects.dynamics.regime import Regime, find_regime
@@ -44,12 +44,10 @@ from coursework.words.sentences import either, say
 if TYPE_CHECKING:
     from coursework.results.accuracy.record import AccuracyStudy
 
-
 _SAID = {
     "dead point": "dead", LIMIT: "limit", CHANGE: "crossing", SINGLE: "single", "not finite": "far", "too steep": "steep",
     TOO_LARGE: "wide", UNDEFINED: "undefined",
 }  # fmt: skip
-
 _LATE = 0.9  # share of its time: rows that go off the scale before lack a shorter step
 
 
@@ -267,8 +265,12 @@ class MotorScene(Scene):
 
     def energy_of(self, motion: Motion) -> Array:
         """Return the sum of kinetic and potential energy (n,) J."""
-        equations = self.free_equations
-        return energy_of_rows(equations, motion.t, motion.coordinates, rates_of(equations, motion))[0]
+        return energy_of_rows(self.free_equations, motion.t, motion.coordinates, rates_of(self.free_equations, motion))[0]
+
+    def stirred(self, motion: Motion) -> Motion:
+        """Return the motion; if nothing moves where it is judged, the start with each free rate by itself: links show how."""
+        rests = not motion.velocities[: None if motion.scheme == EXACT else 1].any()  # further rows of a scheme drift
+        return self._motion_of(one_by_one(self.closed_start, len(self._motor.rates)), EXACT) if rests else motion
 
     @computed("exact")
     def exact_accelerations(self) -> Array:

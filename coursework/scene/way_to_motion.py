@@ -242,6 +242,10 @@ class WayToMotion:
 
         return accelerations(self.equations, self.reduction, motion, self.search.passages)
 
+    def stirred(self, motion: Motion) -> Motion:
+        """Return a motion in which what can move does, to judge links by: laws make this one."""
+        return motion
+
     @property
     def scheme_rows(self) -> Motion | None:
         """Return the rows of a scheme beside an exact table; None if the table itself was made by a scheme."""

@@ -33,7 +33,7 @@ def test_forces_of_a_mechanism_of_seven_links_beside_its_exact_rows():
     scene = coursework.solve(massed(coursework.load("jansen")), scheme="exact").scene
     second = scene.exact_accelerations
     found = ratio(
-        lambda: analyse(scene.mechanism, scene.equations, scene.exact, second),
+        lambda: analyse(scene.mechanism, scene.equations, scene.exact, second, scene.exact),
         lambda: scene.exact_at(np.array(scene.exact.t)), most=MOST_EXACT,
     )  # fmt: skip
     assert found <= MOST_EXACT

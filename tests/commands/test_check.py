@@ -142,3 +142,38 @@ def test_whether_the_positions_follow_from_their_equations_is_told():
     """The height of the slider tells its rod's angle, and not that of the last wheel."""
     Path("own.toml").write_text(mechanism("gears-and-crank"), encoding="utf-8")
     assert "1 position equation does not determine every coordinate." in call("check", "own.toml").stdout
+
+
+def test_a_rail_across_a_block_that_forces_move_is_told_before_a_run():
+    Path("own.toml").write_text(
+        mechanism("block-on-a-spring", ('angle = "0"', 'angle = "30 deg"'), end="0.1 s"), encoding="utf-8"
+    )
+    told = call("check", "own.toml")
+    assert told.exit_code == 2 and "V316" in told.output and "the rail through C lies at 30°, and C moves along 0°" in told.output
+
+
+RING = """[points]
+O = "(0, 0)"
+C = "O + (R - r) @ crank"
+P = "O + R @ crank"
+E = "C + e @ wheel"
+[links]
+1 = { points = ["O", "C"], rate = "wc" }
+2 = { wheel = "C", contact = "P", points = ["E"], rate = "wp" }
+[frame]
+hinges = ["O"]
+circles = [{ center = "O", radius = "R" }]
+[ask]"""
+
+
+@pytest.mark.parametrize("scale", [1e-6, 3e4])
+def test_a_wrong_sign_that_a_waiting_drive_and_a_sine_of_zero_hide_is_named_without_position_equations(scale):
+    """V_E is the derivative of C + e @ wheel wherever the wheel is; at the start both sines are zero, and nothing moves."""
+    late = ('wc = "w"', 'wc = { pieces = [["0 s", "0"], ["0.4 s", "w"]] }')
+    bound = ('u = "m/s"', 'u = { unit = "m/s", of = "E", along = "0 deg" }')
+    sizes = [(f'"{value} m"', f'"{value * scale:.9g} m"') for value in (0.7, 0.3, 0.1)]
+    right = mechanism("wheel-in-a-ring", late, bound, ("[ask]", RING), *sizes)
+    for written, named in ("(R - r)*wc*sin(crank) - e", ""), ("(R - r)*wc*sin(crank) + e", "Equation 2 does not fit"):
+        Path("own.toml").write_text(right.replace("(R - r)*wc*sin(crank) - e", written), encoding="utf-8")
+        told = call("check", "own.toml").stdout
+        assert named in told if named else "does not fit" not in told

@@ -43,7 +43,7 @@ def analysis(scene: Scene, *, exact: bool = False) -> ForceAnalysis:
     """Return the forces of a scene's rows, or of its exact ones."""
     motion = scene.exact if exact else scene.motion
     second = scene.exact_accelerations if exact else scene.results.accelerations
-    return analyse(scene.mechanism, scene.equations, motion, second)
+    return analyse(scene.mechanism, scene.equations, motion, second, motion)
 
 
 @cache

@@ -96,7 +96,7 @@ def test_a_sleeve_turns_with_its_bar_whether_or_not_the_file_names_the_rate(rate
 @pytest.mark.parametrize(
     ("right", "wrong", "named"),
     [
-        ("= 0.22*w3*cos", "= -0.22*w3*cos", "equation 2 does not fit how the links move at the start: "),
+        ("= 0.22*w3*cos", "= -0.22*w3*cos", "equation 2 does not fit how the links move: "),
         ("- 0.25*w2*sin", "- 0.25*w2*cos", "equation 1 does not fit "),
         ("0.22*w3*", "0.32*w3*", "equations 1 and 2 do not fit "),
         (
@@ -120,8 +120,8 @@ def test_an_equation_that_no_position_judges_is_told_before_the_links(right, wro
     ("right", "wrong", "told"),
     [
         ("", "", "Signs are not checked"),
-        ("= 0.22*w3*cos", "= -0.22*w3*cos", "Equation 2 does not fit how the links move at the start: a sign is wrong there"),
-        ("0.22*w3*", "0.32*w3*", "Equations 1 and 2 do not fit how the links move at the start"),
+        ("= 0.22*w3*cos", "= -0.22*w3*cos", "Equation 2 does not fit how the links move: a sign is wrong there"),
+        ("0.22*w3*", "0.32*w3*", "Equations 1 and 2 do not fit how the links move:"),
     ],
 )
 def test_without_forces_the_first_line_names_what_does_not_fit_the_links(right, wrong, told):

@@ -43,6 +43,7 @@ def test_a_block_on_a_spring_loses_the_same_of_every_swing_and_stops():
     # After 13 half swings the spring pulls less than friction holds.
     assert stop is not None and stop.kind == "held" and stop.time == pytest.approx(13 * math.pi / 5, abs=1e-9)
     assert "the pair at C comes to rest" in str(stop.sentence)
+    assert run.summary.startswith("At t = 8.16814 s the pair at C comes to rest, and friction holds it")  # the rows go on
     page = shown(render_html(build_model(run, "en")))
     assert "schemes of higher order lose their order" in page and "the pair at C comes to rest" in page
 

@@ -15,17 +15,16 @@ from coursework.motion.integration.crossing import crossing
 from coursework.motion.integration.motion import Motion
 from coursework.motion.singular.change_point import branches_at, nearest_change_point
 from coursework.motion.singular.scaled_flow import Flow
+from coursework.motion.singular.walk import MISSED
 from coursework.system.arrays import Array
 
 SINGLE = "single"  # a change point at which one motion only goes on
 _SETTLED = 1e-10  # share of a step
 _MOST = 4  # changes of sign of a determinant that are looked at
 _TIMES = 5  # whose positions and rates give the motion a little ahead, as a polynomial
-_CLOSER = (1, 8, 64)  # parts of a step between those times: the change point is found to the third power of how far it is
+_CLOSER = (1, 8, 64, 256)  # parts of a step between those times: the change point is found to the third power of how far it is
 _AGREED = 1e-9  # share of the time: two that differ by less need no closer look
 _NEWTON = 6
-# Share of a length.  A motion that misses a change point by more ends at a limit: were there a way past it, it would be followed.
-_MISSED = 5e-8
 
 
 def first_crossing(flow: Flow, rows: Motion, exact_at: Callable[[Array], Motion]) -> float | None:
@@ -73,7 +72,8 @@ def ended_at(flow: Flow, rows: Motion, exact_at: Callable[[Array], Motion], abou
     if found is None:
         return about, CHANGE
     time, count, missed = found
-    return (about, LIMIT) if missed > _MISSED else (time, SINGLE if count == 1 else CHANGE)
+    # A motion that misses it by more ends at a limit: were there a way past it, it would be followed.
+    return (about, LIMIT) if missed > MISSED else (time, SINGLE if count == 1 else CHANGE)
 
 
 def _free(flow: Flow) -> int | None:
@@ -90,11 +90,11 @@ def _count(flow: Flow, block: int, position: Array) -> int:
 def _reached(
     flow: Flow, exact_at: Callable[[Array], Motion], block: int, about: float, step: float
 ) -> tuple[float, int, float] | None:  # fmt: skip
-    """Return what `_crossed` does, and by what share the motion misses it; the motion is known before it only.
+    """Return what `_crossed` does, and by what share the motion surely misses it; the motion is known before it only.
 
-    It is `about` a time (s).
+    It is `about` a time (s).  What is missed is told to the fourth power of how far it is looked for.
     """
-    free, names, found = _free(flow), flow.equations.variant.rates, None
+    free, names, found, missed = _free(flow), flow.equations.variant.rates, None, 0.0
     if free is None:
         return None
     x = np.arange(1 - _TIMES, 1)
@@ -108,10 +108,11 @@ def _reached(
         rates = np.array([before.velocities[:, before.velocity_names.index(name)] for name in names]).T
         if not rates[-1, free]:
             break
-        within = 2 * apart * float(np.abs(rates[-1]).max())
+        within = 2 * apart * float(np.abs(rates[-1] / flow.units).max())
         there = nearest_change_point(flow, 0.0, before.coordinates[-1], block, rates[-1] / rates[-1, free], within)
         if there is None:
             break
+        missed = max(missed, there[2] - within**4)
         known = [before.coordinates[:, free], apart * rates[:, free]]
         way = np.polynomial.Polynomial(np.linalg.solve(np.vstack([x[:, None] ** powers, slopes]), np.concatenate(known)))
         ahead = 0.0
@@ -120,7 +121,7 @@ def _reached(
         if not 0 <= ahead <= 2:
             break
         looked, about = about, float(before.t[-1]) + ahead * apart
-        found = about, there[1], there[2]
+        found = about, there[1]
         if abs(about - looked) <= _AGREED * about:
             break
-    return None if found is None else (found[0], _count(flow, block, found[1]), found[2])
+    return None if found is None else (found[0], _count(flow, block, found[1]), missed)

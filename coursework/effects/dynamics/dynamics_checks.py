@@ -68,7 +68,10 @@ def _is_coarse(finding: Finding) -> bool:
 
 def _judged(e: Evidence) -> list[Finding]:
     found = [check.finding(e) for check in CHECKS]
-    if notes := e.own.rows.motion.notes:
+    stop, notes = e.exact.rows.motion.stop, [*e.own.rows.motion.notes]
+    if stop is not None and e.own.rows.count > e.exact.rows.count:  # the rows go on where the motion does not
+        notes.append(stop.cause)
+    if notes:
         found[-1] = replace(found[-1], headline=joined(notes))
     # A start alone shows no table to be right.
     return [one for one in found if one.code != "START" or one.verdict in {"FAIL", "COARSE"}]

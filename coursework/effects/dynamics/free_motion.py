@@ -5,8 +5,11 @@ Enters: what `Dynamics` computed.  Leaves: `FreeMotion`.  Used by `dynamics.py`,
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
+
+import numpy as np
 
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -33,3 +36,8 @@ class FreeMotion:
     def first(self, rows: int, **ended: Any) -> FreeMotion:
         """Return the first rows alone; `ended` says why they are the last ones."""
         return replace(self, t=self.t[:rows], coordinates=self.coordinates[:rows], rates=self.rates[:rows], **ended)
+
+
+def one_by_one(start: Sequence[float], count: int) -> FreeMotion:
+    """Return the `start` (m,) in as many rows as there are free rates, in each of which one of them is 1 and the others rest."""
+    return FreeMotion(np.zeros(count), np.tile(start, (count, 1)), np.eye(count), 0)

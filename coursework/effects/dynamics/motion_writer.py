@@ -28,10 +28,10 @@ from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, placed, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.mechanism.joints import FRAME
-from coursework.motion.geometry.closure import largest_length
 from coursework.motion.geometry.drives.drive import breaks, resolution
 from coursework.motion.geometry.time_derivatives import derivative, second_rate
 from coursework.variant.record.forces import Load
+from coursework.variant.record.held import largest_length
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

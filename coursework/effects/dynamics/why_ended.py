@@ -20,6 +20,7 @@ from coursework.words.sentences import say
 
 LIMIT = "limit position"  # of the free coordinates alone: a dead point that the links pass
 CHANGE = "change point"
+_NODES, _APART, _EXACT = 8, 1.5, 1e-4  # nodes of the polynomial, their ratio, the share from which a determinant is exact
 _SMALL = 0.1  # a determinant below this share of its largest value counts as vanishing
 
 
@@ -67,10 +68,19 @@ def _reach(motion: EquationsOfMotion, rows: Array) -> Array:
 
 
 def _vanishes(t: Array, sizes: Array) -> float:
-    """Return when (s) decreasing sizes vanish, extrapolated from the last times as a power of the time left."""
-    twice, four = (float(t[np.flatnonzero(sizes >= times * sizes[-1])[-1]]) for times in (2, 4))
-    later, before = float(t[-1]) - twice, twice - four
-    return float(t[-1]) + (later**2 / (before - later) if before > later else 0.0)
+    """Return when (s) decreasing sizes vanish: the time is a polynomial in them, by Neville's rule.
+
+    It is smooth there, whether links pass their limit, so that the determinant falls evenly, or stop, so that its square does.
+    The last states are left out: their positions hardly close, so that their determinants are not exact.
+    """
+    nodes = list[int]()
+    for place in range(len(t) - 1, 0, -1):
+        if sizes[place] >= (_APART * sizes[nodes[-1]] if nodes else _EXACT * sizes[1]) and len(nodes) < _NODES:
+            nodes.append(place)
+    at, found = sizes[nodes], t[nodes]
+    for order in range(1, len(nodes)):
+        found = (at[:-order] * found[1:] - at[order:] * found[:-1]) / (at[:-order] - at[order:])
+    return float(found[0])
 
 
 def laws_of_forces(variant: Variant) -> list[Formula]:

@@ -149,14 +149,21 @@ def _program(equations: VelocityEquations, scheme: Callable[[], ForceScheme]) ->
     return found
 
 
-def analyse(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, second: Array) -> ForceAnalysis:
-    """Return the force analysis of a motion; `second` (n, k) are its accelerations."""
+def analyse(
+    mechanism: Mechanism, equations: VelocityEquations, motion: Motion, second: Array, moved: Motion
+) -> ForceAnalysis:  # fmt: skip
+    """Return the force analysis of a motion; `second` (n, k) are its accelerations.
+
+    `moved` is the motion, or another of the same mechanism if nothing moves in it: it shows whether links keep their shape.
+    """
 
     def near() -> tuple[tuple[str, str], ...]:
         return may_be_hinges(equations, motion.coordinates[0].tolist())
 
-    rows = _program(equations, lambda: read_scheme(mechanism, near=near)).rows(equations, motion, second)
-    _require_rigid(rows, equations)
+    program = _program(equations, lambda: read_scheme(mechanism, near=near))
+    rows = program.rows(equations, motion, second)
+    judged = rows if moved is motion else program.rows(equations, moved, np.zeros_like(moved.velocities))
+    _require_rigid(judged, equations)
     return ForceAnalysis(rows, react(rows), equations)
 
 
@@ -231,7 +238,7 @@ def _moving_guide(rows: Rows, one: Unknown, variant: Variant, share: float, doub
     index = next((k for k, group in enumerate(variant.groups) if angle in [guide.angle for guide in group.guides]), None)
     line = variant.nearest_line("frame", "rails") if index is None else variant.nearest_line("group", index, "guide")
     pin = variant.groups[index].meets if index is not None else None
-    way = rows.vector(at) - rows.vector(at)[0]
+    way = moved if len({*rows.vector(at)}) == 1 else rows.vector(at) - rows.vector(at)[0]
     farthest = complex(way[int(np.argmax(np.abs(way)))])
     if body is None and index is None and farthest and not turning.any():  # a rail of the frame is where it is
         is_curved = bool(np.abs((way * np.conj(farthest)).imag).max() > share * abs(farthest) ** 2)

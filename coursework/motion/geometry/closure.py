@@ -23,7 +23,7 @@ from coursework.motion.geometry.drives.drive import integrals
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags, as_columns
 from coursework.system.frozen import caching
-from coursework.variant.record.variant import Variant
+from coursework.variant.record.held import largest_length
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -215,11 +215,6 @@ class Closure:
             if not len(moving):
                 break
         return q, ~lost & (last < CLOSED)
-
-
-def largest_length(variant: Variant) -> float:
-    """Return the largest length of the data (m), 1 if there is none: the size of the mechanism."""
-    return max((abs(given.value) for given in variant.given if given.si == "m"), default=1.0) or 1.0
 
 
 def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Closure | None:

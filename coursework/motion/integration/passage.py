@@ -39,7 +39,8 @@ class State:
 class Passage:
     """A passage through the singular position `middle`, where the determinant of block number `block` vanishes.
 
-    The four `flanks` are states around it, `flank` s apart; `rates` are the names of the coordinates' rates.
+    The four `flanks` are states around it, `flank` s apart; `rates` are the names of the coordinates' rates.  The determinant has
+    a zero of the given `order`: a double one does not change its sign.
     """
 
     block: int
@@ -47,6 +48,7 @@ class Passage:
     flanks: tuple[State, ...]
     flank: float
     rates: tuple[str, ...]
+    order: int = 1
 
     def is_at(self, t: Any) -> Any:
         """Return whether a time (s), or each of times (n,), is that of the passage."""

@@ -15,17 +15,16 @@ from collections.abc import Sequence
 import numpy as np
 
 from coursework.equations.reduction.system import compile_system
-from coursework.motion.geometry.closure import largest_length
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.system.arrays import Array, Flags
 from coursework.system.frozen import frozen
 
 MAX_NEWTON = 12
-_CLOSE = 1e-13  # rad or m; size of Newton's last correction
+_CLOSE = 1e-13  # rad or share of the largest length; size of Newton's last correction
 _ZERO = 1e-9  # relative to their size: determinant and demand at the crossing
 _STRAYED = 10.0  # multiple of the distance allowed: beyond it Newton would find another point, if any
-_NUDGE = 1e-6  # rad or m; step of the differences in Newton's matrix
-_STEP = 1e-5  # rad or m along the motion, and a share of the run; central difference, error about 1e-10
+_NUDGE = 1e-6  # rad or share of the largest length; step of the differences in Newton's matrix
+_STEP = 1e-5  # rad or share of the largest length along the motion, and a share of the run; central difference, error about 1e-10
 _SAME = 1e-6  # share of the fastest; velocities that differ by less are one motion
 _PACES = 10.0  # velocities that differ by this factor from those they were looked for with are looked for again
 _FLAT = 1e-6  # a coefficient of the quadratic below this share of the largest counts as zero
@@ -41,7 +40,7 @@ _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
 def nearest_change_point(
     flow: Flow, t: float, q: Array, block: int, rates: Array, within: float
 ) -> tuple[float, Array, float] | None:
-    """Return the change point of `block` at most `within` (rad or m) from (t, q), None if Newton's method finds none.
+    """Return the change point of `block` at most `within` (rad or share of the size) from (t, q), None if Newton finds none.
 
     The result is its time (s), its position, and by what share of its size the motion misses it.
     `rates` (m,) are those of the motion at (t, q).
@@ -62,8 +61,8 @@ def nearest_change_point(
 class _Crossing:
     """The search for a change point near (t, q).
 
-    The unknowns are the displacements of the block's own unknowns, and the time multiplied by `pace`.  At the change point the
-    determinant and the demand of the drive are zero; every equation of the block but the lost one is kept.
+    The unknowns are the displacements of the block's own unknowns in their `units`, and the time multiplied by `pace`.  At the
+    change point the determinant and the demand of the drive are zero; every equation of the block but the lost one is kept.
     `own` pairs coordinates with the unknowns that are their rates; `left` (k, k) holds the directions of the block's equations at
     (t, q), the lost one last; `earlier` (m,) flags the rates known before the block.
     """
@@ -78,12 +77,13 @@ class _Crossing:
     left: Array
     scale: float
     earlier: Flags
+    units: Array
 
     def moved(self, part: float, x: Array, base: Array) -> tuple[float, list[float]]:
         """Return time and position after a `part` of the displacement x; what is known before the block moves at rates `base`."""
         shifted = self.q + part * x[-1] / self.pace * base
         for coordinate, unknown in self.own:
-            shifted[coordinate] = self.q[coordinate] + part * x[unknown]
+            shifted[coordinate] = self.q[coordinate] + part * x[unknown] * self.units[unknown]
         return self.t + part * x[-1] / self.pace, shifted.tolist()
 
     def base_at(self, x: Array) -> Array:
@@ -138,15 +138,22 @@ class _Crossing:
         return abs(gap) / self.scale
 
     def _part(self, part: float, x: Array, base: Array) -> tuple[Array, Array, Array]:
-        return self.flow.part(*self.moved(part, x, base), self.block)
+        matrix, right, velocities = self.flow.part(*self.moved(part, x, base), self.block)
+        return matrix * self.units, right, velocities
 
 
 def _crossing_near(flow: Flow, t: float, q: Array, block: int, rates: Array) -> _Crossing:
     first, _, velocities = flow.part(t, q.tolist(), block)
-    left, sizes, _ = np.linalg.svd(first)
-    scale = (float(sizes[0]) if len(sizes) > 1 else flow.largest[block]) or 1.0
-    pace = max(float(np.max(np.abs(rates), initial=0.0)), 1e-9)
-    return _Crossing(flow, block, t, q, rates, _own(flow, block), pace, left, scale, velocities != 0)
+    units = _units(flow, block)
+    left, sizes, _ = np.linalg.svd(first * units)
+    scale = (float(sizes[0]) if len(sizes) > 1 else flow.largest[block] * float(units[0])) or 1.0
+    pace = max(float(np.max(np.abs(rates / flow.units), initial=0.0)), 1e-9)
+    return _Crossing(flow, block, t, q, rates, _own(flow, block), pace, left, scale, velocities != 0, units)
+
+
+def _units(flow: Flow, block: int) -> Array:
+    """Return what a displacement of 1 is for each unknown of a block: 1 rad, or the size of the mechanism."""
+    return flow.unknown_units[list(flow.places[block].unknowns)]
 
 
 def _own(flow: Flow, block: int) -> tuple[tuple[int, int], ...]:
@@ -164,29 +171,49 @@ def branches_at(
     where they turn out to be far slower or faster.
     """
     start = np.array(position, dtype=float)
-    known = float(np.max(np.abs(flow.part(time, start.tolist(), block)[2]), initial=0.0))
+    known = float(np.max(np.abs(flow.part(time, start.tolist(), block)[2] / flow.units), initial=0.0))
     pace = max(1.0, 1.0 / end, known)
     found = _branches(flow, block, time, start, pace, min(1.0 / pace, end))
     fastest = max([known, *(abs(value) for one in found or () for value in one.values())])
     if found is not None and fastest and not 1 / _PACES < fastest / pace < _PACES:
         found = _branches(flow, block, time, start, fastest, min(1.0 / fastest, end)) or found
-    return _kept_closed(flow, time, start, found) if found is not None and len(found) > 1 else found
+    if found is None:
+        return None
+    kept = _kept_closed(flow, time, start, found) if len(found) > 1 else found or _by_positions(flow, time, start)
+    units = dict(zip(flow.system.unknowns, flow.unknown_units.tolist(), strict=True))
+    return tuple({name: value * units[name] for name, value in one.items()} for one in kept)
+
+
+def _by_positions(flow: Flow, time: float, start: Array) -> tuple[dict[str, float], ...]:
+    """Return the one motion that position equations leave where those solved tell nothing, as with a double factor; else none."""
+    equations, unknowns = flow.equations, flow.system.unknowns
+    if not equations.from_closure:
+        return ()
+    try:
+        matrix, right, _ = compile_system(equations, [*equations.equations, *equations.from_closure]).matrix(time, start.tolist())
+    except (ArithmeticError, ValueError):
+        return ()
+    matrix = matrix * flow.unknown_units
+    sizes = np.maximum(np.abs(matrix).max(axis=1, initial=0.0), 1e-300)
+    u, _, rank, _ = np.linalg.lstsq(matrix / sizes[:, None], right / sizes, rcond=_OPENS)
+    closes = np.abs(matrix @ u - right) <= _OPENS * sizes * float(np.max(np.abs(u), initial=0.0))
+    return (dict(zip(unknowns, u.tolist(), strict=True)),) if rank == len(unknowns) and closes.all() else ()
 
 
 def _kept_closed(flow: Flow, time: float, start: Array, found: tuple[dict[str, float], ...]) -> tuple[dict[str, float], ...]:
     """Return the motions that no equation beside those solved opens, such as one of [closure]; all if none is left."""
-    equations, unknowns = flow.equations, flow.system.unknowns
+    equations, unknowns, units = flow.equations, flow.system.unknowns, flow.unknown_units
     beside = [one for one in (*equations.equations, *equations.from_closure) if one.name not in flow.system.names]
     if not beside:
         return found
-    system, size = compile_system(equations, beside), largest_length(equations.variant)
-    away = _BESIDE * np.array([1.0 if one.unit == "rad" else size for one in equations.variant.coordinates])
+    system, away = compile_system(equations, beside), _BESIDE * flow.units
     try:
         matrix, right, _ = system.matrix(time, start.tolist())
         # The equations of a singular position may be nothing but round-off there.
-        around = [system.matrix(time, (start + off).tolist())[0] for off in (-away, away)]
+        around = [system.matrix(time, (start + off).tolist())[0] * units for off in (-away, away)]
     except (ArithmeticError, ValueError):
         return found
+    matrix = matrix * units
     most = np.max(np.abs([matrix, *around]), axis=(0, 2), initial=0.0)
 
     def is_closed(branch: dict[str, float]) -> bool:
@@ -200,15 +227,16 @@ def _kept_closed(flow: Flow, time: float, start: Array, found: tuple[dict[str, f
 
 
 def _branches(flow: Flow, block: int, time: float, start: Array, pace: float, span: float) -> tuple[dict[str, float], ...] | None:
-    """Return what `branches_at` does, for velocities of about a `pace` (rad/s, m/s), by differences within a `span` (s).
+    """Return what `branches_at` does, in units of the flow: velocities of about a `pace` (1/s), by differences in a `span` (s).
 
     There A u = b has a line of solutions u + x v.  The second derivative of the closure selects those with
     w (dA/dt u - db/dt) = 0, where w A = 0: a quadratic equation in x.
     """
-    step = _STEP * span
+    step, units = _STEP * span, _units(flow, block)
     matrix, right, velocities = flow.part(time, start.tolist(), block)
+    matrix = matrix * units
     left, sizes, directions = np.linalg.svd(matrix)
-    scale = float(np.max(np.abs(matrix))) if len(sizes) > 1 else flow.largest[block]  # a single coefficient is nought here
+    scale = float(np.max(np.abs(matrix))) if len(sizes) > 1 else flow.largest[block] * float(units[0])  # it is nought here
     if len(sizes) > 1 and sizes[-2] < 1e-6 * sizes[0]:
         return ()
     w, v = left[:, -1], pace * directions[-1]
@@ -217,9 +245,9 @@ def _branches(flow: Flow, block: int, time: float, start: Array, pace: float, sp
     def demand(u: Array) -> tuple[float, float]:
         motion = velocities.copy()
         for coordinate, unknown in _own(flow, block):
-            motion[coordinate] = u[unknown]
+            motion[coordinate] = u[unknown] * units[unknown]
         after, before = (flow.part(time + side * step, (start + side * step * motion).tolist(), block)[:2] for side in (1, -1))
-        left, right = w @ ((after[0] - before[0]) @ u) / (2 * step), w @ (after[1] - before[1]) / (2 * step)
+        left, right = w @ ((after[0] - before[0]) @ (u * units)) / (2 * step), w @ (after[1] - before[1]) / (2 * step)
         return float(left - right), float(max(abs(left), abs(right)))
 
     found_at = {x: demand(particular + x * v) for x in (-1.0, 0.0, 1.0)}
@@ -239,8 +267,13 @@ def _branches(flow: Flow, block: int, time: float, start: Array, pace: float, sp
         roots = [(-slope + sign * np.sqrt(inside)) / (2 * square) for sign in (1, -1)]
     found = []
     for x in roots:
-        every = flow.velocities(time, start.tolist(), block, (particular + x * v).tolist())
-        found.append({n: float(value) for n, value in zip(flow.system.unknowns, every, strict=True) if value is not None})
+        every = zip(
+            flow.system.unknowns,
+            flow.velocities(time, start.tolist(), block, ((particular + x * v) * units).tolist()),
+            flow.unknown_units.tolist(),
+            strict=True,
+        )
+        found.append({name: float(value) / unit for name, value, unit in every if value is not None})
     return distinct(found, pace)
 
 

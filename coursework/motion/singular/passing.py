@@ -26,8 +26,8 @@ from coursework.motion.singular.event import Event
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.system.arrays import Array
 
-# The determinant at the inner flanks, and where the walk goes on, both relative to its largest value.
-_FLANK, _JUMP = 1e-2, 1e-6
+# The determinant at the inner flanks, and where the walk goes on from a simple and a double zero, relative to its largest value.
+_FLANK, _JUMP = 1e-2, (1e-6, 1e-8)
 # A determinant that changes by less than this share of its largest value in the whole run shows no change of sign.
 _FLAT = 1e-3
 # The determinant at a flank must agree with its slope within this factor; else another singular position is near.
@@ -53,13 +53,13 @@ def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, withi
         return None
     middle = _state(flow, event.time, event.position, branches[0], event.block)
     moving = np.array([middle.velocities[name] for name in flow.equations.variant.rates])
-    slope = _slope(flow, event, moving, end)
-    if abs(slope) * end < _FLAT:
+    order, growth = _growth(flow, event, moving, end)
+    if not order:
         return None
-    flank = _FLANK / abs(slope)
+    flank = (_FLANK / abs(growth)) ** (1 / order)
     while flank > _SMALLEST * end:
         try:
-            if found := _flanked(flow, middle, moving, way, flank, slope, event.block, within):
+            if found := _flanked(flow, middle, moving, way, flank, (order, growth), event.block, within):
                 return found
         except (ArithmeticError, ValueError, OutsideTable):
             pass
@@ -99,20 +99,28 @@ def _by_closure(flow: Flow, event: Event, end: float) -> Event:
     return event
 
 
-def _slope(flow: Flow, event: Event, moving: Array, end: float) -> float:
-    """Return how fast the determinant grows along the only motion (1/s)."""
-    nudge = _NUDGE * end
-    after, before = (
-        flow.scaled(event.time + side * nudge, (event.position + side * nudge * moving).tolist())[event.block] for side in (1, -1)
-    )
-    return (after - before) / (2 * nudge)
+def _growth(flow: Flow, event: Event, moving: Array, end: float) -> tuple[int, float]:
+    """Return the order n and c where the determinant is c (t - t0)^n along the only motion; order 0 if it is flat.
+
+    A factor that stands twice in an equation makes a double zero.
+    """
+    for order, share in ((1, _NUDGE), (2, _NUDGE**0.5)):
+        nudge = share * end
+        after, before = (
+            flow.scaled(event.time + side * nudge, (event.position + side * nudge * moving).tolist())[event.block]
+            for side in (1, -1)
+        )
+        growth = (after - (-1) ** (order + 1) * before) / 2 / nudge**order
+        if abs(growth) * end**order >= _FLAT:
+            return order, growth
+    return 0, 0.0
 
 
 def _flanked(
-    flow: Flow, middle: State, moving: Array, way: Sequence[Array], flank: float, slope: float, block: int,
+    flow: Flow, middle: State, moving: Array, way: Sequence[Array], flank: float, growth: tuple[int, float], block: int,
     within: tuple[float, float],
 ) -> Passage | None:  # fmt: skip
-    """Return the passage with the given distance of flanks (s), None if the motion there is not that of one simple zero."""
+    """Return the passage with the given distance of flanks (s), None if the motion there is not that of one zero."""
     times = [middle.time + part * flank for part in FLANKS]
     begun = next((state for state in reversed(way) if within[0] <= state[-1] <= times[0]), None)
     if begun is None or times[-1] > within[1]:
@@ -125,19 +133,20 @@ def _flanked(
     before = integrate_adaptive(field, begun[:-1], np.array([begun[-1], *times[:2]]), _TOLERANCE)[0][1:]
     # The change of velocities since the inner flank gives the second derivative (the error is cubic in the jump).
     bent = (moving - np.array(field(times[1], *before[1].tolist()))) / flank
-    jump = _JUMP / abs(slope)
+    order, factor = growth
+    jump = (_JUMP[order - 1] / abs(factor)) ** (1 / order)
     beyond = middle.position + jump * moving + jump**2 / 2 * bent
     after = integrate_adaptive(field, beyond, np.array([middle.time + jump, *times[2:]]), _TOLERANCE)[0][1:]
     positions = [*before, *after]
     found = np.array([flow.scaled(t, q.tolist()) for t, q in zip(times, positions, strict=True)])
-    straight = found[:, block] / (np.array(FLANKS) * flank * slope)
+    straight = found[:, block] / ((np.array(FLANKS) * flank) ** order * factor)
     others = np.delete(np.sign(found), block, axis=1)
     if np.any(others != others[0]) or not np.all((straight > 1 / _STRAIGHT) & (straight < _STRAIGHT)):
         return None
     flanks = tuple(_state(flow, t, q) for t, q in zip(times, positions, strict=True))
     if any(state.velocities.keys() != middle.velocities.keys() for state in flanks):  # a flank is singular itself
         return None
-    return Passage(block, middle, flanks, flank, flow.equations.variant.rates)
+    return Passage(block, middle, flanks, flank, flow.equations.variant.rates, order)
 
 
 def _state(flow: Flow, t: float, q: Array, known: dict[str, float] | None = None, block: int = 0) -> State:

@@ -8,6 +8,7 @@ block, dimensionless) and dq/ds = D u = adj(A) b, nothing is divided by D.  Sour
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import field
 from functools import partial
@@ -25,6 +26,8 @@ from coursework.equations.reduction.system import LinearSystem, compile_system, 
 from coursework.motion.integration.order_eight import SLOPES, dormand_prince_8
 from coursework.system.arrays import Array
 from coursework.system.frozen import changing, frozen
+from coursework.variant.record.held import largest_length
+from coursework.variant.record.variant import Variant
 
 # Number of positions and times at which a determinant of unknown largest value is evaluated; a rough scale is enough.
 _LOOKS = 16
@@ -53,8 +56,10 @@ class Flow:
 
     `largest` scales the determinant of each block.  `rates` says for each coordinate whether its rate is driven, and its index
     among the driven or the unknown rates.  `compile_clock(block)` gives (pace, *q, t) -> the flow whose clock is the determinant
-    of a block times a pace.  `noise` is the share of itself by which round-off changes the flow: large where equations nearly
-    depend on each other everywhere.  `evaluations` counts right-hand sides; the flow was made from `equations` and `begin` (m,).
+    of a block times a pace.  `units` (m,) of the coordinates are 1 rad for angles, for lengths the size of the mechanism; they
+    and `unknown_units` (k,) measure steps, in micrometres as in kilometres.  `noise` is the share of itself by which round-off
+    changes the flow: large where equations nearly depend on each other everywhere.  `evaluations` counts right-hand sides; the
+    flow was made from `equations` and `begin` (m,).
     """
 
     equations: VelocityEquations
@@ -63,6 +68,8 @@ class Flow:
     largest: tuple[float, ...]
     rates: tuple[tuple[bool, int], ...]
     compile_clock: Callable[[int], Callable[..., tuple[float, ...]]]
+    units: Array
+    unknown_units: Array
     noise: float
     begin: Sequence[float]
     clocks: dict[int, Callable[..., tuple[float, ...]]] = field(default_factory=dict)
@@ -160,7 +167,11 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
     entry_at = {place: entry for entry, place in enumerate(system.entries)}
     count = len(system.entries)
     begin = list(start) if start is not None else [c.start_or_guess or 0.0 for c in equations.variant.coordinates]
-    seen = _seen(system, begin, equations.variant.time.end)
+    variant = equations.variant
+    size = _length_unit(variant)
+    units = np.array([1.0 if one.unit == "rad" else size for one in variant.coordinates])
+    own = np.array([size if variant.unit_of(name).startswith("m") else 1.0 for name in system.unknowns])
+    seen = _seen(system, begin, units, equations.variant.time.end)
     places = []
     for block in reduction.blocks:
         rows = [names.index(name) for name in block.equations]
@@ -179,8 +190,14 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
     largest = tuple(block.largest or _largest_seen(seen, place) for block, place in zip(reduction.blocks, places, strict=True))
     noise = max([0.0, *(_noise(seen, place, size) for place, size in zip(places, largest, strict=True))])
     return Flow(
-        equations, system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block), noise, begin
-    )
+        equations, system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block), units, own,
+        noise, begin,
+    )  # fmt: skip
+
+
+def _length_unit(variant: Variant) -> float:
+    """Return the size of a mechanism as a unit of length: the power of 2 (m) next to its largest length, which rounds nothing."""
+    return float(2.0 ** round(math.log2(largest_length(variant))))
 
 
 def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: int) -> Callable[..., tuple[float, ...]]:
@@ -196,12 +213,13 @@ def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: in
     return compile_function("clock", arguments, body, [f"_pace * {result}" for result in results])
 
 
-def _seen(system: LinearSystem, begin: Sequence[float], end: float) -> list[tuple[float, ...]]:
+def _seen(system: LinearSystem, begin: Sequence[float], units: Array, end: float) -> list[tuple[float, ...]]:
     """Return the values of the system at the start and at some positions and times around it, where it has any."""
     found = []
     for look in range(_LOOKS):
         # Any fixed irrational shifts will do; the first point is the start itself.
-        q = [value + 0.5 * look * (0.618 * (i + 1) % 1.0) / _LOOKS for i, value in enumerate(begin)]
+        shares = [0.5 * look * (0.618 * (i + 1) % 1.0) / _LOOKS for i in range(len(begin))]
+        q = [value + share * unit for value, share, unit in zip(begin, shares, units.tolist(), strict=True)]
         try:
             found.append((*system.scalar(look / _LOOKS * end, *q), 0.0))
         except (ArithmeticError, ValueError, OutsideTable):

@@ -102,4 +102,4 @@ def is_back(flow: Flow, position: Array, start: Sequence[float]) -> bool:
     gap = position - np.asarray(start)
     angles = np.array([coordinate.unit == "rad" for coordinate in flow.equations.variant.coordinates])
     gap[angles] -= whole_turns(gap[angles])
-    return bool(np.max(np.abs(gap), initial=0.0) < _BACK)
+    return bool(np.max(np.abs(gap) / flow.units, initial=0.0) < _BACK)

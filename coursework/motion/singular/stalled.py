@@ -18,7 +18,8 @@ _NUDGE = 1e-6  # share of the run; step of the differences
 def ahead(flow: Flow, state: Array, block: int, end: float, *, within: float | None = None) -> Array:
     """Return the state (position, then t) at which the determinant of a block has its simple or double zero.
 
-    The block rests on the way, because its velocities may grow without bound, or moves at most `within` (rad or m) as it did.
+    The block rests on the way, because its velocities may grow without bound, or moves at most `within` (rad or share of the
+    size) as it did.
     """
 
     def size_at(state: Array) -> float:
@@ -39,7 +40,7 @@ def ahead(flow: Flow, state: Array, block: int, end: float, *, within: float | N
         lengths = [-order * now * 2 * nudge / (after - before) for order in (1, 2)] if after != before else [0.0]
         reached = {abs(size_at(one)): one for one in (state + length * moving for length in lengths)}
         nearest = min(reached)
-        if not nearest < size or (within is not None and np.max(np.abs(reached[nearest] - begun)[:-1]) > within):
+        if not nearest < size or (within is not None and np.max(np.abs(reached[nearest] - begun)[:-1] / flow.units) > within):
             break
         state, size = reached[nearest], nearest
     return state

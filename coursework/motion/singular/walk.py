@@ -33,7 +33,7 @@ from coursework.words.sentences import say
 # With a start determinant this small, any velocity has fewer than six digits.
 SINGULAR = 1e-10
 # With a local tolerance e, a motion passes a change point at a distance of about sqrt(100 e): the search begins at 100 sqrt(e)
-# and reaches as far as FAR (rad or m).
+# and reaches as far as FAR (rad or share of the largest length).
 NEAR, FAR = 100.0, 1e-2
 # Share of a length by which a motion may miss a change point and still be at it: no link is made to 1e-9.
 MISSED = 1e-9
@@ -48,7 +48,7 @@ TOGETHER = 1e-6
 # Tolerance of roots, as a share of the first determinant or of the run; the time of a fold is right to its square.
 ROOT = 1e-13
 MAX_STEPS = 15_000
-# A coordinate beyond this (rad or m) turns for ever or grows without end: a hundred million revolutions.
+# A coordinate beyond this (rad or sizes of the mechanism) turns for ever or grows without end: a hundred million revolutions.
 BOUNDLESS = 1e9
 # A determinant this many times its usual size stands at a pole: an equation divides by zero there, and no rate need be large.
 POLE = 1e9
@@ -113,7 +113,7 @@ class Walk:
                 return None
             # A growth that comes with a vanishing determinant ends at a dead point, which is the better message.
             stalls = len(self.way) > MANY and state[-1] - self.way[-MANY][-1] < SHORT * state[-1]
-            if min(map(abs, after)) > TOGETHER and (stalls or max(map(abs, state[:-1].tolist())) > BOUNDLESS):
+            if min(map(abs, after)) > TOGETHER and (stalls or np.max(np.abs(state[:-1]) / self.flow.units) > BOUNDLESS):
                 raise self._boundless(state)
             nearer = abs(after[block]) < min(abs(self.scaled[block]), self.near)
             self.state, self.scaled, self.length = state, after, following
@@ -130,12 +130,12 @@ class Walk:
             return without_value(pole, say("event.no_value"))
         variant, time, bound = self.flow.equations.variant, float(state[-1]), say("event.no_bound")
         name = variant.rates[int(np.argmax(np.abs(self.slope[:-1])))]
-        if (far := np.abs(state[:-1])).max() > BOUNDLESS:
+        if (far := np.abs(state[:-1]) / self.flow.units).max() > BOUNDLESS:
             place = int(np.argmax(far))
-            coordinate, begun = variant.coordinates[place], abs(float(self.state[place]))
-            if far[place] > begun:  # a fast one passes the bound early in the step
+            coordinate, unit = variant.coordinates[place], float(self.flow.units[place])
+            if far[place] > (begun := abs(float(self.state[place])) / unit):  # a fast one passes the bound early in the step
                 time -= (time - float(self.state[-1])) * (float(far[place]) - BOUNDLESS) / (float(far[place]) - begun)
-            name, bound = coordinate.name, say("amount.three", value=BOUNDLESS, unit=coordinate.unit)
+            name, bound = coordinate.name, say("amount.three", value=BOUNDLESS * unit, unit=coordinate.unit)
         return NotFollowed(say("fault.V526", name=name, bound=bound, time=time), time)
 
     def _pass(self, event: Event, goal: float) -> bool:
@@ -162,7 +162,8 @@ class Walk:
         """Return the next accurate state, the length to it and the next length; None at the end of a table."""
         t = float(self.state[-1])
         slope = self.slope = clock.slope(self.state)
-        allowed = [self.tolerance * (1.0 + abs(value)) for value in self.state.tolist()]
+        sizes = [*self.flow.units.tolist(), 0.0]
+        allowed = [self.tolerance * (unit + abs(value)) for unit, value in zip(sizes, self.state.tolist(), strict=True)]
         allowed[-1] = self.tolerance * self.end
         # A step that misses a pulse between its points shows no error: so no step reaches beyond the next stretch.
         beyond = bisect_right(self.cells, t) + 1

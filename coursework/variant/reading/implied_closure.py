@@ -12,13 +12,13 @@ from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
-from coursework.variant.record.held import axis_of, closed_parts, velocities_of_points
+from coursework.variant.record.held import axis_of, closed_parts, largest_length, velocities_of_points
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 
-_NUDGE = 1e-6  # rad or m, by which a coordinate is moved to see whether what is held depends on it
-_MOVES = 1e-12  # m per nudge: what moves less does not depend on any coordinate
+_NUDGE = 1e-6  # rad or share of the size, by which a coordinate is moved to see whether what is held depends on it
+_MOVES = 1e-12  # m per nudge, or share of a size below 1 m: what moves less does not depend on any coordinate
 _INDEPENDENT = 1e-4  # a row of derivatives that differs less from the others, relative to itself, says nothing of its own
 
 
@@ -47,9 +47,10 @@ def with_implied_closure(variant: Variant) -> Variant:
     start = {one.name: one.start_or_guess for one in variant.coordinates if one.start_or_guess is not None}
     derivatives = _derivatives(variant, rows, free, start)
     points = dict(enumerate((point for point, _ in driven), start=len(written)))
-    own = _independent(derivatives)
+    own = _independent(derivatives, least := _least(variant))
     idle = {point for place, point in points.items() if place not in own}  # its coordinates are driven already
-    own = _independent([[0 * one for one in row] if points.get(place) in idle else row for place, row in enumerate(derivatives)])
+    moved = [[0 * one for one in row] if points.get(place) in idle else row for place, row in enumerate(derivatives)]
+    own = _independent(moved, least)
     found = [*dict.fromkeys(points[place] for place in own if place in points)]
     kept = [held[place - len(rows)] for place in own if place >= len(rows) - len(held)]
     lines: dict[KeyPath, int] = {("closure", "holds", place): variant.nearest_line(*path) for place, (path, _) in enumerate(kept)}
@@ -63,7 +64,11 @@ def stays(rows: Sequence[Formula], variant: Variant) -> bool:
     """Return whether no coordinate moves any of `rows`, tried at one position; False if a value is not known there."""
     tried = {one.name: 0.3 + 0.1 * place for place, one in enumerate(variant.coordinates)}
     moved = _derivatives(variant, rows, [*tried], tried)
-    return bool(moved) and all(abs(one) <= _MOVES for row in moved for one in row)
+    return bool(moved) and all(abs(one) <= _least(variant) for row in moved for one in row)
+
+
+def _least(variant: Variant) -> float:
+    return _MOVES * min(largest_length(variant), 1.0)
 
 
 def _held(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
@@ -96,7 +101,10 @@ def _derivatives(
         laws = [(law.name, law.formulas[0]) for law in in_order(variant) if law.formulas]
         order = [*laws, *((name, points[name]) for name in TopologicalSorter(needs).static_order())]
         known = {"pi": math.pi, "t": 0.0, **variant.values, **start}
-        moved = [[_values(rows, order, {**known, name: start[name] + way}) for way in (-_NUDGE, _NUDGE)] for name in names]
+        size = largest_length(variant)
+        nudges = {one.name: _NUDGE * (size if one.unit == "m" else 1.0) for one in variant.coordinates}
+        ends = {name: (start[name] - nudges[name], start[name] + nudges[name]) for name in names}
+        moved = [[_values(rows, order, {**known, name: end}) for end in ends[name]] for name in names]
     except (FormulaFault, ArithmeticError, ValueError, TypeError, LookupError, CycleError):
         return []
     return [[after[row] - before[row] for before, after in moved] for row in range(len(rows))]
@@ -110,8 +118,11 @@ def _values(rows: Sequence[Formula], order: Sequence[tuple[str, Formula]], known
     return [evaluate_any(row, values).real for row in rows]
 
 
-def _independent(rows: Sequence[Sequence[float]]) -> list[int]:
-    """Return the places of the rows that are no sums of multiples of those before them, by Gram and Schmidt's way."""
+def _independent(rows: Sequence[Sequence[float]], least: float) -> list[int]:
+    """Return the places of the rows that are no sums of multiples of those before them, by Gram and Schmidt's way.
+
+    What moves `least` or less does not move.
+    """
     kept: dict[int, list[float]] = {}
     for place, row in enumerate(rows):
         rest = [*row]
@@ -119,6 +130,6 @@ def _independent(rows: Sequence[Sequence[float]]) -> list[int]:
             along = sum(map(operator.mul, one, rest))
             rest = [value - along * part for value, part in zip(rest, one, strict=True)]
         size = math.hypot(*rest)
-        if size > max(_INDEPENDENT * math.hypot(*row), _MOVES):
+        if size > max(_INDEPENDENT * math.hypot(*row), least):
             kept[place] = [value / size for value in rest]
     return [*kept]

@@ -1,6 +1,6 @@
-"""What [closure] holds: points that follow a drive, units of expressions, which can only be zero, which are parts of a vector.
+"""What [closure] holds: points that follow a drive, units and size of what is held, what can only be zero, parts of a vector.
 
-Enters: a `Variant`.  Leaves: units, flags.
+Enters: a `Variant`.  Leaves: units, sizes, flags.
 Used by `equations.py`, `changes.py`, `gaps.py`, `drift.py`, `structure.py`, `rigid.py` and by `scheme.py`.
 """
 
@@ -28,6 +28,11 @@ from coursework.variant.record.variant import Variant
 MOST_PAIRED = 40  # scalars among which components of one vector are looked for; every pair is tried
 _ALONG = 1e-12  # sine of an angle to an axis: below it a direction lies along the axis
 POWERS = {2: "m²", 3: "m³", 4: "m⁴"}  # units of position equations in products of lengths
+
+
+def largest_length(variant: Variant) -> float:
+    """Return the largest length of the data (m), 1 if there is none: the size of the mechanism."""
+    return max((abs(given.value) for given in variant.given if given.si == "m"), default=1.0) or 1.0
 
 
 def followed(variant: Variant) -> dict[str, tuple[str, str]]:

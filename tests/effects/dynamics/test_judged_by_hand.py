@@ -183,8 +183,10 @@ def test_a_start_that_is_right_is_not_told_alone(verdict, is_told, monkeypatch):
         SimpleNamespace(finding=lambda _, code=code: SimpleNamespace(code=code, verdict=verdict)) for code in ("START", "ENERGY")
     ]
     monkeypatch.setattr(dynamics_checks, "CHECKS", checks)
-    rows = SimpleNamespace(rows=SimpleNamespace(motion=SimpleNamespace(notes=())))
-    assert [one.code for one in _judged(SimpleNamespace(own=rows))] == (["START", "ENERGY"] if is_told else ["ENERGY"])
+    rows = SimpleNamespace(rows=SimpleNamespace(motion=SimpleNamespace(notes=(), stop=None)))
+    assert [one.code for one in _judged(SimpleNamespace(own=rows, exact=rows))] == (
+        ["START", "ENERGY"] if is_told else ["ENERGY"]
+    )
 
 
 @pytest.mark.parametrize(("scheme", "steps", "parts"), [

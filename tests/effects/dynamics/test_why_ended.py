@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.effects.dynamics.why_ended import _vanishes
 from tests.effects.dynamics.test_dynamics import rod_of
 from tests.mechanisms.library import mechanism
 
@@ -152,3 +153,24 @@ def test_a_rail_across_the_motion_of_a_block_under_forces_is_told_with_both_angl
     text = BLOCK.replace('S", angle = "-al"', 'S", angle = "al"')
     with pytest.raises(coursework.InputError, match=r"V316 .*lies at 30°, and S moves along -30°. Write angle = .-30 deg"):
         _ = coursework.solve(coursework.parse_variant(text), scheme="exact", quantities=("table", "checks")).checks
+
+
+def test_a_rail_across_a_block_that_rests_on_it_is_told_though_nothing_moves():
+    """Gravity alone acts, along the rail and across the only way that S has; along that way, to a fiftieth, it simply rests."""
+    text = BLOCK.replace("x @ (-al)", "(x, 0)").replace(
+        'stop = { on = "1", at = "S", force = "(-k*x) @ (-al)" }', 'gravity = "9.81"'
+    )
+    rails = {angle: coursework.parse_variant(text.replace('"-al"', f'"{angle}"')) for angle in ("90 deg", "1 deg", "2 deg")}
+    for angle, told in ("90 deg", "lies at 90°, and S moves along 0°"), ("2 deg", "lies at 2°, and S moves along 0°"):
+        with pytest.raises(coursework.InputError, match=f"V316 .*{told}"):
+            _ = coursework.solve(rails[angle], quantities=("table", "checks")).checks
+    assert "Nothing moves" in coursework.solve(rails["1 deg"], quantities=("table", "checks")).summary
+
+
+@pytest.mark.parametrize("way", [lambda d: 0.7 - 0.2 * np.expm1(d), lambda d: 0.7 - 0.3 * d**2 + 0.1 * d**5])
+def test_the_time_of_a_limit_is_read_from_a_determinant_that_falls_evenly_or_as_a_root(way):
+    """The last states say nothing: where a determinant is a hundred-thousandth, so are the digits of its position."""
+    sizes = np.append([1.0, *0.4 * 0.7 ** np.arange(24)], [3e-5, 2e-6])
+    t = way(sizes)
+    t[-2:] += 1e-6
+    assert _vanishes(t, sizes) == pytest.approx(0.7, abs=1e-12)

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+import coursework
 from coursework.motion.singular.change_point import branches_at, nearest_change_point
 
 ALL_SOLVED = SimpleNamespace(equations=(), from_closure=())
@@ -19,7 +20,7 @@ class Single:
         self.places = [SimpleNamespace(unknowns=(0,))]
         self.rates, self.largest = [(False, 0)], [1.0]
         self.system = SimpleNamespace(unknowns=("u",), names=())
-        self.equations = ALL_SOLVED
+        self.equations, self.units, self.unknown_units = ALL_SOLVED, np.ones(1), np.ones(1)
 
     def part(self, t, q, block):
         self.looks += 1
@@ -67,7 +68,7 @@ def test_sides_that_are_alike_whatever_the_velocity_tell_no_motion(apart, count)
 def test_a_change_point_is_where_two_curves_of_positions_cross(begin):
     """(q - 1)^2 = (t - 1)^2 crosses at 1, where p = q^2 is 1 too; the motion q = t goes through the point itself."""
     flow = SimpleNamespace(
-        places=[SimpleNamespace(unknowns=(0, 1))], rates=[(False, 0), (False, 1)],
+        places=[SimpleNamespace(unknowns=(0, 1))], rates=[(False, 0), (False, 1)], units=np.ones(2), unknown_units=np.ones(2),
         part=lambda t, q, block: (
             np.array([[2 * (q[0] - 1), 0.0], [-2 * q[0], 1.0]]), np.array([2 * (t - 1), 0.0]), np.array([1.0, 2 * q[0]])
         ),
@@ -83,7 +84,7 @@ def test_motions_are_told_apart_where_differences_have_digits(longest, count):
     flow = SimpleNamespace(
         places=[SimpleNamespace(unknowns=(0, 1))], rates=[(False, 0), (False, 1)], system=SimpleNamespace(unknowns=("u", "v")),
         equations=ALL_SOLVED, part=lambda t, q, block: (np.array([[q[0], 0.0], [0.0, longest]]), np.array([t, 0.0]), np.zeros(2)),
-        velocities=lambda t, q, block, own: own,
+        velocities=lambda t, q, block, own: own, units=np.ones(2), unknown_units=np.ones(2),
     )  # fmt: skip
     found = branches_at(flow, 0, 0.0, [0.0, 0.0])
     assert sorted(round(one["u"], 6) for one in found) == [-1.0, 1.0][:count]
@@ -97,6 +98,7 @@ def test_where_two_equations_are_lost_no_motion_is_told(longest, share, count):
         places=[SimpleNamespace(unknowns=(0, 1, 2))], rates=[(False, 0), (False, 1), (False, 2)],
         system=SimpleNamespace(unknowns=("u", "v", "w")), equations=ALL_SOLVED, velocities=lambda t, q, block, own: own,
         part=lambda t, q, block: (longest * np.diag([q[0], share, 1.0]), longest * np.array([t, 0.0, 0.0]), np.zeros(3)),
+        units=np.ones(3), unknown_units=np.ones(3),
     )  # fmt: skip
     assert len(branches_at(flow, 0, 0.0, [0.0, 0.0, 0.0])) == count
 
@@ -114,3 +116,34 @@ def test_newton_is_given_up_after_twelve_steps():
     flow = Single(lambda t, q: (q - 1) ** 2, lambda t, q: t)
     assert nearest_change_point(flow, 0.0, np.array([0.0]), 0, np.array([1.0]), 10.0) is None
     assert flow.looks == 1 + 3 + 12 * 5 * 2
+
+
+PARALLEL = """[given]
+a = "A m"
+d = "D m"
+[drive]
+w = "2"
+[coordinates]
+p = { start = "90 deg", rate = "w" }
+x = { start = "D m", rate = "u" }
+y = { start = "A m", rate = "v" }
+[time]
+step = "10 ms"
+end = "1 s"
+[[constraint]]
+equation = "(x - a*cos(p))*(u + a*w*sin(p)) + (y - a*sin(p))*(v - a*w*cos(p)) = 0"
+[[constraint]]
+equation = "(x - d)*u + y*v = 0"
+[closure]
+holds = ["(x - a*cos(p))^2 + (y - a*sin(p))^2", "(x - d)^2 + y^2"]
+"""
+
+
+@pytest.mark.parametrize("size", [1e-7, 3e6, 1e9])
+def test_two_motions_meet_in_micrometres_as_in_kilometres(size):
+    """The pin of a parallelogram at p = 180 deg: v = -a w as its links stay parallel, or v = a w (d-a)/(d+a)."""
+    text = PARALLEL.replace("A m", f"{0.2 * size!r} m").replace("D m", f"{0.5 * size!r} m")
+    stop = coursework.solve(coursework.parse_variant(text), "exact").stop
+    assert stop.time == pytest.approx(math.pi / 4, abs=1e-14) and stop.kind == "change point"
+    assert sorted(one["v"] / size for one in stop.branches) == pytest.approx([-0.4, 0.4 * 0.3 / 0.7], rel=1e-9)
+    assert max(abs(one["u"]) for one in stop.branches) <= 1e-9 * size

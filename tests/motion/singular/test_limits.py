@@ -22,7 +22,7 @@ def coordinates(*units):
 
 @pytest.mark.parametrize(("off", "back"), [(0.9e-8, True), (1.2e-8, False)])
 def test_what_is_back(off, back):
-    flow = SimpleNamespace(equations=coordinates("rad", "m"))
+    flow = SimpleNamespace(equations=coordinates("rad", "m"), units=np.ones(2))
     assert is_back(flow, np.array([1 + 6 * math.pi + off, 2.0]), [1.0, 2.0]) is back
     assert is_back(flow, np.array([1.0, 2.0 - off]), [1.0, 2.0]) is back
     assert not is_back(flow, np.array([1.0, 2.0 + 2 * math.pi]), [1.0, 2.0])
@@ -74,7 +74,13 @@ def test_a_step_of_the_walk_is_shortened_where_one_coordinate_or_the_time_is_off
 
     clock = SimpleNamespace(slope=lambda state: np.ones(3), step=step)
     stand = SimpleNamespace(
-        state=np.array([0.0, 1.0, 0.0]), tolerance=1e-9, end=1.0, cells=[0.0, 1.0], length=0.1, peaks=Peaks.of(2)
+        state=np.array([0.0, 1.0, 0.0]),
+        tolerance=1e-9,
+        end=1.0,
+        cells=[0.0, 1.0],
+        length=0.1,
+        peaks=Peaks.of(2),
+        flow=SimpleNamespace(units=np.ones(2)),
     )
     reach = Walk._step(stand, clock)[1]
     assert len(lengths) == tries
@@ -96,12 +102,12 @@ def flanks_tried(slope, end, monkeypatch):
     tried = []
     middle = SimpleNamespace(velocities={})
     equations = SimpleNamespace(variant=SimpleNamespace(rates=()))
-    flow = SimpleNamespace(equations=equations, system=SimpleNamespace(unknowns=("u",), known=()), rates=())
+    system = SimpleNamespace(unknowns=("u",), known=())
+    flow = SimpleNamespace(equations=equations, system=system, rates=(), scaled=lambda t, q: [slope * (t - 0.5)])
     event = SimpleNamespace(kind="change point", together=(0,), block=0, time=0.5, position=np.zeros(1))
     monkeypatch.setattr(passing, "_by_closure", lambda flow, event, end: event)
     monkeypatch.setattr(passing, "branches_at", lambda *_: ({"u": 1.0},))
     monkeypatch.setattr(passing, "_state", lambda *_: middle)
-    monkeypatch.setattr(passing, "_slope", lambda *_: slope)
     monkeypatch.setattr(passing, "_flanked", lambda flow, middle, moving, way, flank, *_: tried.append(flank))
     assert passing.passage_at(flow, event, [], end, (0.0, end)) is None
     return tried
@@ -163,7 +169,7 @@ def on_the_way(**more):
     found = more.pop("event", None)
     stand = SimpleNamespace(
         scaled=[1.0], length=0.1, taken=0, end=1.0, way=[np.zeros(2)], near=0.0, slope=np.ones(2),
-        flow=SimpleNamespace(clock=lambda block, side: None), _step=lambda clock: next(steps),
+        flow=SimpleNamespace(clock=lambda block, side: None, units=np.ones(1)), _step=lambda clock: next(steps),
         _determinants=lambda state: [1.0], _inside=lambda *_: (found, 0.0), _pass=lambda *_: False,
         _arrive=lambda *_: stand.__dict__.update(arrived=True), _boundless=lambda state: ENDED, arrived=False,
     )  # fmt: skip

@@ -148,6 +148,22 @@ def test_a_row_just_at_a_passage_follows_from_the_row_before(lost, told):
     assert told in run.stop.cause if told else [one.middle.time for one in run.scene.search.passages] == pytest.approx([1.25])
 
 
+def test_a_double_factor_of_an_equation_is_gone_through_though_its_determinant_keeps_its_sign():
+    """y^2 (vy - x w) = 0 says nothing at y = 0, where vy = -2 by y = sin(a), after (pi - 2.5)/2 s."""
+    text = scene(
+        'a = { start = "2.5 rad", rate = "w" }\n'
+        f'x = {{ start = "{math.cos(2.5)!r} m", rate = "vx" }}\ny = {{ start = "{math.sin(2.5)!r} m", rate = "vy" }}',
+        drive='w = "2"', step=0.05, end=1.5, equations=["vx = -y*w", "y^2*vy = y^2*x*w"],
+        more='[closure]\nholds = ["x - cos(a)", "y - sin(a)"]',
+    )  # fmt: skip
+    run = solve(text, "rk4", ("table", "checks"))
+    (passed,) = run.scene.search.passages
+    assert passed.middle.time == pytest.approx((math.pi - 2.5) / 2, abs=1e-12) and run.stop is None
+    assert passed.middle.velocities["vy"] == pytest.approx(-2, rel=1e-9)
+    assert np.abs(run.motion.column("y") - np.sin(run.motion.column("a"))).max() < 1e-5
+    assert {one.verdict for one in run.checks} <= {"PASS", "SKIP"}
+
+
 def test_a_position_equation_that_says_nothing_at_a_change_point_tells_no_motion():
     """A slider on a rod as long as its crank: x (x - 2 r cos(a)) = 0, so at 90 degrees it may stay on the pivot."""
     text = scene(

@@ -14,7 +14,7 @@ def flow(order, least=0.0, speed=0.5):
     return SimpleNamespace(
         scaled=lambda t, q: [9.0, least - 0.03 * (t + 2 * q[0] - 1) ** order], part=lambda t, q,
         block: (None, None, np.array([speed])),
-        slopes=lambda t, q, block: [-2.0 * block, -4.0 * block],
+        slopes=lambda t, q, block: [-2.0 * block, -4.0 * block], units=np.ones(1),
     )  # fmt: skip
 
 

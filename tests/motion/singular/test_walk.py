@@ -14,7 +14,8 @@ def test_a_step_over_several_signs_is_taken_again_shorter(at_once, lengths):
     made, arrived = [], []
     walk = SimpleNamespace(
         end=1.0, taken=0, scaled=[0.5, 0.7], length=0.8, near=0.0, state=np.zeros(2), way=[np.zeros(2)],
-        flow=SimpleNamespace(clock=lambda *_: "clock"), _inside=lambda *_: (None, 0.0), _at_rest=lambda block: None,
+        flow=SimpleNamespace(clock=lambda *_: "clock", units=np.ones(1)), _inside=lambda *_: (None, 0.0),
+        _at_rest=lambda block: None,
         _at_once=lambda crossed, block, after: at_once, _arrive=lambda clock, part, goal: arrived.append((part, goal)),
         _determinants=lambda state: [0.5, 0.7] if state[-1] <= 0.5 else [-0.1, -0.2],
     )  # fmt: skip

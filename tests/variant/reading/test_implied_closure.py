@@ -204,3 +204,10 @@ def test_a_section_that_is_written_as_a_value_is_wanted_as_lines(section, found)
         coursework.InputError, match=rf"V015 .*{section}: a section of lines key = value was expected, found {found}\."
     ):
         coursework.parse_variant(f"{section} = {found}\n{ARM}")
+
+
+@pytest.mark.parametrize("size", [1e-7, 1e-3, 1e6])
+def test_what_the_frame_holds_judges_signs_in_micrometres_as_in_kilometres(size):
+    text = re.sub(r'"([0-9.]+) m"', lambda found: f'"{float(found[1]) * size:.9g} m"', TURNED)
+    right = coursework.parse_variant(text)
+    assert [spelled(hold) for hold in right.holds] == [spelled(hold) for hold in coursework.parse_variant(TURNED).holds] != []

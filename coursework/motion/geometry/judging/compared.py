@@ -1,6 +1,7 @@
 """The times and positions at which written equations, and rates of links, are compared with the geometry.
 
-Enters: velocity equations and their closure.  Leaves: times and positions.  Used by `agreement.py`, `turning.py`.
+Enters: velocity equations and their closure.  Leaves: times and positions.  Used by `agreement.py`, `turning.py`,
+`misfits.py`.
 """
 
 from __future__ import annotations
@@ -40,18 +41,18 @@ def looked_at(equations: VelocityEquations, closure: Closure) -> tuple[Array, Ar
     possible, so those of another time will do where nothing else depends on time; else the motion is followed to that time.
     """
     times, positions = closure.configurations
-    depends = _depends_on_time(equations)
+    depends = depends_on_time(equations)
     if not closure.complete and closure.loose:  # a loop without a position equation is closed at the start alone
         times, positions = times[:1], positions[:1]
         if depends:
             then, there = _moved(equations, positions[0], times[0], goes_on=True)
             return np.concatenate([times, then]), np.concatenate([positions, there])
-        times = np.concatenate([times, _with_drives_on(equations, times)])
+        times = np.concatenate([times, with_drives_on(equations, times)])
         positions = np.concatenate([positions, _moved(equations, positions[0], times[-1], goes_on=False)[1]])
         return np.repeat(times, len(positions)), np.tile(positions, (len(times), 1))
     if not depends and len(closure.driven) + sum(map(bool, closure.drives)) > 1:
         times, positions = (np.concatenate(pair) for pair in zip((times, positions), _stirred(closure), strict=True))
-    later = _with_drives_on(equations, times)
+    later = with_drives_on(equations, times)
     if not len(later):
         return times, positions
     if depends:
@@ -133,7 +134,7 @@ def _stirred(closure: Closure) -> tuple[Array, Array]:
     return times[:0], positions[:0]
 
 
-def _depends_on_time(equations: VelocityEquations) -> bool:
+def depends_on_time(equations: VelocityEquations) -> bool:
     """Return whether written equations or positions depend on time otherwise than by a drive."""
     parts = [part for one in equations.equations if one.written for part in one.parts]
     timed = any(
@@ -142,7 +143,7 @@ def _depends_on_time(equations: VelocityEquations) -> bool:
     return timed or any(TIME in part.free_symbols for part in (*parts, *(one.expression for one in equations.positions)))
 
 
-def _with_drives_on(equations: VelocityEquations, times: Array) -> Array:
+def with_drives_on(equations: VelocityEquations, times: Array) -> Array:
     """Return times of the run at which drives move that are at rest at all of `times`."""
     variant, laws = equations.variant, [law.name for law in equations.variant.drive]
     if not laws:

@@ -19,7 +19,7 @@ from coursework.equations.reduction.equations import VelocityEquations, differen
 from coursework.equations.reduction.system import compile_values
 from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.closed_start import OPEN, closed_start
-from coursework.motion.geometry.closure import Closure, compile_closure, largest_length
+from coursework.motion.geometry.closure import Closure, compile_closure
 from coursework.motion.geometry.judging.agreement import agrees
 from coursework.motion.geometry.judging.open_loops import where_judged
 from coursework.motion.geometry.judging.rails import off_rail
@@ -28,7 +28,7 @@ from coursework.system.frozen import frozen
 from coursework.variant.formula.tree import evaluate
 from coursework.variant.reading.implied_closure import with_implied_closure
 from coursework.variant.record.entries import Link, reached
-from coursework.variant.record.held import is_arm
+from coursework.variant.record.held import is_arm, largest_length
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence

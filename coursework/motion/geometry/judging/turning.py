@@ -18,14 +18,14 @@ import numpy as np
 from coursework.equations.reduction.bound import Speed, Turn, rate_of, speed_of
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_system
-from coursework.motion.geometry.closure import Closure, largest_length
+from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.drives.drive import drive_values
 from coursework.motion.geometry.judging.agreement import given_by_geometry, gives
 from coursework.motion.geometry.judging.compared import looked_at
 from coursework.motion.geometry.judging.misfits import row_of
 from coursework.motion.geometry.judging.open_loops import where_judged
 from coursework.system.arrays import Array
-from coursework.variant.record.held import velocities_of_points
+from coursework.variant.record.held import largest_length, velocities_of_points
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say

@@ -283,7 +283,7 @@ def _changed(motion: Motion, evidence: Evidence) -> int | None:
         own = np.flatnonzero(np.array(evidence.rates.blocks) == passage.block)
         # A slightly inaccurate scheme passes a row early or late.
         near = np.abs(motion.t - passage.middle.time) < motion.step
-        signs[np.ix_(motion.t > passage.middle.time, own)] *= -1
+        signs[np.ix_(motion.t > passage.middle.time, own)] *= (-1) ** passage.order
         signs[np.ix_(near, own)] = signs[0, own]
     changed = np.flatnonzero(np.any(signs != signs[0], axis=1))
     return int(changed[0]) if len(changed) else None

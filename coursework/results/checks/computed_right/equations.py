@@ -17,6 +17,7 @@ from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.judging.misfits import misfits
 from coursework.motion.geometry.judging.rigid import may_be_hinges
 from coursework.motion.geometry.judging.turning import said_otherwise
+from coursework.motion.integration.motion import Motion
 from coursework.results.checks.computed_right.conditioning import condition_numbers
 from coursework.results.checks.computed_right.divided import DIGITS, FEWEST
 from coursework.results.checks.evidence import Evidence, worst
@@ -104,16 +105,18 @@ def agreement(evidence: Evidence) -> Finding:
 
 def _doubted(evidence: Evidence, found: Finding) -> Finding:
     """Return the finding about equations that no position equation judges, with what does not fit the links first."""
-    motion = evidence.motion
+    told = unlike_links(evidence.equations, evidence.motion)
+    return replace(found, sentence=joined([told, found.sentence]), headline=told) if told is not None else found
+
+
+def unlike_links(equations: VelocityEquations, motion: Motion) -> Sentence | None:
+    """Return which equations do not fit the links in the rows of a motion, or else how these move otherwise."""
     if not len(motion.t):
-        return found
-    if unfit := misfits(evidence.equations, motion.t, motion.coordinates)[1]:
-        told = say_count("check.AGREEMENT.unfit", len(unfit), names=unfit)
-    elif otherwise := said_otherwise(evidence.equations, motion.t, motion.coordinates):
-        told = joined(otherwise)
-    else:
-        return found
-    return replace(found, sentence=joined([told, found.sentence]), headline=told)
+        return None
+    if unfit := misfits(equations, motion.t, motion.coordinates)[1]:
+        return say_count("check.AGREEMENT.unfit", len(unfit), names=unfit)
+    otherwise = said_otherwise(equations, motion.t, motion.coordinates)
+    return joined(otherwise) if otherwise else None
 
 
 def proposed_ties(equations: VelocityEquations, start: Sequence[float]) -> list[Sentence]:

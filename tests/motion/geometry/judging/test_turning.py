@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.motion.geometry.judging.turning import _of_link
+from coursework.motion.geometry.judging.turning import _of_link, said_otherwise
 from coursework.variant.reading.reader import parse_variant
 from tests.mechanisms.library import changed, mechanism
 
@@ -193,7 +193,9 @@ hinges = ["O"]
 def test_a_planet_is_judged_where_each_drive_leads(written, told):
     """While the carrier waits, the wrong sign looks like an angle counted clockwise; Willis: w2 = wc - (w1 - wc) z1/z2."""
     run = coursework.solve(coursework.parse_variant(TRAIN.replace("= -(w1", written)), "rk4", quantities=("table", "checks"))
-    assert re.search(told, run.summary) if told else "Link" not in run.summary
+    otherwise = said_otherwise(run.scene.equations, run.motion.t, run.motion.coordinates)
+    assert re.search(told, otherwise[1]) if told else not otherwise
+    assert ("Equation 1 does not fit how the links move: a sign is wrong" in run.summary) is bool(told)
 
 
 @pytest.mark.parametrize("largest", [0.02, 300.0])
