@@ -154,7 +154,7 @@ def test_the_slider_of_the_homework_stays_on_its_guide():
 def test_the_lesson_is_told_on_screen_in_the_record_and_in_a_table():
     done = call("run", "example-3", "--format", "csv")
     assert done.exit_code == 0
-    assert "exact motion, h = 0.0174533 s, 37 rows" in done.stdout
+    assert "exact motion, h = 0.01745 s, 37 rows" in done.stdout
     assert "Euler at this step would be off by 57.9 % of the scale of theta5 in row 37." in done.stdout
     out = Path("coursework-example-3")
     record = json.loads((out / "run.json").read_text(encoding="utf-8"))

@@ -116,7 +116,7 @@ def test_a_plan_has_its_margins_and_stands_over_its_foot(name: str, plan: str) -
 
 
 @pytest.mark.parametrize(("amount", "told"), [
-    (0.5, "10 m"), (0.501, "20 m"), (0.0249, "0.5 m"), (1.01e-8, "0.000001 m"), (0.99e-8, ""), (2.49e5, "5000000 m"),
+    (0.5, "10 m"), (0.501, "20 m"), (0.0249, "0.5 m"), (1.01e-8, "1·10⁻⁶ m"), (0.99e-8, ""), (2.49e5, "5000000 m"),
     (2.51e5, ""),
 ])  # fmt: skip
 def test_the_bar_of_a_screen_is_a_round_amount_from_20_to_100_mm_long(amount: float, told: str) -> None:

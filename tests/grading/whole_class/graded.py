@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.grading.batch.test_batch import grade
-from tests.grading.pages.test_true_sentences import plain, records
+from tests.grading.pages.seen import plain, records
 from tests.grading.whole_class.pupils import Pupil
 
 _SHEET = (

@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 from string import Formatter
 
-from tests.grading.pages.test_true_sentences import plain
+from tests.grading.pages.seen import plain
 
 WORDS = Path(__file__).parents[3] / "reports" / "words.en.toml"
 ROOMS = ("feedback", "marking", "reading", "fault")
