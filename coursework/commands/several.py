@@ -274,11 +274,14 @@ def _free(stem: str, taken: set[str]) -> str:
 
 
 def _is_pattern(word: str) -> bool:
-    return glob.has_magic(word) and not Path(word).exists()
+    return glob.has_magic(word) and not (Path(word).exists() or Path(f"{word}.toml").exists())
 
 
 def _expanded(word: str) -> list[str]:
     """Return the sorted files of a pattern; one without files is returned itself, to be reported as a fault."""
     if not _is_pattern(word):
         return [word]
+    folder = Path(word).parent
+    if folder.is_dir():  # brackets in its name are no pattern
+        word = str(Path(glob.escape(str(folder)), Path(word).name))
     return sorted(found for found in glob.glob(word, recursive=True) if Path(found).is_file()) or [word]  # noqa: PTH207  may begin at the root

@@ -218,6 +218,12 @@ def _refuse_no_points(variant: Variant) -> Sentence | None:
     return say("fault.V501")
 
 
+def _refuse_no_sheet(variant: Variant) -> Sentence | None:
+    from coursework.drawing.check_sheet.lacking import lacking
+
+    return lacking(variant)
+
+
 def _force_lines(found: ForceAnalysis) -> Iterable[tuple[object, ...]]:
     from coursework.drawing.force_plans.force_plans import make_force_plans
 
@@ -244,7 +250,7 @@ POINTS = Quantity(
 ANALOGS = Quantity(analogs, OwnTable(lambda _, rows: rows), order=2)
 INVARIANTS = Quantity(invariants, OwnTable(lambda _, rows: rows), order=2)
 ACCURACY = Quantity(accuracy, OwnSection(), only_pages=True)
-GRAPH_CHECK = Quantity(graph_check, OwnSection())
+GRAPH_CHECK = Quantity(graph_check, OwnSection(), refuses=_refuse_no_sheet)
 _SYMBOLS_ONLY = OwnFigure(lambda _, drawn, written: drawn)  # which every language writes alike
 TRAJECTORIES = Quantity(trajectories, _SYMBOLS_ONLY, refuses=_refuse_no_points, only_pages=True)
 _BY_PLANS = OwnFigure[Any](lambda _, found, written: found.drawings(written), lambda found: found.rows())

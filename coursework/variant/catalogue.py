@@ -70,7 +70,8 @@ def find(path_or_name: str | Path | int) -> Path:
     if _is_file(ended) or _is_file(path):
         return ended if _is_file(ended) else path
     # An editor on Windows may append ".txt" to the name, and the file manager hides it.
-    if path.name and _is_file(doubled := ended.with_name(f"{ended.name}.txt")):
+    hidden = (ended.with_name(f"{stem}.txt") for stem in (ended.name, ended.stem)) if path.name else ()
+    if doubled := next(filter(_is_file, hidden), None):
         raise InputError(say("fault.C013", ended=ended, doubled=doubled, name=ended.name))
     if re.fullmatch(r"[\w-]{1,60}(\.toml)?", text) and not path.is_dir():
         if ended.is_symlink():  # it leads nowhere: reading tells why

@@ -177,3 +177,12 @@ def test_a_wrong_sign_that_a_waiting_drive_and_a_sine_of_zero_hide_is_named_with
         Path("own.toml").write_text(right.replace("(R - r)*wc*sin(crank) - e", written), encoding="utf-8")
         told = call("check", "own.toml").stdout
         assert named in told if named else "does not fit" not in told
+
+
+def test_a_drawing_without_links_is_refused_by_check_as_by_run():
+    text = SAW.replace("1 = { points", "#").replace("2 = { points", "#")
+    Path("saw.toml").write_text(text + '[ask]\nquantities = ["graph_check"]\n', encoding="utf-8")
+    for command in ("check", "run"):
+        told = call(command, "saw")
+        assert (told.exit_code, told.stdout) == (2, "")
+        assert "saw.toml:38  ask.quantities: the graph-analytical check needs [links]; this variant has none." in told.stderr

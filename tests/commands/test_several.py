@@ -88,6 +88,15 @@ def test_patterns_are_expanded_by_us(folder):
     assert list(summary(Path("p"))) == ["x*.toml"]
 
 
+def test_brackets_in_a_folder_are_no_pattern(folder):
+    place = Path("One Drive [2026]")
+    place.mkdir()
+    (place / "mine.toml").write_text(PAGE, encoding="utf-8")
+    assert not several._is_pattern(f"{place}/mine")
+    assert several._expanded(f"{place}/m*.toml") == [str(place / "mine.toml")]
+    assert several._expanded("O*/mine.toml") == [str(place / "mine.toml")]
+
+
 def test_folders_differ_also_where_a_and_A_are_the_same(folder):
     for place in ("a", "b", "c"):
         Path(place).mkdir()

@@ -17,6 +17,7 @@ import numpy as np
 
 from coursework.drawing.check_sheet.graph_words import centre_letter, drift, how_found, omega_name, why_unread
 from coursework.drawing.check_sheet.instant_centres import Findings, construct
+from coursework.drawing.check_sheet.lacking import lacking
 from coursework.drawing.check_sheet.layout import lay_out
 from coursework.drawing.check_sheet.readings import Reading, read_off
 from coursework.drawing.check_sheet.sketch import Body, Sketch, read_sketch
@@ -115,7 +116,9 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     Raises `InputError` if the file lacks what a drawing needs.
     """
     variant = equations.variant
-    row = _required_row(variant)
+    if missing := lacking(variant):
+        raise _refused(variant, missing)
+    row = variant.time.row_of_check
     if row > len(motion.t):
         return None
     outline = read_outline(mechanism)
@@ -158,19 +161,6 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
         readings = read_off(sketch, findings, layout, values, plan)
     notes = (*how_found(sketch, findings, plan), *sketch.notes, *drift(sketch))
     return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, true, notes, readings, plan)
-
-
-def _required_row(variant: Variant) -> int:
-    """Return the check row.  Raises `InputError` that names all that is missing."""
-    wanted = (
-        ("[points]", variant.points or variant.groups),
-        ("[links]", variant.links or variant.groups),
-        (say("graph.frame"), variant.frame.hinges or variant.frame.rails or variant.frame.circles),
-    )
-    missing = [name for name, there in wanted if not there]
-    if missing:
-        raise _refused(variant, say("fault.V516", missing=tuple(missing)))
-    return variant.time.row_of_check
 
 
 def _refused(variant: Variant, message: Sentence) -> InputError:

@@ -70,3 +70,9 @@ def foreign_letter(name: str) -> tuple[int, Sentence] | None:
                 return position, say("fault.letter.look_alike", letter=called, latin=LOOK_ALIKE[letter])
             return position, called
     return None
+
+
+def letter_hint(name: str) -> str:
+    """Return ' Letter 1 is …' for a name with a letter from another alphabet, an empty text for any other name."""
+    strange = foreign_letter(name)
+    return say("hint.letter", number=strange[0] + 1, strange=strange[1]) if strange else ""

@@ -13,6 +13,7 @@ from functools import partial
 from typing import Literal
 
 from coursework.variant.formula import reader, units
+from coursework.variant.formula.alphabet import letter_hint
 from coursework.variant.formula.arms import with_arms
 from coursework.variant.formula.made import part_of_pi
 from coursework.variant.formula.motion_units import UNITS, advised_unit
@@ -190,7 +191,7 @@ class Parts:
         """Return the declared point that `name` means; keep a fault if it means none."""
         points = [point for point, kind in self.names.kinds.items() if kind == "point"]
         if self.names.canonical(name) not in points:
-            self.undeclared(path, {"point"}, say("fault.V059", name=name, hint=closest(name, points)))
+            self.undeclared(path, {"point"}, say("fault.V059", name=name, hint=letter_hint(name) or closest(name, points)))
         return self.names.canonical(name)
 
     def _resolve(self, path: KeyPath, tree: Formula, scope: str, wanted: Kind = "any") -> Formula:

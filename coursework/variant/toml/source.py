@@ -32,6 +32,8 @@ _NOT_STRUCTURE = re.compile(
     r"""|'''.*?(?:'''|\Z)|'[^'\n]*'?|#[^\n]*""",
     re.DOTALL,
 )
+# With what the files begin that word processors and browsers save; no TOML begins so.
+_DOCUMENTS = {b"PK\x03\x04": "DOCX/ODT/ZIP", b"\xd0\xcf\x11\xe0": "DOC", b"{\\rtf": "RTF", b"%PDF": "PDF", b"<": "HTML"}
 _BRACKET = re.compile(r"[\[\]{}]")
 _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
 
@@ -134,6 +136,8 @@ def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -
     """Read TOML.  Raises `InputError` with line and column if the text is not TOML."""
     if len(content) > MAX_BYTES:
         raise InputError([_too_large(len(content), file, content)])
+    if form := next((form for begin, form in _DOCUMENTS.items() if content.startswith(begin)), ""):
+        raise InputError([Fault(say("fault.V021", format=form), file)])
     try:
         text = content.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:

@@ -77,6 +77,15 @@ def test_an_ending_that_windows_hides_is_told(typed):
     assert str(caught.value).endswith('Rename it to "mine.toml" (in Explorer: View, Show, File name extensions).')
 
 
+def test_a_file_saved_as_text_is_told():
+    Path("mine.txt").write_text("", encoding="utf-8")
+    with pytest.raises(
+        coursework.InputError, match=r'C013 there is no file "mine\.toml", but there is "mine\.txt": .* Rename it'
+    ):
+        find("mine")
+    assert find("mine.txt") == Path("mine.txt")
+
+
 def test_the_right_file_beside_the_doubled_ending_is_taken():
     Path("mine.toml.txt").write_text("", encoding="utf-8")
     Path("mine.toml").write_text("", encoding="utf-8")

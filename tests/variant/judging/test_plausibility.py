@@ -188,7 +188,8 @@ def test_a_drive_that_stands_nowhere_is_told_unless_it_is_zero():
 
 def test_a_guide_through_a_point_that_no_link_has_is_told():
     begin = line_of("rails")
-    told = "no link has the point D2, so nothing slides in the guide through it. Write the point that slides there."
+    told = "no link has the point D2, so nothing slides in the guide through it. Write the point that slides there"
+    told += ", or give D2 to the link that slides."
     other = ('through = "P"', 'through = "D2"'), ('D = "(0, 0)"', 'D = "(0, 0)"\nD2 = "D + (r1, 0)"')
     assert ("GUIDE", begin + 1, told) in remarks(*other) and remarks() == []
 

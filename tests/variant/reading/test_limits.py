@@ -162,9 +162,12 @@ def test_thousands_of_unknown_names_do_not_take_minutes():
         (PLAIN.encode("utf-16"), "V007 f.toml:1:1  this letter is not UTF-8 text (found byte 0xff)."),
         (PLAIN.encode() + b"\0", "V009 f.toml:14:1  the file is not TOML here: a line is a [section]"),
         (b"", "V012 f.toml:1  the section [coordinates] is missing."),
+        (b"{\\rtf1 r = 1}", "V021 f.toml  this is RTF, not plain text. Copy its text into a text editor (Notepad)"),
+        (b"PK\x03\x04\x14", "V021 f.toml  this is DOCX/ODT/ZIP, not plain text."),
+        (b"PK = 3", "V012 f.toml:1  the section [coordinates] is missing."),
         (b"\x89PNG\r\n\x1a\n", "V007 f.toml:1:1  this letter is not UTF-8 text (found byte 0x89)."),
     ],
-    ids=["cp1251", "UTF-16", "NUL", "empty", "picture"],
+    ids=["cp1251", "UTF-16", "NUL", "empty", "RTF", "Word", "key", "picture"],
 )
 def test_other_bytes(content, sentence):
     assert refused(content).startswith(sentence)
