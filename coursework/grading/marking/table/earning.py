@@ -69,7 +69,7 @@ def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found
         worth = rubric.start_floor if len(own.names) < 2 else rubric.start_floor_several
         rules.append(_earned("start", points, explained, worth, own.cause))
     best = max(rules, key=lambda earned: earned.share)
-    at_best = (replace(fit, beyond_euler=True) for fit in found.at_best)
+    at_best = (replace(fit, beyond_euler=beyond) for fit in found.at_best for beyond in (True, False))
     if all(earned.share <= best.share for fit in at_best for earned in _by_explanation(key, rubric, points, [fit])):
         return best  # no cause can earn more, however much a closer look would find that it explains
     return max([best, *_by_explanation(key, rubric, points, found.fits)], key=lambda earned: earned.share)

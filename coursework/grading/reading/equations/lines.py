@@ -14,6 +14,7 @@ from itertools import islice, pairwise
 
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.formulas.denials import is_denied
+from coursework.grading.reading.equations.formulas.edges import unwrapped
 from coursework.grading.reading.equations.formulas.equations import (
     OWN_NAME,
     TURNED,
@@ -55,6 +56,7 @@ from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
 from coursework.variant.formula.reader import MAX_CHARACTERS
+from coursework.variant.formula.tree import constant
 from coursework.words.errors import Fault
 
 _SIGNS = {";": ";", "tab": "\t"}  # not the comma or the blank, which also occur in equations
@@ -180,13 +182,15 @@ class _Reader:
         if is_named or (is_chain and not says_more(line, names)):
             self.named.append((number, line))
             return self._at_rest(number, line, names)
-        if any(is_other(line, self.names) for is_other in (is_datum, is_step, is_question, is_law)) or is_row(line):
+        bare = unwrapped(line)  # (t = 0)
+        if any(is_other(bare, self.names) for is_other in (is_datum, is_step, is_question, is_law)) or is_row(bare):
             return self._at_rest(number, line, names)
         line = "=".join(line.split("=")[:2]) if is_chain else line  # i = (R + r)/r = 1 + R/r
         one = self.kept(self.as_equation(number, line, names)) if _is_equation(line, self.names) else None
         if one and is_vector_sum(line, self.names):  # of one axis, if its parts are defined so
             one = replace(one, may_be_datum=True) if one.tree else None
-        if one and one.tree is not None and only_names_a_term(line, one.tree, names):
+        is_aside = bare != line and one and one.tree is not None and constant(one.tree.args[1]) not in {None, 0}  # (w1 = 3)
+        if one and one.tree is not None and (is_aside or only_names_a_term(line, one.tree, names)):
             one = replace(one, may_be_datum=True)
         if one and (one.tree is not None or not says_nothing(line, names)):
             return [one]

@@ -82,6 +82,13 @@ def test_a_closer_look_is_taken_only_if_a_cause_can_earn_more(
     assert bool(looked) is looks and (earned.rule == "cells") is not looks
 
 
+def test_a_cause_may_be_worth_more_as_a_wrong_method_than_a_wrong_start(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(earning, "stands_still", lambda key, cells: False)
+    fits = (Fit("swapped_columns", 0.95, (), beyond_euler=False, in_print=True),)
+    found = Found(at_best=fits, closer_look=lambda: fits)
+    assert best_rule(KEY, Rubric(start_floor=0.0), KEY, POINTS, found, {}).share == pytest.approx(0.4 * 0.95)
+
+
 @pytest.mark.parametrize(("row", "others", "agrees"), [
     ((1.25, 3.5), (1.25, 3.5), True), ((1.25, 3.5), (1.2501, 3.4999), True), ((1.25, 3.5), (1.25, 3.6), False),
     ((np.nan, 3.5), (9.0, 3.5), True), ((np.nan, 3.5), (1.25, 3.6), False),

@@ -12,6 +12,7 @@ TURN = "s*w3 = r*w1*cos(phi1 - phi3)\n" + RODS
 
 @pytest.mark.parametrize("line", [
     f"not: ({SPEED})", f"Wrong: {SPEED}", f"{SPEED} (sign reversed)", f"{SPEED} # wrong", f"неверно: {SPEED}", f"nicht {SPEED}",
+    f"crossed out: {SPEED}",
 ])  # fmt: skip
 def test_what_a_line_denies_is_a_question_and_costs_nothing_beside_the_right_one(line):
     assert marked(TURN + line).independent == 3 and marked(TURN + line).unread
@@ -21,6 +22,8 @@ def test_what_a_line_denies_is_a_question_and_costs_nothing_beside_the_right_one
 
 @pytest.mark.parametrize("line", [
     f"The block does not turn over: {SPEED}", f"{SPEED} (no slip)", f"no. 2: {SPEED}", f"{SPEED} (sign: outward)",
+    f"crossed bars, ignore friction: {SPEED}", f"{SPEED} # wrong sign corrected", f"It turns not: {SPEED}", f"{SPEED}, not r",
+    "(w1 = 3)\nu - r*w1*sin(phi3 - phi1) = 0", f"with the opposite sign: {SPEED}", "w1 = 2*pi*n/60 = u/(r*sin(phi3 - phi1))",
     "u = r*w1*sin(phi3 - phi1) = -r*w1*sin(phi1 - phi3)", "(s*w3 = r*w1*cos(phi1 - phi3)) e (u = r*w1*sin(phi3 - phi1))",
     "(u, 0) = (r*w1*sin(phi3 - phi1), 0); (w3, 0) = (r*w1*cos(phi1 - phi3)/s, 0)",
 ])  # fmt: skip

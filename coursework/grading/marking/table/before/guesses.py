@@ -81,9 +81,8 @@ def _parts(moved: Flags, makes: Flags, m: int, *, alone: bool) -> Iterator[Flags
     columns, rows = np.flatnonzero(moved[makes, :m].any(axis=0)), np.asarray(moved.any(axis=1))
     for count in range(1, 2 if alone else len(columns) + 1):
         yield from (np.isin(np.arange(moved.shape[1]), some) for some in combinations(columns.tolist(), count))
-    if (
-        not alone and (rows[:-1] & (rows & makes)[1:]).any()
-    ):  # the lower one of two was made beside the upper one as it is printed
+    # The lower one of two was made beside the upper one as it is printed.
+    if not alone and (rows[:-1] & (rows & makes)[1:]).any():
         yield from (np.arange(len(rows))[:, None] % 2 == odd for odd in range(2))
 
 

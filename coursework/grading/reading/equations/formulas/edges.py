@@ -1,7 +1,8 @@
 """A line -> the same line without words, marks and letters at its edges, which may be a remark although they could be factors.
 
 Enters: a line, a test for single names.  Leaves: shorter lines, each with whether a person must say that it is meant.
-Used by `equations.py`.  Such a reading counts only if it is right, so nothing is lost; what changes an equation is never cut.
+Used by `equations.py` and `lines.py`.  Such a reading counts only if it is right, so nothing is lost; what changes an equation
+is never cut.
 """
 
 from __future__ import annotations

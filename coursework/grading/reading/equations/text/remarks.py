@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from coursework.grading.reading.equations.formulas.denials import JUDGED
+from coursework.grading.reading.equations.formulas.denials import is_judged
 from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 
@@ -59,12 +59,12 @@ def without_remarks(line: str, is_name: Callable[[str], bool]) -> str:
     if term and words and all(map(is_name, words)):
         return f"{term[1]} // {term[2]}"  # a question: no reader understands it
     bare = _REMARK.sub("", line.partition("#")[0]).strip()
-    if "=" in bare and len(line) <= EQUATION_CHARACTERS and JUDGED.search(line.removeprefix(bare)):
+    if "=" in bare and len(line) <= EQUATION_CHARACTERS and is_judged(line.removeprefix(bare)):
         return line  # with what the comment says of it
     line = bare
     line = _SAME_AS.sub(r"\1 = \2", line) if len(line) <= EQUATION_CHARACTERS else line
     asked = _ASKED.search(line) if len(line) <= EQUATION_CHARACTERS else None
-    return line[: asked.start()] if asked and "=" in line[: asked.start()] and not JUDGED.search(line) else line
+    return line[: asked.start()] if asked and "=" in line[: asked.start()] and not is_judged(line) else line
 
 
 def without_constants(line: str) -> str:
