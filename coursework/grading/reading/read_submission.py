@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from coursework.grading.reading.documents.document import FORMATTED, Document
-from coursework.grading.reading.documents.page import with_formulas
+from coursework.grading.reading.documents.page import has_tables, with_formulas
 from coursework.grading.reading.documents.read_document import (
     document_of_archive,
     document_of_bytes,
@@ -153,6 +153,8 @@ class _Found:
         if is_variant_file(decoded.text):
             self._read_variant(file)
             return ("variant",)
+        if is_html(decoded.text) and not has_tables(decoded.text):
+            decoded = replace(decoded, text=text_of(decoded.text))
         document = document_of_text(decoded, expected.grid)
         if document and (document.tables or document.texts or document.is_whole):
             return self._read_document(document, name)

@@ -209,7 +209,7 @@ class Judge:
                 return "right"
             if off.is_near(ROUNDED) and any(node.op == "number" for node in tree.walk()):
                 return "rounded"
-            return "closure" if linear(tree, self.on_closure).residual <= ON_CLOSURE else "wrong"
+            return "closure" if linear(tree, self.on_closure).residual_of_scale <= ON_CLOSURE else "wrong"
         except NoValue:
             return "wrong"
 

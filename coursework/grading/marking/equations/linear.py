@@ -65,6 +65,14 @@ class Linear:
         """Return the largest residual over the points, relative to the collected terms."""
         return float(np.max(self.residuals, initial=0.0))
 
+    @property
+    def residual_of_scale(self) -> float:
+        """Return the largest residual, relative to the terms at the usual velocities: where a slider turns back, 0 = 0 holds."""
+        terms, usual = (self._kept * velocities for velocities in (self.probe.velocities, self.probe.scale))
+        left = np.sum(np.abs(usual), axis=1)
+        parts = _part(np.sum(terms, axis=1) + self.rest, np.where(left > 0, left + np.abs(self.rest), self.size))
+        return float(np.max(parts, initial=0.0))
+
     def is_near(self, limit: float) -> bool:
         """Return whether numbers with relative rounding errors up to `limit` explain the residual: it is at most `limit` of the
         terms as written at every point, and `NEAR * limit` of the collected terms, which may nearly cancel, at half the points.
@@ -95,8 +103,10 @@ def linear(tree: Formula, probe: Probe) -> Linear:
         rest, slopes = found[0], (found[1:-1] - found[0]).T
         terms = slopes * probe.elsewhere
         whole = np.abs(rest) + np.sum(np.abs(terms), axis=1)
-        affine = np.all(np.abs(found[-1] - rest - np.sum(terms, axis=1)) <= AFFINE * np.maximum(whole, NOTHING))
         size = real(size_of(tree, probe.names), count)
+        # of w = w1*w/w1, only round-off is left
+        near = np.maximum(AFFINE * np.maximum(whole, NOTHING), NOTHING * np.nan_to_num(size, posinf=0.0))
+        affine = np.all(np.abs(found[-1] - rest - np.sum(terms, axis=1)) <= near)
     return Linear(slopes if affine else np.full_like(slopes, np.nan), rest, size, probe)
 
 

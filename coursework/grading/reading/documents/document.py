@@ -41,7 +41,8 @@ class Document:
     """Tables and lines in the order in which they are read; `kind` is the encoding in grades.json.
 
     `texts` are pieces of plain text that may contain a table.  With `first_counts`, the first of several tables with equally many
-    cells is used.  `is_whole` is False if the text may contain a table without any markup.
+    cells is used.  `is_whole` is False if the text may contain a table without any markup; `is_code` if
+    the lines are those of a program, which hold no table.
     """
 
     kind: str
@@ -50,6 +51,7 @@ class Document:
     texts: list[tuple[str, Sentence]] = field(default_factory=list)
     first_counts: bool = False
     is_whole: bool = True
+    is_code: bool = False
     characters: int = 0
     cells: int = 0
 

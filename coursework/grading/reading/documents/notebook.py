@@ -1,6 +1,7 @@
 """A Jupyter notebook -> the tables in its outputs, from the last to the first, and the text of its Markdown and raw cells.
 
-Enters: text.  Leaves: `Document`.  Raises `Refused`.  Code is neither run nor read: no number comes from it.
+Enters: text.  Leaves: `Document`.  Raises `Refused`.  Code is never run, and no table comes from it: its lines are read as those
+of a program, if no other cell has an equation.
 Used by `read_document.py`.
 """
 
@@ -14,6 +15,7 @@ from typing import Any
 from coursework.grading.reading.documents.document import Document, place_of
 from coursework.grading.reading.documents.json_text import JsonObject, read_json
 from coursework.grading.reading.documents.markdown import add_markdown
+from coursework.grading.reading.equations.formulas.equations import TURNED
 from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.files.html_text import text_of
 
@@ -47,6 +49,14 @@ def document_of_notebook(text: str, kind: str) -> Document:
         for line in output.split("\n"):
             if relates_two_sides(line) and "\t" not in line:
                 document.add_line(line, place)
+    code = [
+        (number, _joined(_value(cell, "source"))) for number, cell in enumerate(cells, 1) if _text(cell, "cell_type") == "code"
+    ]
+    if any(TURNED.search(text) for _, text in code) and not any(TURNED.search(line.text) for line in document.lines):
+        document.is_code = True
+        for number, text in code:
+            for line in text.split("\n"):
+                document.add_line(line, place_of("cell", number=number))
     return document
 
 

@@ -50,6 +50,7 @@ _SPANS = re.compile(r"\b((?:col|row)span)\s*=\s*[\"']?([1-9]\d{0,2})\b", re.IGNO
 _SPAN = re.compile(rf"\s*{_MARK}(\d+),(\d+){_MARK}")
 _FORMULA = re.compile(r"<((?:\w{1,9}:)?math)\b[^<>]{0,500}>(?:[^<]|<(?!/?\1\b))*+</\1\s*>", re.IGNORECASE)
 _SOURCE = re.compile(r"<annotation\b[^<>]{0,200}x-tex[^<>]{0,200}>([^<]{1,4000})</annotation\s*>", re.IGNORECASE)
+_DISPLAY = re.compile(r"<[^<>]{0,500}\bdisplay\s*=\s*[\"']block", re.IGNORECASE)  # a formula in a line of its own
 _ENTITY = re.compile(r"&(?!(?:lt|gt|amp|quot|apos);)([A-Za-z]\w{1,30});")
 _HIDDEN = re.compile(r"(?:\s|</span>)*(?=<span\b[^<>]{0,300}(?:katex-html|aria-hidden)[^<>]{0,300}>)", re.IGNORECASE)
 _DRAWN_SPAN = re.compile(r"<(/?)span\b[^<>]{0,2000}>", re.IGNORECASE)
@@ -182,15 +183,16 @@ def with_formulas(page: str) -> str:
 
 
 def _said(formula: str) -> str:
+    apart = "<br>" if _DISPLAY.match(formula) else " "
     if source := _SOURCE.search(formula):
-        return f" {' '.join(source[1].split())} "
+        return apart + " ".join(source[1].split()) + apart
     tree = FormulaTree("math")
     try:
         stream([_ENTITY.sub(lambda found: html.unescape(found[0]), formula).encode()], tree)
     except Refused:
         return formula
     lines = (" ".join(line.split()) for line in text_of_mathml(tree.top).split("\n"))
-    return f" {'<br>'.join(html.escape(line, quote=False) for line in lines)} "
+    return apart + "<br>".join(html.escape(line, quote=False) for line in lines) + apart
 
 
 def _behind_drawing(page: str, end: int) -> int:

@@ -100,7 +100,7 @@ def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[
     parts: list[Part] = []
     refused: list[tuple[float, Refused]] = []
     texts = document.texts[:_MOST_TEXTS]
-    if not texts and not document.tables and document.lines:
+    if not texts and not document.tables and document.lines and not document.is_code:
         texts = [("\n".join(line.text for line in document.lines), document.lines[0].place)]
     todo = [partial(parts_of, one, Origin(name, document.kind, "cells", place=one.place), grid) for one in document.tables]
     todo += [partial(parts_of_text, Decoded(text, document.kind, False), name, grid, place) for text, place in texts]
@@ -135,7 +135,7 @@ def lines_of_document(document: Document, name: str, expected: Expected) -> Line
         is_item = not is_program and not at.is_formula and _CONTINUES.match(at.text) and not relates_two_sides(line.text)
         return None if is_item else _placed(line, at, names)
 
-    is_program = any(_OF_PROGRAM.match(line.text) for line in document.lines)
+    is_program = document.is_code or any(_OF_PROGRAM.match(line.text) for line in document.lines)
     lines = read_lines("\n".join(_tried(document.lines, is_program)), name, expected, kept=placed)
     if all(line.may_be_datum for line in lines.equations):
         lines.equations = []  # data alone, such as those of a program, are not student equations

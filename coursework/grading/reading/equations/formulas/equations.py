@@ -45,6 +45,7 @@ _NATURAL, _SEVERAL = (
     3,
 )  # words of a sentence, two signs each in Chinese; how many make one
 _SINES = re.compile(r"sin|cos|sen", re.IGNORECASE)
+DRAWN = re.compile(r"=[^=]{0,80}(?:-{3}|[─―]{2})")  # a quotient drawn over several lines
 TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # a mark of an equation even if its names are unknown
 
 
@@ -98,7 +99,9 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
         fault = Fault(say("fault.G063", names=variant.sought, formula=without_labels(text).strip(" =")[:80]), column=1)
     short = text[: reader.MAX_CHARACTERS]
     told = Fault(fault.message, file, line, fault.column)
-    relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and TURNED.search(short) is not None)
+    relates = len(names_in(short, names.spellings)) > 1 or (
+        relates_two_sides(short) and (TURNED.search(short) or DRAWN.search(short)) is not None
+    )
     is_prose = not relates and _is_prose(short, names)
     return EquationLine(file, line, short, fault=told, others=tuple(found), relates=relates, is_prose=is_prose)
 

@@ -173,7 +173,7 @@ def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
     if is_name(word) or word == "lambda" or _GLUED.search(word):
         return is_axis and after > 0
     if len(word) == 1:
-        return is_axis or (after > 0 and word.isupper())
+        return is_axis or (after > 0 and (word.isupper() or "À" <= word <= "ÿ"))  # "è", "é", "à"
     return is_axis or not word.isupper() or len(word) > _SHORT
 
 

@@ -16,6 +16,7 @@ _POWER = re.compile(
 )
 _ROUND = re.compile(r"\\(?:mathrm|text|mathit)\s*\{([eij])\}|\b(?:np|numpy|cmath)\.(?=exp)")
 _UNIT = re.compile(r"(?<![\w^.])1?[ij](?![\w(]|\s*\()|(?<![\w^.])1?[ij](?=\s*[*·(])")
+_GLUED = re.compile(r"(?<![\w\\^.])([ij])(?=[A-Za-z]_)")  # iV_x
 _FACTORED = re.compile(r"\s*[-+]?\s*1?[ij]\s*[*·]?\s*[(\[{](.*)[)\]}](\s*=\s*0[.,;]?\s*)")  # i·(…) = 0
 _NAMED = re.compile(r"^\s*[^\W\d]\w{0,20}\s*=")  # V_E = V_Ex + i·V_Ey = …
 _SIGN = re.compile(r"(?<=[\w)}\]\s])\s*[-+]\s*(?=[^\s])|^\s*[-+]\s*")
@@ -29,7 +30,9 @@ def real_and_imaginary(line: str) -> list[str]:
     >>> real_and_imaginary("i (a e^(i phi1)) = 0"), real_and_imaginary("e*w1 = 0")
     (['a (cos(phi1)) = 0', 'a (sin(phi1)) = 0'], [])
     """
-    if len(line) > EQUATION_CHARACTERS or not _POWER.search(text := plain_signs(without_latex(_ROUND.sub(r"\1", line)))):
+    if len(line) > EQUATION_CHARACTERS or not _POWER.search(
+        text := plain_signs(without_latex(_GLUED.sub(r"\1 ", _ROUND.sub(r"\1", line))))
+    ):
         return []
     if (factored := _FACTORED.fullmatch(text)) and -1 not in depths(factored[1]):
         text = factored[1] + factored[2]

@@ -29,6 +29,9 @@ _NAMED = re.compile(
     r"\s*(?:\\(?:vec|bar|overline|mathbf|boldsymbol)\s*)?\{?\s*(?:\\(?:vec|mathbf)\s*)?(?:\{(?=\w\}_))?([vV]\}?_?\{?\w{1,3}\}?)\s*\}?\s*:?="
     r"\s*(?:[\w.]{1,12}\(\s*)?\[((?:[^\[\]=]|\[[ijkn]\])+)\]\)?\s*[.,;]?\s*"
 )
+# A vector whose entries are used, vB = [a, b] and then vB[0]
+_ENTRIES = re.compile(r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,12})[ \t]*=[ \t]*(?:[\w.]{1,14}\(\s*)?(?=\[)")
+_ALONE = re.compile(r"\)?[ \t]*(?:\.?'|\.T\b)?[ \t]*(?:;|$|[%#/])", re.MULTILINE)  # behind it, no sum goes on
 # An object of JavaScript, vP = {x: a, y: b}
 _FIELDS = re.compile(r"(?:(?:const|let|var)\s+)?([vV]_?\w{1,3})\s*=\s*\{\s*x\s*:\s*([^{}:]+?),\s*y\s*:\s*([^{}:]+?),?\s*\}")
 
@@ -51,6 +54,35 @@ def in_one_vector(text: str) -> str:
                 begin, end = begin - 1, end + 1
             text = text[:begin] + said + text[end:]
         place = max(begin + len(said), found.end())
+    return text
+
+
+def with_entries_apart(text: str) -> str:
+    r"""Return a text with vBx = a; vBy = b for a vector vB = [a, b] of formulas of which entries are used.
+
+    >>> with_entries_apart("v = [a*w, -b*w]\nv[0] - c = 0\nv[1] + d = 0"), with_entries_apart("v = [a*w, b]\nA*x = v")
+    ('vx = a*w; vy = -b*w\nvx - c = 0\nvy + d = 0', 'v = [a*w, b]\nA*x = v')
+    """
+    for found in reversed([*islice(_ENTRIES.finditer(text), _MOST)]):
+        end = closing(text, found.end(), _LONGEST)
+        content, said = text[found.end() + 1 : end], rf"(?<![\w.]){found[1]}"
+        cells, behind = vector(content), text[end + 1 :].removeprefix(")" if "(" in found[0] else "")
+        entry = re.compile(said + r" ?[\[(]\s*([0-3])\s*[\])](?!\s*=(?!=))")
+        used = {int(index) for index in entry.findall(behind)}
+        first = min(used, default=2) and 1
+        is_formula = len(cells) in _SIZES and "*" in content and _ALONE.match(text, end + 1)
+        if not is_formula or not used or max(used) - first >= len(cells):
+            continue
+        named = [f"{found[1]}{axis}" for axis in "xyz_"[: len(cells)]]
+        lines = "\n" * text.count("\n", found.start(), len(text) - len(behind))
+        behind = entry.sub(lambda one, named=named, first=first: named[int(one[1]) - first], behind)  # type: ignore[misc]
+        is_whole = re.search(rf"{said}(?!\w)", behind) is not None  # it is used as a whole, too
+        told = (one for place, one in enumerate(zip(named, cells, strict=True), first) if place in used or not is_whole)
+        whole = "; ".join(map(" = ".join, told))
+        if is_whole:
+            text = text[: len(text) - len(text[end + 1 :].removeprefix(")" if "(" in found[0] else ""))] + behind + f"\n{whole}"
+        else:
+            text = text[: found.start()] + whole + lines + behind
     return text
 
 

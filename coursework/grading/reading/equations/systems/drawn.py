@@ -19,6 +19,14 @@ _BETWEEN = re.compile(r"[\s\[\]()|⎡⎢⎣⎛⎜⎝⎤⎥⎦⎞⎟⎠*·⋅×]*
 _APART = re.compile(r"\s{2,}|\t|,|&")
 # A quotient whose bar begins behind the sign of equality: no title that is underlined.
 _FRACTION = re.compile(r"(?m)^([^\n=]{1,80}=)([^\n=]{1,200})\n([ \t]*)[-–—―_─]{4,80}[ \t]*\n([^\n=]{1,200})$")
+_BAR = re.compile(r"[─―—–_]{2,}|-{3,}")  # in the middle of the line, as SymPy, Maxima and MATLAB draw it
+# What a program shows of a name: S.w2, then "ans =" and the formula below; In [5]: sol[w2], then Out[5]: and the formula
+_SHOWN = re.compile(
+    r"(?m)^[ \t]*(?:In ?\[\d+\]:=?[ \t]*)?(pretty\()?(?:[^\W\d]\w{0,9}[.\[])?([^\W\d]\w{0,9})\]?\)?;?[ \t]*\n"
+    r"(?:[ \t]*\n)*(?:ans[ \t]*=[ \t]*\n(?:[ \t]*\n)*|Out\[\d+\][:=][ \t]*"
+    r"|(?(1)(?=[^\n=]*\n[ \t]*[-+]?[ \t]*[-─]{3})|(?!)))(?=[ \t]*\S)"
+)
+_BEFORE = re.compile(r"[^\W\d]\w{0,9} = (?=[ \t]{2})")
 _PROSE = re.compile(r"[^\W\d_]{3,}\s+[^\W\d_]{3,}")
 _SUM = re.compile(r"[-+−–]")
 _APART_BEFORE, _APART_BEHIND = re.compile(r"\s*|.*[-+−–*·]\s*"), re.compile(r"\s*|\s*[-+−–*·].*")
@@ -35,7 +43,15 @@ def in_one_line(text: str) -> str:
     >>> in_one_line("w3 = a*w1\n     ----\n      b\n"), in_one_line("w3 = a\n------\nb\n")
     ('w3 = (a*w1)/(b)\n\n\n', 'w3 = a\n------\nb\n')
     """
+    text = _SHOWN.sub(lambda found: "\n" * found[0].count("\n") + f"{found[2]} = ", text)
     lines = _FRACTION.sub(_quotient, text).split("\n")
+    for place in range(1, len(lines) - 1):
+        if "=" not in lines[place] and _BAR.search(lines[place]) and (name := _BEFORE.match(lines[place - 1])):
+            above, line, below = lines[place - 1][name.end() :], lines[place], lines[place + 1]
+            blank = " " * len(name[0])
+            lines[place - 1 : place + 2] = blank + above, name[0] + line, blank + below
+        if "=" in lines[place] and len(lines[place]) < _LONGEST and (said := _of_bars(*lines[place - 1 : place + 2])):
+            lines[place - 1 : place + 2] = ["", said, ""]
     begun = (len(line) < _LONGEST and sum(map(line.count, "[|(⎡⎢⎣⎛⎝")) > _FEWEST for line in lines)
     found = [_LINE.fullmatch(line) if may_be else None for line, may_be in zip(lines, begun, strict=True)]
     place = 0
@@ -68,6 +84,26 @@ def _quotient(found: re.Match[str]) -> str:
     if not _APART_BEFORE.fullmatch(before) or not _APART_BEHIND.fullmatch(behind) or above.count("(") != above.count(")"):
         return found[0]
     return f"{found[1]}{before}({above})/({below}){behind}\n\n"
+
+
+def _of_bars(above: str, line: str, below: str) -> str:
+    """Return a line with the quotients that are drawn around its bars; "" if there is none, or more than these above or below.
+
+    >>> _of_bars("      a*b", "w3 = ----- + e", "     c - d")
+    'w3 = ((a*b)/(c - d)) + e'
+    """
+    bars = [found.span() for found in _BAR.finditer(line) if "=" in line[: found.start()] and "=" not in above + below]
+    for begin, end in reversed(bars):
+        if len(bars) == 1 and all(one[begin:end].strip() for one in (above, below)):
+            return (
+                f"{line[:begin]}(({above.strip()})/({below.strip()})){line[end:]}"  # the bar may be shorter than what it divides
+            )
+        upper, lower = above[begin:end].strip(), below[begin:end].strip()
+        if not upper or not lower:
+            return ""
+        line = f"{line[:begin]}(({upper})/({lower})){line[end:]}"
+        above, below = (f"{one[:begin]}{' ' * len(one[begin:end])}{one[end:]}" for one in (above, below))
+    return "" if above.strip() or below.strip() else line
 
 
 def _said(rows: Sequence[re.Match[str]]) -> str:

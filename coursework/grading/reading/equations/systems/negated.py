@@ -15,6 +15,7 @@ _NAME = r"([^\W\d]\w{0,20})"
 _MINUS = rf"[-−–][ \t]*{_NAME}"
 _USED = re.compile(rf"(?m)(?<=[=,\\])[ \t]*+(?:\([ \t]*{_MINUS}[ \t]*\)|{_MINUS})(?=[ \t]*(?:\)|[.,;$]?[ \t]*$))")
 _DEFINED = re.compile(rf"(?m)^[ \t]*+([-−–]?)[ \t]*+{_NAME}[ \t]*:?=[ \t]*(?:[\w.]{{1,12}}\([ \t]*)?(?=\[)")
+_OF_SCILAB = re.compile(r"(?<=\blinsolve\()([^\W\d]\w{0,20}[ \t]*,)[ \t]*(?=[^\W\d]\w{0,20}[ \t]*\))")  # solves A*x + b = 0
 _LONGEST, _ENDING = 4000, "minus"
 
 
@@ -24,6 +25,7 @@ def with_a_name(text: str) -> str:
     >>> with_a_name("b = [c; d]\nA*x = -b"), with_a_name("-b = [c; d]\nA*x = -b"), with_a_name("w = -b")
     ('bminus = [-(c); -(d)]\nA*x = bminus', 'bminus = [c; d]\nA*x = bminus', 'w = -b')
     """
+    text = _OF_SCILAB.sub(r"\1 -", text) if "linsolve" in text and "//" in text else text
     used = {found[1] or found[2] for found in _USED.finditer(text)}
     if not used:
         return text

@@ -112,7 +112,7 @@ def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
     plainly = plain_signs(text.replace("$", " "))
     bare = without_words(without_labels(plainly), lambda word: is_name(word, spellings))
     name, sign, formula = bare.partition("=")
-    name = _BEFORE_NAME.sub("", re.sub(r"[{}\\]", "", name.strip(" :\t")).rpartition(":")[2].strip())
+    name = _BEFORE_NAME.sub("", re.sub(r"[{}\\]", "", name.strip(" :&\t")).rpartition(":")[2].strip())
     meant = spellings.canonical(name)
     # A letter that differs from a datum or coordinate only in being a capital is the student's name, as nobody solves for those.
     # But S = 0.4 or S = S0 is where a coordinate s starts, and S = 0.4 + u*h its next value.

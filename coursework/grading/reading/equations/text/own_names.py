@@ -28,6 +28,7 @@ _GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*)(?:\w{1,20}\s*[,;]\s
 _MOST_DEFINITIONS, _PASSES = 100, 3
 _MOST_SAID = 1000  # lines in which the uses of a name are counted
 _OF_ONE_TERM = 2  # terms of 0 = r1*w1, the velocity of a point that moves
+_TWO_FORMULAS = 2  # signs of equality in v = a = b
 _SHORT, _NEAR = 5, 0.02  # most letters of a symbol; relative difference of two formulas that the start values leave
 
 
@@ -85,7 +86,7 @@ def _defined(
     labels: set[str] = set()  # names that label several lines: V_D = … = 0 along x, and again along y
     for turn in range(_PASSES):  # in a program the data may follow the formulas that use them
         met, is_waiting = set[str](), False
-        for _, line in lines[:_MOST_DEFINITIONS]:
+        for line in (one for _, whole in lines[:_MOST_DEFINITIONS] for one in _apart(whole, with_own)):
             if {*map(plain_name, WORD.findall(line.partition("=")[2]))} & names_left - own.keys():
                 is_waiting = True
                 if turn < _PASSES - 1:
@@ -113,6 +114,13 @@ def _defined(
     again = [line for (_, line), (name, _) in zip(lines, left, strict=False) if name and counts[plain_name(name)] > 1]
     unclear = labels | {*_contradicted(again, replace(with_own, own={**own}))}
     return {name: formula for name, formula in own.items() if name not in unclear}
+
+
+def _apart(line: str, names: Names) -> list[str]:
+    """Return v = a and v = b for a line v = a = b in which a and b are different, so that a = b is an equation."""
+    name, formula = own_name(line, names.spellings) if line.count("=") == _TWO_FORMULAS else ("", "")
+    is_one = not name or VANISHED.search(line) or definition(line, names) is not None
+    return [line] if is_one else [f"{name} = {side}" for side in formula.split("=")]
 
 
 def defines(line: str, names: Names, before: set[str]) -> bool:

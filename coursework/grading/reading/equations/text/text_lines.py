@@ -16,7 +16,7 @@ from coursework.grading.reading.equations.notation.escapes import unquoted, with
 from coursework.grading.reading.equations.notation.latex import logical_lines
 from coursework.grading.reading.equations.systems.cells import with_cells_named
 from coursework.grading.reading.equations.systems.component_sums import by_axes, may_be_of_vectors
-from coursework.grading.reading.equations.systems.components import by_components, in_one_vector
+from coursework.grading.reading.equations.systems.components import by_components, in_one_vector, with_entries_apart
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.negated import with_a_name
@@ -52,6 +52,17 @@ _GREEK_SIGNS = re.compile(r"(?<![^\W\d_])(ημ|συν)(?=\s?(?:[\[(]|[α-ω]_?\d
 _TAKEN = re.compile(
     r"(?m)^[ \t]*(?:\w{1,20}\s*=\s*)?\{[\w\s,]{1,80}\}\s*/\.\s*(?=(?:\w{4,7}\[)?N?Solve\[)"
 )  # {w2, w3} /. Solve[…]
+# The velocity of a point as the derivative of its place: xB', \\dot{x}_B, dx_B/dt
+_OF_PLACE = re.compile(
+    r"(?<![\w.\\])(?:([xy])_?(\{?[A-Z]\d?\}?)['’′](?!['’′\w])|d([xy])_?(\{?[A-Z]\d?\}?)\s*/\s*dt(?!\w)"
+    r"|([xy]\u0307|[ẋẏ])_?(\{?[A-Z]\d?\}?)(?!\w))|\\dot\s?\{?\s?([xy])\s?\}?_(\{?[A-Z]\d?\}?)(?!\w)"
+)
+# The derivative by an angle that a stroke means if the text says so: ' = d/dphi1
+_STROKE, _STROKED = (
+    re.compile(r"['’′]\s*(?:=|means|denotes|:)\s*d\s*/\s*d\s?([^\W\d]\w{0,8})"),
+    r"(?<![\w'])([^\W\d]\w{0,8})['’′](?!['’′\w])",
+)
+_PROMPT = re.compile(r"(?m)^[ \t]*>>>?[ \t]+")  # of MATLAB and Python
 _OF_RATES = re.compile(r"(?<!\w)([A-Za-z])(['’′\u0307])(?=\s*=\s*[\[(][\w\s,;{}]{3,80}[\])])")
 _SQUARED = re.compile(
     r"([^\W\d]\w{0,20})\s*(?:\^\s*\{?\s*2\s*\}?|²|\*\*\s*2)\s*=\s*+([^=]*[^=\s.,;])[\s.,;]*"
@@ -76,7 +87,7 @@ def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = N
             passed.append((number, bare))
             continue
         bare = as_value(of_row(bare.strip("'") if bare.startswith("'") else bare), function, sought)
-        bare = with_sign(bare, sought, spellings)
+        bare = with_sign(closed(bare), sought, spellings)
         square = _SQUARED.fullmatch(bare)
         if square and square[1][0] in "vV" and square[2].count("²") + square[2].count("^") > 1:
             continue  # V_a² = V_e² + V_r²: of sizes, where the projections say all
@@ -131,8 +142,20 @@ def _by_names(text: str, names: Names) -> str:
     text = _GREEK_SIGNS.sub(lambda found: "sin" if found[1] == "ημ" else "cos", _AXIS_APART.sub(r"\1\2", text))
     for letter, sign in {found.groups() for found in _OF_RATES.finditer(text)}:  # J·q' = B, where q' = [w2; w3]
         text = re.sub(rf"(?<!\w){letter}{sign}", f"{letter}dotted", text)
+    if (stroke := _STROKE.search(text)) and stroke[1] != "t":
+        text = re.sub(_STROKED, rf"d\1/d{stroke[1]}", _STROKE.sub("", text))
+    text = _OF_PLACE.sub(lambda found: _velocity(found, names.spellings), _PROMPT.sub("", text))
     text = with_cells_named(text, names.spellings.angle, names.spellings.data)
     text = without_pointers(text, names.spellings)
     named = with_a_name(in_square_brackets(in_one_line(as_names(without_line_numbers(text), partial(_is_name, names)))))
-    rows = in_rows(named, variant.sought)
+    rows = in_rows(with_entries_apart(named), variant.sought)
     return with_entries_named(with_short_names(rows, variant, names.spellings), variant, names.spellings)
+
+
+def _velocity(found: re.Match[str], spellings: Spellings) -> str:
+    """Return the velocity of a point, V_Bx, for the derivative of its place, unless that is a coordinate of the task."""
+    axis, point = filter(None, found.groups())
+    axis = {"ẋ": "x", "ẏ": "y"}.get(axis, axis[0])
+    point = point.strip("{}")
+    said = f"V_{{{point}{axis}}}" if "\\" in found[0] or "{" in found[0] else f"V_{point}{axis}"
+    return found[0] if spellings.canonical(axis + point) or spellings.canonical(f"{axis}_{point}") else said
