@@ -20,6 +20,8 @@ from coursework.variant.formula.tree import named
 from coursework.words.stylesheets import fitted
 from coursework.words.templates import clean, filled
 
+COLUMN = 178  # mm between the margins of an upright page, sheet.css
+
 
 def key_csv(handout: Handout) -> str:
     """Return the Euler table as CSV: header t and the columns; SI; the shortest text that reads back to the same number."""
@@ -83,6 +85,7 @@ def _check(handout: Handout, words: Words) -> Plain | None:
         "heading": lettered(variant, heading),
         "svg": drawing.svg,
         "wide": drawing.width,
+        "turned": drawing.width > COLUMN,
         "least": least_width(drawing.svg, drawing.width),
         "says": words("key.drawn"),
         "heads": [words(f"graph.{key}") for key in READING_HEADS],

@@ -141,7 +141,7 @@ class Blocks:
 
     def _display(self, item: parts.Display) -> Iterator[Node]:
         if item.before:
-            yield tree.paragraph(self.inlines(item.before))
+            yield tree.styled("Lead", [tree.paragraph(self.inlines(item.before))])  # on the page of what it leads to
         latex = self.latex[item.math]
         if item.name:
             first = item.name in self.named and item.name not in self.marks

@@ -6,13 +6,13 @@ Enters: `Results` and a dialect.  Leaves: blocks of pandoc's tree.  Used by `wri
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import groupby
+from itertools import groupby, zip_longest
 
 from coursework.report.output.results import Results
 from coursework.report.pages.model import ReportModel
 from coursework.report.sections.sections import APPENDIX
 from coursework.report.text.page_context import PageContext
-from coursework.report.text.parts import Part, Section, Table, TitleBlock
+from coursework.report.text.parts import Equations, Paragraph, Part, Section, Table, TitleBlock
 from coursework.report.text.words import Words, load_words
 from coursework.takeaway.note import tree
 from coursework.takeaway.note.blocks import Blocks, kind_of
@@ -76,9 +76,10 @@ def _referred(parts: Sequence[Part], blocks: Blocks, words: Words) -> Iterator[N
             before, behind = words(f"note.see.{kind}{'s' * (len(marks) > 1)}", number=PLACE).split(PLACE)
             comma = tree.text(", ")
             links = [node for mark, number in marks.items() for node in (*comma, blocks.dialect.reference(mark, number))]
-            yield tree.paragraph([*tree.text(before), *links[len(comma) :], *tree.text(behind)])
-        for part in together:
-            yield from blocks.of(part)
+            yield tree.styled("Lead", [tree.paragraph([*tree.text(before), *links[len(comma) :], *tree.text(behind)])])
+        for part, follows in zip_longest(together, together[1:]):
+            leads = isinstance(part, Paragraph) and isinstance(follows, Equations)
+            yield from [tree.styled("Lead", blocks.of(part))] if leads else blocks.of(part)
 
 
 def _numbers(results: Results, blocks: Blocks) -> Iterator[Node]:

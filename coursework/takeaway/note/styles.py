@@ -93,6 +93,7 @@ def styles_of(house: House) -> tuple[Style, ...]:
         Style("Normal", after=4 if plain else 0),
         Style("Body Text", after=4 if plain else 0),
         Style(FIRST, before=4, after=4 if plain else 0),
+        Style("Lead", before=4, after=4 if plain else 0, keep=True),
         Style("Compact", after=0),
         Style("Title", size + 4 if plain else size, bold=True, align="center", before=6, after=12, first=0),
         Style("Subtitle", size, align="center", before=120 if house.by_standard else 12, after=6, first=0),

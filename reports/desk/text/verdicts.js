@@ -13,19 +13,21 @@ class Beside extends WidgetType {
   /**
    * @param {boolean} right
    * @param {string} sentence
+   * @param {boolean} asked Whether its line was edited since, so that the next answer is waited for.
    */
-  constructor(right, sentence) {
+  constructor(right, sentence, asked = false) {
     super();
     this.right = right;
     this.sentence = sentence;
+    this.asked = asked;
   }
   /** @param {Beside} other */
   eq(other) {
-    return other.right === this.right && other.sentence === this.sentence;
+    return other.right === this.right && other.sentence === this.sentence && other.asked === this.asked;
   }
   toDOM() {
     const place = document.createElement("span");
-    place.className = `verdict ${this.right ? "right" : "wrong"}`;
+    place.className = `verdict ${this.asked ? "asked" : this.right ? "right" : "wrong"}`;
     const words = this.sentence || say(this.right ? "equation_right" : "equation_wrong");
     place.textContent = `${this.right ? "✓" : "✗"} ${words}`;
     return place;
@@ -39,6 +41,27 @@ const told = effect(),
 const MOVED = Decoration.mark({ class: "desk-moved" });
 
 /**
+ * What was said of a line that has changed since is no longer said of it: it is grey until the answer comes.
+ * @param {RangeSet<Decoration>} beside
+ * @param {ChangeDesc} changes
+ * @param {Text} doc
+ */
+function greyed(beside, changes, doc) {
+  /** @type {[number, number][]} */
+  const lines = [];
+  changes.iterChangedRanges((_from, _to, from, to) => lines.push([doc.lineAt(from).from, doc.lineAt(to).to]));
+  /** @type {import("@codemirror/state").Range<Decoration>[]} */
+  const add = [];
+  const filter = (/** @type {number} */ at, /** @type {number} */ _to, /** @type {Decoration} */ { spec }) => {
+    const { widget } = spec;
+    if (!(widget instanceof Beside) || !lines.some(([from, to]) => from <= at && at <= to)) return true;
+    add.push(Decoration.widget({ widget: new Beside(widget.right, widget.sentence, true), side: 1 }).range(at));
+    return false;
+  };
+  return beside.update({ filter }).update({ add, sort: true });
+}
+
+/**
  * @param {import("@codemirror/state").StateEffectType<RangeSet<Decoration>>} kind
  * @param {boolean} passing Whether the next change of the text takes it away.
  */
@@ -46,8 +69,9 @@ const field = (kind, passing) =>
   StateField.define({
     /** @returns {RangeSet<Decoration>} */
     create: () => Decoration.none,
-    update(value, { changes, effects, docChanged }) {
+    update(value, { changes, effects, docChanged, newDoc }) {
       let now = passing && docChanged ? Decoration.none : value.map(changes);
+      if (docChanged) now = greyed(now, changes, newDoc);
       for (const one of effects) if (one.is(kind)) now = one.value;
       return now;
     },

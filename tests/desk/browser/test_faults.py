@@ -8,6 +8,8 @@ from typing import Any
 
 import pytest
 
+from tests.desk.browser.conftest import VIEW
+
 pytestmark = pytest.mark.browser
 # What is typed over what, and a word of the sentence that follows.
 SLIPS = (
@@ -24,6 +26,10 @@ SLIPS = (
     ('hinges = ["D"]', 'hinges = ["X"]', "X"),
     ('"table", "plots"', '"tabel", "plots"', "table"),
 )  # fmt: skip
+# A space typed into an equation, and what is beside the equations before any answer can come.
+TYPED = f"""(() => {{ const view = {VIEW};
+  view.dispatch({{ changes: {{ from: view.state.doc.toString().indexOf("cos(phi3) - r3"), insert: " " }} }});
+  return [...document.querySelectorAll(".verdict")].map((one) => one.className); }})()"""
 
 
 def slipped(one: Any, before: str, after: str, word: str) -> None:
@@ -50,6 +56,13 @@ def test_twelve_slips_are_underlined(desk: Callable[..., Any]) -> None:
 def test_a_slip_is_underlined_and_a_mend_is_one_click(desk: Callable[..., Any]) -> None:
     one, _ = desk()
     before = one.text
+    # What the geometry said of a line is grey as soon as the line changes; of other lines it is still said.
+    one.page.wait_for_selector(".verdict.right")
+    shown = one.page.evaluate(TYPED)
+    assert shown.count("verdict asked") == 1 < shown.count("verdict right")
+    one.page.focus("#desk-text .cm-content")
+    one.page.keyboard.press("Control+z")
+    assert one.text == before
     slipped(one, *SLIPS[-1])
     one.replace("cos(phi3) - r3", "cos(ph3) - r3")
     one.rest("faulty")

@@ -226,6 +226,8 @@ def test_a_key_and_a_feedback_page_take_two_sheets_of_paper(places: dict[str, Pa
         page.goto(places[kind].as_uri())
         with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
             assert len(document) == 2
+            lines = [one["rect"].width for one in document[1].get_drawings() if kind == "key" and one["rect"].height < 1]
+        assert kind == "feedback" or any(abs(wide / 72 * 25.4 - 100) < 0.3 for wide in lines), "a bar that must measure 100 mm"
     page.emulate_media(media="screen")
 
 

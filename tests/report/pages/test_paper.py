@@ -20,6 +20,7 @@ from coursework.report.pages import render_pdf
 from coursework.report.pages.pdf import render_pages
 from coursework.report.text.parts import Checks, Claims, Column, Display, Equations, Judged, Paragraph, Part, Runs, Section, Table
 from coursework.report.text.text_runs import runs
+from coursework.report.text.words import load_words
 from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, paper_of, solved
 from tests.sample import first
@@ -58,6 +59,9 @@ def test_variant_31_takes_five_pages_and_its_appendix_no_page_of_few_lines(langu
         assert len(document) - (begins - 1) <= APPENDIX[language], contents
         turned = [sheet.number + 1 for sheet in document if sheet.rect.width > sheet.rect.height]
         assert turned == [PAGES]
+        rows = [load_words(language)(f"structure.{key}") for key in ("links", "pairs", "mobility", "groups")]
+        together = [[row for row in rows if sheet.search_for(row)] for sheet in document.pages(0, 2)]
+        assert [found for found in together if rows[2] in found] == [rows]  # a short table of facts is not parted
     assert min(filled(made)[:-1]) >= LEAST_FULL
     assert crossed(made) == []
 

@@ -8,8 +8,11 @@ from typing import Any, cast
 
 import pytest
 
-from coursework.report.text.parts import Column, Figure, Panel, Panels, Table
+from coursework.report.text.parts import Column, Equations, Figure, Panel, Panels, Paragraph, Table
+from coursework.report.text.text_runs import runs
+from coursework.report.text.words import load_words
 from coursework.takeaway.note.blocks import Blocks, _widths
+from coursework.takeaway.note.sections import _referred
 from coursework.takeaway.note.styles import HOUSES, House, word_styles
 from coursework.takeaway.note.writer import MANY, _sized_tables
 
@@ -67,6 +70,15 @@ def blocks() -> Any:
         turned=lambda made: [{"t": "turned"}, *made],
     )
     return Blocks(cast("Any", dialect), {}, str, 100.0)
+
+
+def test_words_that_lead_to_formulas_stay_on_their_page(blocks: Blocks) -> None:
+    made = list(
+        _referred([Paragraph(runs("With")), Equations([]), Paragraph(runs("All are independent."))], blocks, load_words())
+    )
+    assert [one["t"] for one in made] == ["Div", "Para"] and "Lead" in str(made[0])
+    styles = word_styles(House())
+    assert ["keepNext" in styles[name] for name in ("Lead", "BodyText")] == [True, False]
 
 
 @pytest.mark.parametrize(
