@@ -1,7 +1,9 @@
 """Which draws are accepted: against a closed form of variant 31, an integrator written by others, and limits from both sides."""
 
 import math
+import re
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 import coursework
 from coursework.assigning.accept import Acceptance
-from coursework.assigning.judge import Verdict, judge
+from coursework.assigning.judge import Verdict, _refused_at_sight, judge
 from coursework.assigning.ranges import MEASURES, Limits, Lots
 from coursework.assigning.variants import load_ranges
 from tests.assigning import closed_form
@@ -93,6 +95,17 @@ def test_the_first_row_and_the_last_are_measured():
     (verdict,) = judge(short, short.data({"p": [13.0]}), Limits())
     assert verdict.numbers["largest_velocity"] == pytest.approx(speeds[0], rel=1e-9)
     assert verdict.numbers["euler_error"] == pytest.approx(errors[-1], rel=1e-6)
+
+
+def test_a_motion_without_a_period_is_measured_up_to_its_last_row():
+    """The other way up, the guide of variant 31 comes nearer to its dead point all the time."""
+    text = re.sub("(?m)^(period|check_row).*\n", "", coursework.load("31").path.read_text(encoding="utf-8"))
+    short, data = coursework.compile_model(coursework.parse_variant(text).with_data(end="0.04 s")), {"p": 13.0, "alpha": 1.0}
+    start = [one.start for one in short.variant.coordinates]
+    exact = solve_ivp(lambda t, q: by_hand.velocities(t, q, **data)[:3], (0, 0.04), start, rtol=1e-11, atol=1e-12).y
+    guide = np.abs(np.cos(exact[2] - closed_form.DELTA)) * math.sqrt(5) / 3
+    (verdict,) = judge(short, short.data({name: [value] for name, value in data.items()}), Limits())
+    assert np.all(np.diff(guide) < 0) and verdict.numbers["least_determinant"] == pytest.approx(guide[-1], rel=1e-9)
 
 
 @pytest.mark.parametrize("side", [1, -1])
@@ -207,3 +220,15 @@ def test_data_that_move_the_times_of_the_rows_have_rows_of_their_own():
     for variant in variants:
         assert variant.time.step == pytest.approx(2 * math.pi / 36 / variant.values["w0"], rel=1e-15)
         assert variant.time.scheme == "euler"  # so that a run writes the table that is marked
+
+
+@pytest.mark.parametrize("step", [0.004, 30.0])
+@pytest.mark.parametrize(("rows", "refused"), [
+    (1 - 0.98e-9, ""), (1 - 1.02e-9, "refused"), (200_000, ""), (200_000.001, "refused"),
+    (math.nan, "refused"), (math.inf, "refused"),
+])  # fmt: skip
+def test_a_table_has_a_row_after_the_first_and_200_000_at_most(step, rows, refused):
+    template, variant = (SimpleNamespace(coordinates=(), values={"p": value}) for value in (1.0, 2.0))
+    variant.time = SimpleNamespace(step=step, end=rows * step)
+    data = SimpleNamespace(changed=("p",), given=("p",), start=np.zeros((1, 0)))
+    assert _refused_at_sight(template, data, 0, variant) == Verdict(refused)

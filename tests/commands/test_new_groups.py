@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.mechanism.drafts import candidates
 from coursework.words.sentences import load_phrases
 from tests.command import call
 from tests.sample import first
@@ -160,6 +161,14 @@ def test_what_makes_no_chain_is_refused_in_one_message(groups, more, told):
     assert told in result.stderr
     assert result.stderr.count("\n") == 1
     assert not Path("mine.toml").exists()
+
+
+def test_a_group_that_never_closes_is_told_by_its_number_and_kind(monkeypatch):
+    """Nothing is sound by more than 1, so that no dimensions of a dyad are."""
+    monkeypatch.setattr(candidates, "_SOUND", 1.01)
+    told = "C073 no dimensions were found in which group 2 (RRP) closes for the whole turn. Take the groups in another order."
+    result = call("new", "mine", "--groups", "crank,rrp,RPP")
+    assert (result.exit_code, told in result.stderr, Path("mine.toml").exists()) == (2, True, False), result.output
 
 
 @pytest.mark.long

@@ -12,6 +12,7 @@ import pytest
 
 from coursework import solve
 from coursework.drawing import trajectories
+from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.paper.record import Drawing
 from coursework.run import Run
 from coursework.scene.way_to_motion import PLACES
@@ -121,3 +122,25 @@ def test_a_point_at_rest_but_for_round_off_has_no_hodograph(fastest, monkeypatch
     monkeypatch.setattr(trajectories, "_velocities", lambda *_: moving)
     motion = SimpleNamespace(t=np.arange(3.0))
     assert [one.id for one in trajectories.draw_hodographs(None, None, motion, motion)] == ["hodograph-B", "hodograph-C"]
+
+
+@pytest.mark.parametrize("scale", [0.01, 100.0])
+@pytest.mark.parametrize(("part", "moves"), [(0.98e-9, False), (1.02e-9, True)])
+def test_a_point_at_rest_but_for_round_off_has_no_trajectory(scale, part, moves, monkeypatch):
+    """Example 2 in another size, with a slider that moves by a share of the largest distance of two points at the start."""
+    scene = run_of("example-2").scene
+
+    def poses_of(*given):
+        def read(*rows):
+            poses = read_poses(*given)(*rows)
+            poses.at.update({name: scale * places for name, places in poses.at.items()})
+            here = [places[0] for places in poses.at.values()]
+            largest = max(abs(one - other) for one in here for other in here)
+            poses.at["C"] = poses.at["C"][0] + part * largest * np.linspace(0, 1, len(rows[0]))
+            return poses
+
+        return read
+
+    monkeypatch.setattr(trajectories, "read_poses", poses_of)
+    drawn = trajectories.draw_positions(scene.mechanism, scene.equations, scene.one_period)
+    assert measured.names(drawn.svg, "data-trajectory") == ({"B", "C"} if moves else {"B"})

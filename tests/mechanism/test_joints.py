@@ -3,19 +3,21 @@
 import ast
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
 import coursework
 from coursework.drawing.outline.tracing import read_outline
 from coursework.mechanism import groups
+from coursework.mechanism import joints as module
 from coursework.mechanism.groups import GROUPS, group_kind, joint
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint, JointKind
 from coursework.mechanism.joints import FRAME, chain_of_groups, link_names, linkage
 from coursework.mechanism.mechanism import build
 from coursework.mechanism.one_shaft import fixed_links
 from coursework.variant.catalogue import names
-from coursework.variant.formula.tree import named
+from coursework.variant.formula.tree import named, number
 from coursework.variant.record.entries import Link
 from tests import sources
 from tests.hard.scenes import scene
@@ -193,3 +195,16 @@ def test_four_links_of_one_rate_are_four_bodies_where_they_turn_both_ways(folded
         more=f'[points]\n{points}\n[links]\n{links}\n[frame]\nhinges = ["A"]',
     )  # fmt: skip
     assert build(coursework.parse_variant(text)).mobility.degrees == freedoms
+
+
+@pytest.mark.parametrize("radius", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "found"), [(0.0098, "C"), (-0.0098, "C"), (0.0102, None), (-0.0102, None)])
+def test_the_line_of_a_rack_passes_the_contact_within_a_hundredth_of_the_radius(radius, part, found, monkeypatch):
+    """A wheel about O touches at Q, above it; the rack runs along x, through C far to the right."""
+    places = {"O": 0j, "Q": 1j * radius, "C": radius * (7 + 1j * (1 + part))}
+    monkeypatch.setattr(module, "blocks_of", lambda _: {"C": "4"})
+    monkeypatch.setattr(module, "riders", lambda _: ("C",))
+    monkeypatch.setattr(module, "with_points", lambda *_: places)
+    frame = SimpleNamespace(hinges=("O",), rails=[(named("C"), number(0))])
+    variant = SimpleNamespace(frame=frame, coordinates=[], values={}, points=())
+    assert module.rack_of(SimpleNamespace(wheel="O", contact="Q"), variant) == found

@@ -1,5 +1,6 @@
 """What a file is told to write so that the geometry knows a velocity: from how the velocity is called and what slides where."""
 
+import math
 from types import SimpleNamespace
 
 import pytest
@@ -75,3 +76,19 @@ def test_an_arm_that_nothing_ties_is_told_by_the_one_length_that_it_has():
     for more, links in (('k = "80 mm"', ["5"]), ('k = "90 mm"', ["3", "5"]), ('k = "0.08 m/s"', ["3", "5"])):
         found = loose_arms(parse_variant(text.replace("[given]", f"[given]\n{more}"), "own"), start)
         assert [one.link for one in found] == links, more
+
+
+@pytest.mark.parametrize("size", [0.08, 5.0])
+@pytest.mark.parametrize("share", [0.0098, 0.0102])
+@pytest.mark.parametrize("what", ["angle", "datum", "tied"])
+def test_a_start_gives_an_arm_within_a_hundredth_of_its_length_at_any_size(size, share, what):
+    """A at rest, E on a ray at 2*asin(share/2) from that of phi, where a tenth more of x lengthens AE by a share of it."""
+    off, more = (2 * math.asin(share / 2) if what == "angle" else 0.0), (0.1 if what != "tied" else share) * 10 * size
+    one = SimpleNamespace(
+        coordinates=[SimpleNamespace(name="x", rate="u", unit="m"), SimpleNamespace(name="phi", rate="w", unit="rad")],
+        values={"l": size, "k": more, "off": 1.0 + off}, links=[SimpleNamespace(name="2", points=("A", "E"), rate="w")],
+        points=[(name, parse(place, vectors=True)) for name, place in (("A", "(0, 0)"), ("E", "A + (l + k*x) @ off"))],
+        given=[SimpleNamespace(name="l", si="m", value=size * (1 + share) if what == "datum" else size)],
+    )  # fmt: skip
+    told = loose_arms(one, [0.0, 1.0])
+    assert [arm.angle for arm in told] == (["phi"] if (share < 0.01) is (what != "tied") else [])

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import re
+from contextlib import nullcontext
+from pathlib import Path
+
 import pytest
 
 import coursework
+from coursework.mechanism import mechanism as module
 from coursework.mechanism.groups.joint import MESHING, PRISMATIC, REVOLUTE, ROLLING
 from coursework.mechanism.mechanism import build
 from coursework.mechanism.structure import read_structure
@@ -150,3 +155,19 @@ def test_every_mechanism_of_the_catalogue_has_the_freedoms_of_its_drives(name: s
     links_of_groups = [link for group in found.groups for link in group.links[group.group_class == "I" :]]
     assert sorted(links_of_groups) == sorted(link.name for link in found.links) or not found.groups
     assert found.groups or name in {"cardan", "epicyclic"}  # their line of centres is no link of the list
+
+
+@pytest.mark.parametrize(("points", "holds", "most", "told"), [
+    ('P1 = "P0 + P0"', "-P1.x*P1.x*P1.x*P1.x", 100, ""),  # B = O + r @ phi1 + l @ phi2 has 11 parts, P1 23, P1.x 24
+    ('P1 = "P0 + P0"', "P1.x*P1.x*P1.x*P1.x*l", 100, "V342"),
+    ('P1 = "P0 + P0"\nP2 = "P1 + P1"', "l", 47, ""), ('P1 = "P0 + P0"\nP2 = "P1 + P1"', "l", 46, "V347"),
+])  # fmt: skip
+def test_points_written_out_have_as_many_parts_as_are_allowed(
+    points: str, holds: str, most: int, told: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = (Path(__file__).parents[1] / "variant/bad/geometry-exploding-holds.toml").read_text(encoding="utf-8")
+    text = re.sub(r"(?ms)^P1 = .*", f'{points}\n[closure]\nholds = ["{holds}"]\n', text)
+    variant = coursework.parse_variant(text)
+    monkeypatch.setattr(module, "MAX_EXPANDED", most)
+    with pytest.raises(coursework.InputError, match=told) if told else nullcontext():
+        build(variant)

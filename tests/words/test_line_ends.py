@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from coursework.words import line_ends
 from coursework.words.line_ends import KEPT, LONGEST, line_groups, marked
 
 
@@ -54,3 +55,19 @@ def test_runs_lose_nothing_and_a_symbol_stays_with_its_quotient() -> None:
     assert [run for group in groups for run in group.runs if "lang" in run] == [
         {"t": " is ", "lang": ""}, {"t": "5 m", "lang": ""}
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("last", "kept"), [(10, (0, 30)), (11, (0, 20))])
+def test_pieces_that_overlap_are_one_of_thirty_characters_at_most(
+    last: int, kept: tuple[int, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(line_ends, "_TOGETHER", (("x", "x+y+"), ("y", "y+z+")))
+    assert line_ends._together("x" * 10 + "y" * 10 + "z" * last + " 1 + 2") == (kept,)
+
+
+@pytest.mark.parametrize(("size", "kept"), [(30, ((0, 30),)), (31, ())])
+def test_a_piece_has_thirty_characters_at_most(
+    size: int, kept: tuple[tuple[int, int], ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(line_ends, "_TOGETHER", (("w", "w+"),))
+    assert line_ends._together("w" * size + " 1 + 2") == kept

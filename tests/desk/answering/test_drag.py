@@ -5,10 +5,11 @@ from __future__ import annotations
 import cmath
 import re
 
+import numpy as np
 import pytest
 
 from coursework.api import solve
-from coursework.desk.answering.drag import _places
+from coursework.desk.answering.drag import _nearest, _places
 from coursework.desk.job import Policy
 from coursework.variant.reading import reader
 from coursework.variant.reading.reader import parse_variant
@@ -156,3 +157,11 @@ def test_a_wrong_sign_is_a_fault_where_it_stands(client):
 def test_a_department_may_not_write_them():
     with desk(policy=Policy(equations=False)) as client:
         assert client.post("/api/equations", json={"text": TEXT}).status_code == 403
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "moves"), [(0.98e-4, False), (1.02e-4, True)])
+def test_a_point_that_is_nearly_where_it_was_dragged_stays_at_any_size(size: float, part: float, moves: bool) -> None:
+    """Two lengths are the place of the point; it is dragged by a part of the size."""
+    found = _nearest(lambda values: complex(*values), np.array([size, 0.0]), size * (1 + 1j * part), size)
+    assert found is not None and found.tolist() == pytest.approx([size, size * part if moves else 0.0], rel=1e-2, abs=1e-12)

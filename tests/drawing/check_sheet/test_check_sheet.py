@@ -289,3 +289,12 @@ def test_what_to_look_at_is_a_point_near_its_centre_or_the_fastest_point() -> No
     assert seen(9j, A=3 + 4j, B=-2j, C=99j) == say("graph.fastest", point="A", speed=5.0)
     assert seen(None, A=1j, B=-2j) == say("graph.fastest", point="B", speed=2.0)
     assert seen(9j) == "" and seen(5 + 0j, A=1j, B=0j) == say("graph.close", link="2", point="B")
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "near"), [(0.049, True), (0.051, False)])
+def test_a_centre_is_near_a_point_within_a_twentieth_of_the_size(size: float, part: float, near: bool) -> None:
+    pose = SimpleNamespace(size=size, positions={"A": 1j * size}, bodies=[SimpleNamespace(name="2", points=("A",))])
+    findings = SimpleNamespace(drawn={"2": SimpleNamespace(at=1j * size + part * size, lines=[1])}, velocities={})
+    told = _seen(SimpleNamespace(pose=pose, moving={"A"}), findings)  # type: ignore[arg-type]
+    assert told == (say("graph.close", link="2", point="A") if near else "")

@@ -7,9 +7,11 @@ from typing import Any
 
 import pytest
 
+from coursework.drawing.check_sheet.check_plan import CheckPlan
 from coursework.drawing.check_sheet.instant_centres import construct
 from coursework.drawing.check_sheet.readings import Reading, read_off
 from coursework.drawing.check_sheet.sketch import Body
+from coursework.drawing.plans.plan_scale import PlanScale
 from tests.drawing.check_sheet.checked import scene
 
 # Two bars hang on driven points and meet in X, which moves at (0.4, 0.2) m/s; the bars turn at 0.7 and -1.3 rad/s.
@@ -41,3 +43,17 @@ def test_rates_and_speeds_of_a_dyad_are_computed_each_once(moving: str) -> None:
 
 def test_a_block_of_one_point_has_no_rate_to_compute() -> None:
     assert [*read(Body("1", ("A", "X")), Body("2", ("X", "B")), Body("3", ("X",)))] == ["ω₁", "V_X", "ω₂"]
+
+
+@pytest.mark.parametrize("longest", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "moves"), [(0.98e-7, False), (1.02e-7, True)])
+def test_a_point_moves_if_its_vector_is_no_round_off_beside_the_longest(longest: float, part: float, moves: bool) -> None:
+    plan: Any = SimpleNamespace(drawn={"A": 1j * part * longest}, scale=SimpleNamespace(longest=longest))
+    assert CheckPlan.moves(plan, "A") is moves
+
+
+@pytest.mark.parametrize("longest", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "seen"), [(0.98e-7, False), (1.02e-7, True)])
+def test_a_vector_has_no_length_on_paper_if_it_is_round_off(longest: float, part: float, seen: bool) -> None:
+    length, _ = PlanScale(longest / 80, 1, longest).length(part * longest)
+    assert length == (pytest.approx(80 * part) if seen else 0.0)

@@ -31,6 +31,15 @@ def test_parallel_velocities_across_one_line_are_found_by_proportion() -> None:
     assert found.velocities["C"] == pytest.approx(-9j)
 
 
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("sine", "across"), [(0.98e-9, True), (1.02e-9, False)])
+def test_velocities_across_the_line_of_their_points_have_no_centre_by_them(size: float, sine: float, across: bool) -> None:
+    """The directions are parallel, and across AB but for a sine: beyond a billionth, the centre is infinitely far away."""
+    points = {"A": 0j, "B": size * complex(sine, 1)}
+    found = construct(scene(points, [Body("1", ("A", "B"))], guided={"A": 1 + 0j, "B": 1 + 0j}))
+    assert found.centres.get("1") == (None if across else Centre(None, ("A", "B")))
+
+
 def test_a_driven_point_at_rest_stops_the_link() -> None:
     points = {"A": 0j, "B": 2 + 1j, "D": 3 + 0j}
     bodies = [Body("1", ("A", "B")), Body("2", ("B", "D"))]

@@ -6,12 +6,13 @@ import cmath
 import itertools
 import math
 from types import SimpleNamespace
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 
 from coursework import parse_variant, solve
-from coursework.drawing.lettering.angles import _angle
+from coursework.drawing.lettering.angles import _angle, _is_shown
 from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse
 from tests.drawing import measured
@@ -115,3 +116,15 @@ def test_an_angle_is_the_one_datum_of_a_direction_beside_coordinates_and_numbers
     found = list(_angle(mechanism, parse(text), (1 + 2j,), 1j))  # type: ignore[arg-type]
     assert [(one.name, one.at, one.turn) for one in found] == ([] if turn is None else [("gamma", (1 + 2j,), turn)])
     assert all(one.begin == pytest.approx(1j * cmath.exp(-1j * one.turn)) for one in found)
+
+
+@pytest.mark.parametrize("radius", [4.0, 40.0])
+@pytest.mark.parametrize(("reach", "off", "shown"), [
+    (0.902, 0.0, True), (0.898, 0.0, False), (2.0, 0.0196, True), (2.0, 0.0204, False),
+    (2.0, -0.0196, True), (2.0, -0.0204, False),
+])  # fmt: skip
+def test_a_link_shows_a_direction_if_it_nearly_reaches_the_arc(radius: float, reach: float, off: float, shown: bool) -> None:
+    at = 3 + 4j
+    link = (at + reach * radius * cmath.exp(1j * (0.7 + off)), at)
+    painter: Any = SimpleNamespace(sheet=SimpleNamespace(heavy=[link, (0j, 1 + 0j)]), rails={})
+    assert _is_shown(painter, at, cmath.exp(0.7j), radius) is shown

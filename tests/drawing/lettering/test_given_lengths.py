@@ -14,6 +14,7 @@ from coursework import load, parse_variant, solve
 from coursework.drawing.figures import draw_start, room
 from coursework.drawing.lettering.dimensions import HEAD, TIGHT
 from coursework.drawing.lettering.naming import _unsaid
+from coursework.drawing.lettering.offsets import _beside
 from coursework.drawing.outline.ground import rail_side
 from coursework.drawing.outline.lengths import lengths
 from coursework.drawing.outline.poses import read_poses
@@ -24,7 +25,7 @@ from coursework.mechanism.mechanism import build
 from coursework.report.text.symbols import symbol
 from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse
-from coursework.variant.formula.tree import evaluate_any, spelled
+from coursework.variant.formula.tree import evaluate_any, named, spelled
 from coursework.words.data_folders import folder
 from tests.drawing import measured
 from tests.mechanisms.library import mechanism
@@ -231,3 +232,13 @@ def test_a_driven_length_is_dimensioned_and_one_that_is_sought_is_not(drive: str
     else:
         begin, end = ends_of(drawing.svg, "s")
         assert abs(end - begin) == pytest.approx(length * scale_of(drawing.caption), abs=0.1)
+
+
+@pytest.mark.parametrize("scale", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "beside"), [(0.98e-6, True), (-0.98e-6, True), (1.02e-6, False), (-1.02e-6, False)])
+def test_an_offset_is_where_it_is_measured_within_a_millionth_of_the_distance(scale, part, beside):
+    """A block at 3 + 4j from A, whose guide lies along x: 4 beside it, 5 away."""
+    at = {name: scale * place for name, place in (("A", 0j), ("B", 3 + 4j), ("E", 9 + 4j))}
+    outline = SimpleNamespace(blocks=[SimpleNamespace(at="B", base="B", toward="E")], slots=[])
+    found = [*_beside(SimpleNamespace(at=at, outline=outline, slot_line=None), named("e"), scale * (4 + 5 * part), "A", "B")]
+    assert [(one.point, one.rider) for one in found] == ([("A", "B")] if beside else [])

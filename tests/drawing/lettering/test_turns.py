@@ -13,7 +13,7 @@ import pytest
 
 from coursework import load, parse_variant, solve
 from coursework.drawing.figures import draw_start
-from coursework.drawing.lettering.turns import _Arm, _begin, _gap_begin, _line, _rank, clockwise_rates, turns
+from coursework.drawing.lettering.turns import _Arm, _begin, _centre, _gap_begin, _line, _rank, clockwise_rates, turns
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse
@@ -266,3 +266,12 @@ def test_an_angle_beside_a_law_of_time_has_its_sense_but_no_arc(angle: str, agai
     text = ARM.replace("ANGLE", angle)
     assert "data-angle" not in svg_of(text)
     assert clockwise_rates(build(parse_variant(text)), {"D": 0j, "M": 0.4 + 0j}) == ({"w1"} if against else set())
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("off", "leads"), [(0.0098, True), (-0.0098, True), (0.0102, False), (-0.0102, False)])
+def test_a_link_leads_a_way_within_a_hundredth_of_its_length(size: float, off: float, leads: bool) -> None:
+    turned_by = 2 * math.asin(off / 2)
+    values: Any = {"A": 3 + 4j, "B": 3 + 4j + size * cmath.exp(1j * (0.7 + turned_by))}
+    mechanism: Any = SimpleNamespace(variant=SimpleNamespace(links=[SimpleNamespace(rate="w2", wheel=None, points=("B", "A"))]))
+    assert _centre(mechanism, "w2", values, cmath.exp(0.7j)) == (values["A"] if leads else None)

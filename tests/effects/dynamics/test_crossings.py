@@ -9,6 +9,7 @@ import pytest
 from scipy.integrate import quad
 
 import coursework
+from coursework.effects.dynamics import crossings
 from coursework.effects.dynamics.crossings import ended_at
 from coursework.effects.dynamics.why_ended import CHANGE
 from coursework.report.live.page import _words
@@ -183,3 +184,22 @@ def test_where_not_one_coordinate_alone_is_free_rows_end_about_where_they_end(ra
     flow = SimpleNamespace(equations=SimpleNamespace(variant=SimpleNamespace(known_rates=rates, rates=("w1", "w2", "w3"))))
     rows = SimpleNamespace(t=np.zeros(1), scaled=np.ones((1, 2)), step=0.1)
     assert ended_at(flow, rows, None, 0.7) == (0.7, CHANGE)
+
+
+@pytest.mark.parametrize("time", [0.02, 40.0])
+@pytest.mark.parametrize(("off", "looks"), [(0.98e-9, 2), (-0.98e-9, 2), (1.02e-9, 3), (-1.02e-9, 3)])
+def test_a_change_point_is_looked_for_until_two_looks_agree(time, off, looks, monkeypatch):
+    """A coordinate that is the time itself; the change point is found at its time, then beside it."""
+    found = iter([time, time * (1 + off), time * (1 + off)])
+    looked = []
+    monkeypatch.setattr(crossings, "branches_at", lambda *_: ())
+    monkeypatch.setattr(crossings, "nearest_change_point", lambda *given: looked.append(1) or (0.0, np.array([next(found)]), 0.0))
+    variant = SimpleNamespace(known_rates=("w1",), rates=("w1",))
+    flow = SimpleNamespace(equations=SimpleNamespace(variant=variant), units=np.ones(1))
+
+    def exact_at(times):
+        rows = np.asarray(times)[:, None]
+        return SimpleNamespace(t=rows[:, 0], coordinates=rows, velocities=np.ones(rows.shape), velocity_names=("w1",))
+
+    told = crossings._reached(flow, exact_at, 0, 1.001 * time, time / 100)
+    assert told[0] == pytest.approx(time * (1 + off), rel=1e-12) and len(looked) == looks

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.effects.dynamics import dynamics
+from coursework.effects.dynamics.dynamics import dormand_prince_8, why_ended
 from tests.effects.test_rubbing import UNRUBBED
 from tests.mechanisms.library import mechanism
 
@@ -117,3 +119,13 @@ def test_what_has_no_mass_in_its_dead_position_is_no_mechanism_at_a_dead_point()
     """A crank of 1e-9 kg, shorter than its rod, may turn right round; where the slider turns back nothing has mass."""
     run = rod(r=0.1, M1=1e-9, M2=1e-9, T=6)
     assert run.stop.kind == "too steep" and "hardly any mass there" in run.stop.sentence
+
+
+@pytest.mark.parametrize("most", [1, 2])
+def test_as_many_steps_as_are_allowed_are_taken_between_two_rows(most, monkeypatch):
+    taken, ended = [], []
+    monkeypatch.setattr(dynamics, "MOST_STEPS", most)
+    monkeypatch.setattr(dynamics, "dormand_prince_8", lambda *given: taken.append(1) or dormand_prince_8(*given))
+    monkeypatch.setattr(dynamics, "why_ended", lambda *given: ended.append(len(taken)) or why_ended(*given))
+    assert len(pushed("k*(2 - s)", '[given]\nk = "900000 N/m"\n').motion.t)
+    assert ended[0] == most

@@ -123,3 +123,11 @@ def test_a_step_ends_where_the_block_turns_round_and_goes_on_the_other_way():
     short = np.array([0.08, 0.6, 0.1])
     block.held = (1.0,)
     assert block.turned(moving, where, (begin, np.array([1.0, -4.0, 1.0])), 0.1, short) == (0.1, short)
+
+
+@pytest.mark.parametrize("size", [1e-6, 1e6])
+@pytest.mark.parametrize(("part", "sign"), [(0.98e-12, 0.0), (-0.98e-12, 0.0), (1.02e-12, 1.0), (-1.02e-12, -1.0)])
+def test_bodies_that_begin_to_turn_alike_do_not_slide_at_any_size(part, sign, size):
+    """One turns by the drive, the other with the free acceleration, and their difference is a part of either."""
+    state = replace(BLOCK, speeds=[0.0], turning=[size], by_free=[[-1.0 + part]])
+    assert rubbing(state)._beginning(state, [size], [True]) == [sign]

@@ -1,8 +1,10 @@
 """Poles and jumps of loads between rows, at times known from the formulas alone."""
 
+import numpy as np
 import pytest
 
 import coursework
+from coursework.effects.kinetostatics.kinetostatics import least
 from coursework.effects.kinetostatics.unseen_loads import unseen_loads
 from tests.effects.massed import of_text
 from tests.mechanisms.library import mechanism
@@ -51,3 +53,11 @@ def test_of_very_many_rows_those_are_looked_into_that_tell_most(monkeypatch):
     for force, is_pole in (("F0*0.001/(w0*t - 3.3)", True), ("F0*abs(w0*t - 3.3)/(w0*t - 3.3)", False)):
         (found,) = unseen_loads(of_text(loaded(force), scheme="exact"))
         assert (found.is_pole, found.row) == (is_pole, 18)
+
+
+@pytest.mark.parametrize("size", [1e-6, 250.0])
+@pytest.mark.parametrize(("part", "rank"), [(0.98e-11, 1), (1.02e-11, 2)])
+def test_forces_that_equations_of_any_size_hardly_tell_apart_are_not(size, part, rank):
+    """Two forces, the second with a small lever: it is left at 0 where nothing tells it."""
+    found, null = least(size * np.diag([1.0, part]), size * np.array([3.0, 0.0]))
+    assert found == pytest.approx([3.0, 0.0]) and len(null) == 2 - rank

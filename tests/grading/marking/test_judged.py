@@ -48,3 +48,13 @@ def test_nine_right_cells_of_ten_answer_whose_a_column_is(right, asked):
     cells = SimpleNamespace(judged=shown, right=np.arange(10)[:, None] < [0, *right])
     marks = SimpleNamespace(table=SimpleNamespace(columns=columns, asked="which?"), cells=cells)
     assert (TableMarks.open_question(marks, ("a", "b", "c")) or "") == asked
+
+
+@pytest.mark.parametrize(("rows", "held", "spoken", "judged"), [
+    (2, 1, 1, "unknown"), (3, 1, 1, "right"), (3, 0, 0, "unknown"), (3, 93, 100, "right"), (3, 92, 100, "wrong"),
+])  # fmt: skip
+def test_the_steps_of_three_rows_are_judged(rows, held, spoken, judged, monkeypatch):
+    monkeypatch.setattr(verdicts, "euler_steps", lambda *_: (held, spoken))
+    values = np.where(np.arange(5)[:, None] < rows, 1.0, np.nan)
+    cells = SimpleNamespace(student=SimpleNamespace(values=values))
+    assert verdicts._integration(SimpleNamespace(coordinates=("phi",)), cells) == judged

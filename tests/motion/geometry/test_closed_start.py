@@ -26,6 +26,14 @@ def test_a_root_that_is_far_away_is_sought_downhill(monkeypatch, far, found):
     assert module.closed_start(closure)[1].tolist() == [found]
 
 
+@pytest.mark.parametrize("scale", [0.02, 50.0])
+@pytest.mark.parametrize(("share", "closed"), [(0.98, True), (-0.98, True), (1.02, False), (-1.02, False)])
+def test_a_position_is_closed_within_a_share_of_the_size_of_the_mechanism(scale, share, closed):
+    off = np.array([0.0, share * closure_module.CLOSED * scale, scale])
+    closure = SimpleNamespace(origin=None, scale=scale, residual=lambda *_: (off, None))
+    assert module._is_closed(closure, np.zeros(3), [0, 1]) is closed
+
+
 @pytest.mark.parametrize(("units", "counts", "found"), [
     ("rad rad m", False, [0.5, 1.0, 14.0]), ("rad rad m", True, [0.5, 1.0 + 2 * np.pi, 14.0]),
     ("m rad m", False, [-12.0, 1.0, 14.0]),

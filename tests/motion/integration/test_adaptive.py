@@ -1,11 +1,15 @@
 """The next step of a pair: shorter by the root of its order, 0.85 of that to be safe, never much shorter or longer."""
 
 import math
+from contextlib import nullcontext
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from coursework.motion.integration import exact_motion
 from coursework.motion.integration.adaptive import integrate_adaptive, next_length
+from coursework.motion.integration.exact_motion import OutOfReach
 
 
 @pytest.mark.parametrize(
@@ -26,3 +30,13 @@ def test_each_component_is_as_accurate_as_asked_for():
     times = np.array([0.0, 0.1234, 0.5, 1.0])
     found, _ = integrate_adaptive(lambda t, *q: [1.0, 60 * math.cos(60 * t), 9.0], np.zeros(2), times, 1e-10)
     assert found == pytest.approx(np.column_stack([times, np.sin(60 * times)]), abs=1e-8)
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "lost"), [(0.98e-6, False), (1.02e-6, True)])
+def test_a_motion_is_lost_with_a_gap_of_a_millionth_of_a_radian_or_of_its_largest_position(size, part, lost, monkeypatch):
+    gap = part * max(size, 1.0)
+    monkeypatch.setattr(exact_motion, "refine", lambda *_, **__: (np.array([[-size], [0.0]]), gap, 3))
+    rates = SimpleNamespace(motion=lambda *_, **__: "followed")
+    with pytest.raises(OutOfReach) if lost else nullcontext():
+        assert exact_motion.exact_motion(rates, None, [0.0], np.arange(2.0)) == "followed"

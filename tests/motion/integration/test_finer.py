@@ -1,10 +1,12 @@
 """The exact motion prolonged: its rows go on up to the time asked for, as long as no determinant turns its sign."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from coursework.motion.integration import finer as module
 from coursework.motion.integration.finer import prolonged
 from tests.grading.marking import students
 from tests.solved import solved
@@ -43,3 +45,16 @@ def test_the_sign_of_a_determinant_in_the_last_row_counts():
     last[-1, 1] *= -1
     assert prolonged(replace(scene.exact, determinants=first), scene.rates, 0.5) is not None
     assert prolonged(replace(scene.exact, determinants=last), scene.rates, 0.5) is None
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "refined"), [(0.98e-5, 0), (-0.98e-5, 0), (1.02e-5, 2), (-1.02e-5, 2)])
+def test_an_interval_is_refined_if_its_end_is_off_by_more_than_a_share_of_the_range(size, part, refined, monkeypatch):
+    """A coordinate that grows evenly through a range; its row in the middle is off."""
+    asked = []
+    exact = SimpleNamespace(step=0.1, t=np.arange(3) / 10, coordinates=size * np.array([[0.0], [0.5 + part], [1.0]]))
+    rates = SimpleNamespace(slopes_of_rows=lambda _: lambda t, q: np.full(q.shape, 5 * size), equations=None)
+    monkeypatch.setattr(module, "resolution", lambda *_: SimpleNamespace(shorter=lambda _: (np.zeros(0), None)))
+    monkeypatch.setattr(module, "refine", lambda rates, start, t, most: asked.append(t) or (np.zeros((2, 1)), None, 0))
+    module._followed(exact, rates, 2, 2, np.arange(5) / 20)
+    assert len(asked) == refined

@@ -8,7 +8,7 @@ import pytest
 
 from coursework.motion.singular import change_point, passing, walk
 from coursework.motion.singular.event import GivenUp
-from coursework.motion.singular.explain import _away
+from coursework.motion.singular.explain import _away, _tidied_rates
 from coursework.motion.singular.peaks import Peaks, _highest
 from coursework.motion.singular.search import Search, is_back
 from coursework.motion.singular.walk import Walk
@@ -92,10 +92,11 @@ def test_a_determinant_that_hardly_grows_is_not_seen_to_change_its_sign(slope, l
     assert bool(flanks_tried(slope, 1.0, monkeypatch)) is looked_at
 
 
-def test_flanks_come_nearer_down_to_a_hundred_thousandth_of_the_run(monkeypatch):
-    tried = flanks_tried(2.0, 1.0, monkeypatch)
-    assert tried == pytest.approx([5e-3 / 4**further for further in range(5)])
-    assert tried[-1] > 1e-5 > tried[-1] / 4
+@pytest.mark.parametrize(("end", "tries"), [(1.0, 5), (40.0, 2), (0.02, 8)])
+def test_flanks_come_nearer_down_to_a_hundred_thousandth_of_the_run(end, tries, monkeypatch):
+    tried = flanks_tried(2.0, end, monkeypatch)
+    assert tried == pytest.approx([5e-3 / 4**further for further in range(tries)])
+    assert tried[-1] > 1e-5 * end > tried[-1] / 4
 
 
 def flanks_tried(slope, end, monkeypatch):
@@ -134,10 +135,11 @@ def test_determinants_that_vanish_together(size, together):
     assert event.together == together
 
 
+@pytest.mark.parametrize("end", [0.02, 1.0, 40.0])
 @pytest.mark.parametrize(("time", "told"), [(1.2e-13, 1.2e-13), (0.9e-13, 0.0)])
-def test_a_start_that_is_singular_is_so_at_once(time, told):
+def test_a_start_that_is_singular_is_so_at_once(time, told, end):
     flow = SimpleNamespace(scaled=lambda t, q: [0.0], demand=lambda t, q, block: 0.0)
-    assert Walk._named(SimpleNamespace(flow=flow, end=1.0), "dead point", time, np.zeros(1), 0).time == told
+    assert Walk._named(SimpleNamespace(flow=flow, end=end), "dead point", time * end, np.zeros(1), 0).time == told * end
 
 
 @pytest.mark.parametrize(("miss", "tolerance", "found"), [
@@ -241,3 +243,22 @@ def test_what_a_smallest_determinant_inside_a_step_is(smallest, told):
         _change_point=lambda state, block: "change point",
     )  # fmt: skip
     assert Walk._inside(stand, None, 0.1, None, [-0.05], 0, False) == told
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "closes"), [(0.98e-5, True), (-0.98e-5, True), (1.02e-5, False), (-1.02e-5, False)])
+def test_a_motion_opens_no_equation_faster_than_a_share_of_its_size(size, part, closes, monkeypatch):
+    """Of u = 1 and u = 1 + 2 part, both multiplied by a size, the best u misses each by part."""
+    matrix, right = np.array([[size], [size]]), size * np.array([1.0, 1.0 + 2 * part])
+    monkeypatch.setattr(change_point, "compile_system", lambda *_: SimpleNamespace(matrix=lambda *_: (matrix, right, None)))
+    flow = SimpleNamespace(
+        equations=SimpleNamespace(equations=(), from_closure=("1",)), system=SimpleNamespace(unknowns=("u",)), unknown_units=1.0
+    )
+    found = change_point._by_positions(flow, 0.0, np.zeros(1))
+    assert found == (({"u": pytest.approx(1.0 + part)},) if closes else ())
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "told"), [(0.98e-9, 0.0), (-0.98e-9, 0.0), (1.02e-9, 1.02e-9), (-1.02e-9, -1.02e-9)])
+def test_round_off_beside_the_fastest_is_not_told(size, part, told):
+    assert _tidied_rates({"w1": -size, "w2": part * size}) == {"w1": -size, "w2": pytest.approx(told * size)}

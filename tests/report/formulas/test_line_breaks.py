@@ -5,6 +5,7 @@ import re
 
 import pytest
 
+from coursework.report.formulas import display
 from coursework.report.formulas.display import math_equation
 from coursework.report.formulas.svg import LONG, _gathered, _opened, pieces
 from coursework.variant.formula.reader import parse
@@ -59,3 +60,20 @@ def test_each_line_of_a_long_equation_is_as_full_as_it_may_be(form):
             first, *_ = re.split(r" (?=[+-] )", following.replace("& quad ", ""))
             assert width_of(line) + width_of(first) > 64 - 4 * (place > 0)
     assert 10 < folded < 28  # a product of 61 to 64 letters, which stays whole, is left out
+
+
+@pytest.mark.parametrize(("left", "right", "told"), [
+    (30, 31, "x = a (b + c)"), (30, 32, "& x = a (b + c)"), (30, 64, "& x = a (b + c)"), (30, 65, "& x = a [ b + c ]"),
+])  # fmt: skip
+def test_an_equation_is_parted_beyond_64_letters_and_its_sum_if_its_right_side_has_more(left, right, told, monkeypatch):
+    widths = {"x": left, "a": 1, "b": 30, "c": 30}
+    monkeypatch.setattr(display, "_width", lambda tree, _: widths.get(tree.name, right))
+    assert math_equation(parse("x"), parse("a*(b + c)")) == told
+
+
+@pytest.mark.parametrize(("pieces", "lines"), [
+    ([60, 4], 1), ([60, 5], 2), ([5, 59], 1), ([5, 60], 2), ([4, 61], 1), ([60, 5, 55], 2), ([60, 5, 56], 3),
+])  # fmt: skip
+def test_a_line_has_64_letters_and_one_that_goes_on_60(pieces, lines):
+    """No line ends behind four letters: the next would have no more room."""
+    assert display._folded([(width, "x") for width in pieces]).count("&") == lines

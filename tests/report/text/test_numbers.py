@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from types import SimpleNamespace
+from typing import Any
 
+import numpy as np
 import pytest
 
 from coursework.report.sections.remarks import _plausibility
-from coursework.report.text.numbers import Numbers, said_step, unit_text, with_unit
+from coursework.report.text.numbers import Numbers, first_of, said_step, shown_column, unit_text, with_unit
 from coursework.report.text.words import load_words
 from coursework.variant.record.entries import Remark
 
@@ -147,3 +149,13 @@ def test_a_dozen_remarks_are_told_and_the_number_of_the_others(count: int) -> No
 ])  # fmt: skip
 def test_numbers_that_differ_beyond_the_twelfth_digit_are_written_alike_at_a_half(value: float, text: str) -> None:
     assert N.fixed(value, 2) == text
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "is_zero"), [(0.98e-12, True), (-0.98e-12, True), (1.02e-12, False), (-1.02e-12, False)])
+def test_round_off_beside_the_largest_entry_is_zero_at_any_size(size: float, part: float, is_zero: bool) -> None:
+    entries = np.array([part * size, size, -size / 2])
+    motion: Any = SimpleNamespace(names=("x",), column=lambda _: entries)
+    variant: Any = SimpleNamespace(unit_of=lambda _: "m")
+    assert (first_of(motion, "x") == 0, shown_column(motion, "x", variant)[0] == 0) == (is_zero, is_zero)
+    assert [text.strip("−0.") == "" for text in N.column([part * size, part * size * 5], size)] == [is_zero, False]

@@ -84,11 +84,11 @@ def test_a_turn_a_little_before_the_rows_or_behind_them_is_told_where_it_is_with
     assert [0 <= point.time <= judged.period for point in found] == [True, True]
 
 
-def turned(angle: float = 2 * math.pi, own: float = 0.0, period: float = 1.0) -> Any:
+def turned(angle: float = 2 * math.pi, own: float = 0.0, period: float = 1.0, second: float = 1.0) -> Any:
     """A second of a motion in eleven rows: a crank that turns by an angle, and what ends so far from where it began."""
     columns = {"phi": np.linspace(0, angle, 11), "q": np.linspace(0, own, 11), "w": np.ones(11)}
     exact = SimpleNamespace(
-        t=np.linspace(0, 1, 11), step=0.1, scheme="", column=columns.__getitem__, coordinate_names=("q", "phi"),
+        t=np.linspace(0, second, 11), step=second / 10, scheme="", column=columns.__getitem__, coordinate_names=("q", "phi"),
         velocity_names=("w",), coordinates=np.zeros((11, 2)),
     )  # fmt: skip
     rates = SimpleNamespace(motion=lambda *_: exact)
@@ -108,6 +108,7 @@ def test_at_most_24_turning_points_are_told(monkeypatch: pytest.MonkeyPatch, cou
     assert (None if found is None else len(found)) == (count if count <= 24 else None)
 
 
+@pytest.mark.parametrize("second", [0.01, 1.0, 40.0])
 @pytest.mark.parametrize(
     ("period", "times", "left"),
     [
@@ -116,10 +117,10 @@ def test_at_most_24_turning_points_are_told(monkeypatch: pytest.MonkeyPatch, cou
     ],
 )  # fmt: skip
 def test_the_end_of_a_period_is_its_beginning(
-    monkeypatch: pytest.MonkeyPatch, period: float, times: tuple[float, ...], left: int
+    monkeypatch: pytest.MonkeyPatch, period: float, times: tuple[float, ...], left: int, second: float
 ) -> None:
-    turning_at(monkeypatch, *times)
-    found = turning_points(turned(period=period), "q", "w")
+    turning_at(monkeypatch, *(second * time for time in times))
+    found = turning_points(turned(period=second * period, second=second), "q", "w")
     assert found is not None and len(found) == left
 
 

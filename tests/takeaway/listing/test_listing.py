@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import sys
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,9 +14,10 @@ import coursework
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.takeaway.listing.chart import block_diagram
-from coursework.takeaway.listing.listings import listing
+from coursework.takeaway.listing.listings import dense, listing
 from coursework.takeaway.listing.program import program_of
 from coursework.takeaway.listing.syntax import syntax_of
+from coursework.takeaway.listing.writer import Writer
 from coursework.variant.catalogue import names
 from tests.command import call
 from tests.effects.dynamics.test_dynamics import JUMPS, pushed
@@ -32,6 +34,16 @@ PROGRAMS = {"python": sys.executable, "octave": "octave-cli", "c": "gcc", "pasca
 ENDINGS = {"python": "py", "octave": "m", "c": "c", "pascal": "pas", "javascript": "js"}
 OTHERS = [language for language in PROGRAMS if language != "python"]
 GATE = {("31", language) for language in PROGRAMS} | {(name, "python") for name in SAMPLE}
+
+
+@pytest.mark.parametrize(("boxes", "more", "lines"), [
+    (39, ["x = 1;", "x = 1;"], 80), (39, ["x = 1;", "", ""], 39 + 3),  # 80 lines stay; of 81, comments go behind what they say
+    (39, ["x = 1;", "x = 1;", ""], 80), (39, ["x = 1;", "x = 1;", "", ""], 39 + 3),  # two in one line are enough, or are not
+    (78, ["{", ""], 80), (78, ["{", "", ""], 79),  # no empty lines if nothing else helps
+])  # fmt: skip
+def test_a_page_of_80_lines_is_not_made_denser(boxes, more, lines):
+    boxed = [line for _ in range(boxes) for line in ("// 4 x = 1", "if (1) {}")]
+    assert len(dense(boxed + more, syntax_of("c"))) == lines
 
 
 @cache
@@ -235,3 +247,11 @@ def test_a_listing_says_that_it_is_eulers_where_the_report_is_exact(scheme, said
     for language, told in {"en": "exact motion", "ru": "точное движение", "uk": "точний рух", "zh": "精确解"}.items():
         assert any(line.startswith("#") and told in line for line in heads[language]) is said
     assert "exact motion" not in written(coursework.solve("31", quantities=["table"]), "python")
+
+
+@pytest.mark.parametrize(("words", "kept"), [((40, 55), 1), ((40, 56), 2), ((40, 54, 95), 2), ((40, 55, 95), 3)])
+def test_a_line_of_code_has_100_letters_at_most(words, kept):
+    """With "x = " before them, and a parenthesis where a line goes on."""
+    writer = SimpleNamespace(syntax=SimpleNamespace(assign=" = ", around=("(", ")"), wrap=" \\"))
+    found = Writer.wrapped(writer, line := "x = " + " ".join("a" * size for size in words))
+    assert len(found) == kept and (found == [line]) is (kept == 1), found

@@ -279,6 +279,7 @@ def test_a_worked_formula_that_is_too_long_is_broken_before_a_sign_and_has_its_r
         ("x = \\frac{a + b}{c + 1} + d - e", ["+ d", "- e"]), ("x = \\left(a + b\\right) + c", ["+ c"]),
         ("x = (a + b) - c", ["+ b", "- c"]), ("x = - a + b", ["+ b"]), ("& \\quad + a - b", ["- b"]),
         ("x = a + " + "b" * WIDE + " - c", ["+ b"]), ("x = a + " + "b" * (WIDE - 4) + " - c", ["+ b", "- c"]),
+        ("x = a + " + "b" * (WIDE - 3) + " - c", ["+ b"]),  # "x=a+" takes four letters of the line
     ],
 )  # fmt: skip
 def test_a_formula_may_go_on_below_before_a_sign_between_two_terms_that_no_brace_holds(line, before):

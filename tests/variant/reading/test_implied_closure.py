@@ -5,7 +5,9 @@ import re
 import pytest
 
 import coursework
+from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import spelled
+from coursework.variant.reading.implied_closure import stays
 
 TURNED = """
 format = 1
@@ -211,3 +213,9 @@ def test_what_the_frame_holds_judges_signs_in_micrometres_as_in_kilometres(size)
     text = re.sub(r'"([0-9.]+) m"', lambda found: f'"{float(found[1]) * size:.9g} m"', TURNED)
     right = coursework.parse_variant(text)
     assert [spelled(hold) for hold in right.holds] == [spelled(hold) for hold in coursework.parse_variant(TURNED).holds] != []
+
+
+def test_what_a_coordinate_moves_is_tried_at_the_start():
+    """What is driven by time alone later on."""
+    variant = coursework.parse_variant(CUP)
+    assert [stays([parse(text)], variant) for text in ("t*theta", "(1 - t)*theta", "t", "theta")] == [True, False, True, False]

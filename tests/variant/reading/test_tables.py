@@ -1,11 +1,13 @@
 """A law as a table beside the variant file: what is read, and that nothing outside the folder is."""
 
 import os
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
 
 import coursework
+from coursework.variant.reading import tables
 from tests.commands.test_cli import call
 
 TEXT = """[given]
@@ -217,3 +219,16 @@ def test_an_equation_without_a_value_between_two_nodes_is_told_as_that(tmp_path,
         coursework.InputError, match=r"V019 .*constraint 1, column 8: there is no value at t = 0.04.* is no real n"
     ):
         _ = coursework.solve(tmp_path / "v.toml", scheme=scheme).motion
+
+
+@pytest.mark.parametrize(("nodes", "told"), [(4, "at least 5"), (5, ""), (7, ""), (8, "at most 7")])
+def test_a_table_has_five_nodes_at_least_and_as_many_as_are_allowed(nodes, told, monkeypatch):
+    monkeypatch.setattr(tables, "MOST_NODES", 7)
+    with pytest.raises(tables.TableFault, match=told) if told else nullcontext():
+        assert len(tables._rows("r", "".join(f"{place},1\n" for place in range(nodes)))) == nodes
+
+
+def test_a_table_has_a_quarter_of_a_megabyte_at_most():
+    tables._require_size("r", 2**18)
+    with pytest.raises(tables.TableFault, match="262145"):
+        tables._require_size("r", 2**18 + 1)

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coursework.grading.marking.equations.linear import Linear, is_same, rank
+from coursework.grading.marking.equations.linear import Linear, _holds, is_same, rank
 
 
 def line(*slopes, rest=0.0, size=1.0, points=1):
@@ -54,3 +54,12 @@ def test_a_few_points_may_nearly_cancel_and_most_may_not():
         rest = np.where(np.arange(3) < many, 8e-3, 0.0)
         lines = line(0.5, -0.5, size=10.0, points=3)
         assert Linear(lines.slopes, rest, lines.size, lines.probe).is_near(1e-3) == near
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "holds"), [(0.98e-6, True), (-0.98e-6, True), (1.02e-6, False), (-1.02e-6, False)])
+def test_an_equation_holds_within_a_millionth_of_its_terms(size, part, holds):
+    """Two terms of opposite sign, each half of their sum but for a part, at the second of two points."""
+    slopes, rest = np.array([[size], [size]]), -size * np.array([1.0, 1.0 + 2 * part])
+    line = Linear(slopes, rest, np.ones(2), None)
+    assert _holds(line, np.ones((2, 1))) is holds

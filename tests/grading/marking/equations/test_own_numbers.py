@@ -1,10 +1,14 @@
 """A number or a law of the drive that is not the task's costs the equations nothing, as with letters; a slip of form does."""
 
+import math
 import re
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 import coursework
+from coursework.grading.marking.equations import own_numbers
 from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.equations.own_numbers import _rounds
 from coursework.grading.marking.equations.probe import random_probe
@@ -36,6 +40,10 @@ def marked(text):
     ("950", 953.0, True), ("950", 955.1, False), ("950.", 950.4, True), ("950.0", 950.4, False),
     ("1", 1.05, True), ("1", 1.06, False), ("4", 4.2, True), ("4", 4.3, False),  # by at most a twentieth of the datum
     ("2*pi/3", 2.0943951024, True), ("2*pi/3", 2.0944, False),
+    *(
+        (f"{size}*pi", math.pi * size * (1 + part), abs(part) < 1e-9)
+        for size in (0.002, 80) for part in (0.98e-9, -0.98e-9, 1.02e-9, -1.02e-9)
+    ),
 ])  # fmt: skip
 def test_a_number_may_round_a_datum_to_its_last_digit(written, value, holds):
     assert _rounds(parse_equation(f"{written} = 0")[0], value, random_probe(KEY)) is holds
@@ -68,6 +76,15 @@ def test_a_number_or_a_law_that_is_not_the_tasks_is_named_and_costs_nothing(text
 def test_a_slip_of_form_stays_one_whatever_stands_for_the_data(text):
     found = marked(text)
     assert found.share < 1 and not any(note.code == "data_differ" for note in found.notes)
+
+
+@pytest.mark.parametrize("size", [0.004, -0.004, 250.0])
+@pytest.mark.parametrize(("share", "is_one"), [(0.98e-9, True), (1.02e-9, False)])
+def test_a_drive_that_is_steady_to_nine_digits_is_a_number_of_the_task(size, share, is_one, monkeypatch):
+    monkeypatch.setattr(own_numbers, "_laws", lambda *_: [("w1", size * np.array([1.0, 1.0 + share]))])
+    line = parse_equation(f"{1.5 * abs(size):g}*x = 0")[0]
+    found = [*own_numbers._numbers_in(line, (), SimpleNamespace(given=()), random_probe(KEY))]
+    assert bool(found) is is_one
 
 
 IN_MM = {"r1": 1063, "r2": 649, "a": 613, "c": 683, "V1": 2000}

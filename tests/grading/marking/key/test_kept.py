@@ -1,6 +1,7 @@
 """Rows that were computed are kept: the same rows are not computed again, other rows or data are, and nobody spoils them."""
 
 import numpy as np
+import pytest
 
 import coursework
 from coursework.grading.marking.key.kept import FEW_NUMBERS, kept
@@ -41,6 +42,19 @@ def test_long_tables_are_not_kept():
     for _ in range(2):
         kept(ask, MODEL.data(), np.zeros(count), np.tile(ROWS[0], (count, 1)))
     assert ask.calls == 2
+
+
+@pytest.mark.parametrize(("numbers", "calls"), [(1024, 1), (1025, 2)])
+def test_results_of_1024_numbers_are_kept(numbers, calls):
+    asked = []
+
+    def ask(rows, data):
+        asked.append(data)
+        return rows
+
+    for _ in range(2):
+        kept(ask, None, np.zeros(numbers))
+    assert len(asked) == calls
 
 
 def test_ways_and_marks_that_are_kept_are_those_of_the_floor_and_the_start_asked_for():

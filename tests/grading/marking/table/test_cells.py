@@ -8,6 +8,7 @@ import pytest
 import coursework
 from coursework.grading.marking.key.key import key_of
 from coursework.grading.marking.reasons.table import follows_euler
+from coursework.grading.marking.table import cells
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.points import table_points
@@ -129,3 +130,12 @@ def test_one_slip_in_work_computed_coarser_than_printed_is_one_cell(key):
         units[:, :3] = 1e-3 * np.pi / 180
         cells = mark_cells(key, StudentTable(np.hstack([table[:, :3], np.round(table[:, 3:], 4)]), units))
         assert np.argwhere(cells.wrong).tolist() == [[row, row % 3]]
+
+
+@pytest.mark.parametrize("size", [0.004, -250.0])
+@pytest.mark.parametrize(("part", "shown"), [(0.98e-12, True), (-0.98e-12, True), (1.02e-12, False), (-1.02e-12, False)])
+def test_a_datum_that_is_printed_whole_hides_nothing_at_any_size(size, part, shown):
+    key = SimpleNamespace(given={"a": size}, names=("a", "b"), coarsest=np.array([1e-6, 1e-6]))
+    student = StudentTable(np.array([[size * (1 + part), 1.0]]), np.array([[1.0, 1e-6]]))
+    marks, coarse = cells.marks_by(key, student, [], np.zeros((1, 0), dtype=bool))
+    assert marks.tolist() == [[cells.WRONG if shown else cells.MISSING, cells.WRONG]] and coarse.tolist() == [[not shown, False]]

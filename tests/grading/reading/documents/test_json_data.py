@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from coursework.grading.reading.documents.json_data import document_of_json
+from coursework.grading.reading.documents.json_data import _spread, document_of_json
 from coursework.grading.reading.limits import Refused, Room
 
 COLUMNS = [["t", "w"], ["0", "5"], ["0.1", "7"]]
@@ -94,3 +94,8 @@ def test_a_record_in_each_line_is_a_table_if_every_line_is_whole() -> None:
 def test_behind_twenty_thousand_values_nothing_is_read(count: int, lines: list[str]) -> None:
     text = json.dumps({name: {"x": [*range(count)]} for name in "abc"} | {"d": "w1 = 2"})
     assert [line.text for line in document_of_json(text, "json", Room(600, 40)).lines] == lines
+
+
+@pytest.mark.parametrize(("lists", "long", "columns"), [(10, 3, 10), (11, 3, 3), (11, 10, 10), (11, 11, 1)])
+def test_ten_lists_are_columns_and_more_are_rows(lists: int, long: int, columns: int) -> None:
+    assert len(_spread("w", [[0] * long] * lists)) == columns

@@ -243,3 +243,8 @@ def test_a_pair_of_mathml_without_its_second_part_is_its_first_and_a_third_part_
 
 def test_a_formula_deeper_than_sixty_braces_is_left_out():
     assert bare(text_of_starmath("{" * 60 + "x" + "}" * 60)) == "x" and text_of_starmath("{" * 61 + "x" + "}" * 61) == "…"
+
+
+@pytest.mark.parametrize(("letters", "is_whole"), [(8000, True), (8001, False)])
+def test_a_formula_is_read_up_to_8000_letters(letters: int, is_whole: bool) -> None:
+    assert text_of_starmath("a" * letters).endswith("…") is not is_whole

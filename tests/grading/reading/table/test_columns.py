@@ -10,7 +10,7 @@ from coursework.grading.reading.numbers import printed
 from coursework.grading.reading.table.columns import Places, find_columns
 from coursework.grading.reading.table.headers import read_head
 from coursework.grading.reading.table.layout import Layout
-from coursework.grading.reading.table.units import units_of_columns, whole_turns
+from coursework.grading.reading.table.units import _ratios, units_of_columns, whole_turns
 
 UNITS = {"phi1": "rad", "phi2": "rad", "w1": "1/s", "w2": "1/s"}
 TIMES = "0 0.1 0.2 0.3"
@@ -221,3 +221,9 @@ def test_a_velocity_that_only_looks_converted_keeps_the_unit_of_its_head():
 ])  # fmt: skip
 def test_a_column_that_stands_still_has_no_whole_turns(key, own, turns):
     assert whole_turns(GridColumn("phi3", "rad", key), own) == turns
+
+
+@pytest.mark.parametrize("size", [0.004, -250.0])
+@pytest.mark.parametrize(("part", "ratios"), [(0.049, []), (-0.049, []), (0.051, [2.0, 2.0]), (-0.051, [2.0, 2.0])])
+def test_a_cell_that_is_small_in_its_column_gives_no_ratio(size: float, part: float, ratios: list[float]) -> None:
+    assert _ratios([size, part * size], [2 * size, 2 * part * size]) == pytest.approx(ratios)

@@ -2,12 +2,13 @@
 
 import math
 
+import numpy as np
 import pytest
 
 import coursework
 from coursework.equations.reduction.symbolic import symbol
 from coursework.motion.geometry.drives.drive import argument_slopes
-from coursework.motion.geometry.drives.oscillation import fastest
+from coursework.motion.geometry.drives.oscillation import _common, fastest
 from coursework.words.data_folders import folder
 
 BASE = (folder("variants") / "31.toml").read_text(encoding="utf-8")
@@ -70,3 +71,10 @@ def test_only_arguments_that_move_oscillate():
     text = coursework.load("31").path.read_text(encoding="utf-8").replace('VMx = "0"', 'VMx = "V1*cos(alpha)"')
     assert "V1*cos(alpha)" in text
     assert argument_slopes(coursework.solve(coursework.parse_variant(text)).scene.equations) == [symbol("p")]
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "is_known"), [(0.98e-9, True), (-0.98e-9, True), (1.02e-9, False), (-1.02e-9, False)])
+def test_frequencies_are_multiples_of_one_but_for_a_share_of_each(size, part, is_known):
+    """Of 2 and 3, which are multiples of 1."""
+    assert _common(size * np.array([2.0, 3.0 * (1 + part)])) == (pytest.approx(size) if is_known else 0.0)

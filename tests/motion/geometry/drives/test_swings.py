@@ -1,9 +1,14 @@
 """How fast a tabulated drive swings, against the sines it was made of; and which laws do not swing."""
 
+from contextlib import nullcontext
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from coursework.motion.geometry.drives import drive, swings
 from coursework.motion.geometry.drives.swings import swinging
+from coursework.words.errors import InputError
 
 T = np.linspace(0, 1, 201)
 
@@ -39,3 +44,25 @@ def test_laws_that_do_not_swing_back_and_forth(law):
 
 def test_one_slow_hump_wants_no_more_than_ten_rows_of_its_width():
     assert swinging(T, np.sin(np.pi * T)) == pytest.approx(1.5 * np.pi, rel=0.01)
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "turns"), [(0.98e-9, True), (1.02e-9, False)])
+def test_a_crank_turns_evenly_but_for_a_share_of_its_speed(size, part, turns, monkeypatch):
+    """In a run too short for a whole turn."""
+    monkeypatch.setattr(swings, "_looks", lambda _: [np.linspace(0, 1e-3, 3)])
+    monkeypatch.setattr(swings, "drive_values", lambda *_: size * np.array([[1.0], [1.0 - part], [1.0]]))
+    crank = SimpleNamespace(name="phi", rate="w", unit="rad")
+    equations = SimpleNamespace(variant=SimpleNamespace(coordinates=[crank], known_rates=("w",)))
+    assert swings.turning_cranks(equations) == ({"phi": size} if turns else {})
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("times", "endless"), [(0.98e4, False), (1.02e4, True), (np.nan, True)])
+def test_a_drive_is_endless_beyond_ten_thousand_times_its_usual_size(size, times, endless, monkeypatch):
+    monkeypatch.setattr(drive, "drive_values", lambda *_: size * np.array([[1.0]] * 33 + [[times], [1.0], [1.0]]))
+    variant = SimpleNamespace(
+        drive=[SimpleNamespace(name="u")], time=SimpleNamespace(end=1.0, step=0.1), coordinates=[], file="", line_of=lambda *_: 1
+    )
+    with pytest.raises(InputError, match="V323") if endless else nullcontext():
+        drive.refuse_endless(SimpleNamespace(variant=variant), 0.5)

@@ -5,14 +5,18 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 import coursework
 from coursework.equations.reduction.symbolic import expanded
 from coursework.motion.geometry.time_derivatives import acceleration_rest
-from coursework.report.sections.derivation.worked import _slopes, _solved, _values, worked
+from coursework.report.sections.derivation import worked as module
+from coursework.report.sections.derivation.worked import _points, _slopes, _solved, _values, worked
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.words import load_words
 from coursework.scene.scene_run import SceneRun
@@ -28,6 +32,11 @@ H = 1e-4
 
 def solved(text: str, *more: str) -> SceneRun:
     return coursework.solve(coursework.parse_variant(text), quantities=("table", "checks", *more))
+
+
+@cache
+def shaper_with_points() -> SceneRun:
+    return solved(SHAPER, "points")
 
 
 def equations(run: SceneRun, section: str) -> list[str]:
@@ -131,7 +140,7 @@ def test_points_are_placed_and_differentiated_in_numbers() -> None:
     assert x == pytest.approx(lever(t)[1], rel=1e-4)
     assert v == pytest.approx((lever(t + H)[1] - lever(t - H)[1]) / (2 * H), rel=1e-4)
     assert a == pytest.approx(second(lambda at: lever(at)[1], t), rel=1e-4)
-    assert len(equations(solved(SHAPER, "points"), "points")) == 4, "no acceleration where none is asked for"
+    assert len(equations(shaper_with_points(), "points")) == 4, "no acceleration where none is asked for"
 
 
 def test_analogs_and_invariants_follow_from_their_formulas() -> None:
@@ -182,3 +191,21 @@ def test_a_slider_whose_place_is_a_coordinate_gives_way_to_a_point_with_a_formul
 def test_an_acceleration_that_is_always_zero_is_not_worked_through() -> None:
     shown = equations(solved(mechanism("gears-and-crank"), "accelerations"), "accelerations")
     assert not any(line.endswith("= 0 = 0") or line.endswith("ω̇₂ = 0") for line in shown[-2:])
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "moves"), [(0.98e-9, False), (1.02e-9, True)])
+def test_a_point_that_rests_but_for_round_off_gives_way_to_the_one_before_it(size: float, part: float, moves: bool) -> None:
+    """Of the shaper the pin of the crank and the end of the lever are left, both along x only."""
+    names = ("B.vx", "B.vy", "D.vx", "D.vy")
+    extra: Any = SimpleNamespace(names=names, units=("m/s",) * 4, rows=np.array([[-size, 0.0, part * size, 0.0]] * 3))
+    told = _points(PageContext(shaper_with_points(), load_words("en")), extra)
+    assert ("D" in str(told[0])) is moves, told[0]
+
+
+def test_formulas_of_more_than_160_letters_are_not_written_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    run = solved(FIVE_BAR, "accelerations")
+    for letters, is_shown in ((160, True), (161, False)):
+        monkeypatch.setattr(module, "spelled", lambda _, letters=letters: "x" * letters)
+        found = worked(PageContext(run, load_words("en")), "accelerations", run.extra_tables["accelerations"])
+        assert bool(found) is is_shown

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 import math
 import re
+from functools import cache
 from typing import Any
 
 import pytest
 
 import coursework
+from coursework.report.sections.verdict import conclusion as module
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import Words
+from coursework.report.wording.closeness import evidence
+from coursework.results.checks.close_to_motion.period import Split
+from coursework.results.kinematics.turning_points import Stroke, turning_points
 from coursework.scene.scene_run import SceneRun
+from coursework.words.sentences import load_phrases
 from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, page_of
 from tests.report.own import FIVE_BAR, SHAPER
@@ -33,6 +41,15 @@ def conclusion(run: SceneRun, language: str = "en") -> tuple[list[str], list[lis
 
 def solved(text: str, **options: Any) -> SceneRun:
     return coursework.solve(coursework.parse_variant(text), **{"quantities": ("table", "checks"), **options})
+
+
+@cache
+def shaper_by_euler() -> SceneRun:
+    return solved(SHAPER, scheme="euler")
+
+
+def conclusion_of(context: PageContext) -> list[str]:
+    return [plain(item) for part in module.conclusion(context) if part.kind == "bullets" for item in part.items]
 
 
 def test_the_shaper_teaches_the_ratio_of_its_stroke_times() -> None:
@@ -64,7 +81,7 @@ def test_two_drives_have_extremes_and_no_stroke() -> None:
 
 
 def test_the_step_that_would_do_is_told_once_in_seconds() -> None:
-    run = solved(SHAPER, scheme="euler")
+    run = shaper_by_euler()
     step = next(finding.step for finding in run.checks if finding.step)
     page = re.sub(r"<[^>]+>", "", page_of(model_of(run)))
     assert page.count(f"Take h ≈ {step:.3g}") == 1
@@ -76,6 +93,22 @@ def test_the_step_that_would_do_is_told_once_in_seconds() -> None:
 def test_the_last_row_of_31_is_off_by_scheme_and_period() -> None:
     told, _ = conclusion(coursework.solve(coursework.load("31")))
     assert "is the scheme’s error" in told[-1] and "0.48 s not being the period 0.480366 s" in told[-1]
+
+
+@pytest.mark.parametrize(("part", "even"), [(0.98e-6, True), (-0.98e-6, True), (1.02e-6, False), (-1.02e-6, False)])
+def test_strokes_and_returns_that_differ_by_a_millionth_are_even_at_any_size(part: float, even: bool, monkeypatch: Any) -> None:
+    context, judged = PageContext(shaper_by_euler(), Words(load_phrases("en"))), shaper_by_euler().results.evidence
+    assert judged.period_row == 48
+    for size in (0.004, 250.0):
+        end = turning_points(evidence(context), "x", "vx")[0]  # type: ignore[index]
+        found = Stroke(end, end, size * (1 + part), size, math.pi, math.pi)
+        off = Split("x", "m", 0, 0.0, -size, -size, part * size - size, -part * size, 0.0)
+        monkeypatch.setattr(module, "stroke", lambda *_, found=found: found)
+        monkeypatch.setattr(module, "splits", lambda _, off=off: (off,))
+        monkeypatch.setattr(module, "unreturned", lambda _, off=off: [off])
+        told = conclusion_of(context)
+        assert ("Both strokes take" in told[0]) is even, told[0]
+        assert ("the mechanism itself has come back" in told[-1]) is even, told[-1]
 
 
 @pytest.mark.long

@@ -1,6 +1,7 @@
 """A jump is a change that stays however short the time looked at; a steep slope, a turn and a break of the drive are none."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import coursework
 from coursework.report.pages import build_model
 from coursework.report.pages.html import render_html
 from coursework.results.checks.close_to_motion import continuity
+from coursework.words.sentences import say
 from tests.hard.scenes import scene
 from tests.mechanisms.library import mechanism
 from tests.results.checks.scenes import V31, evidence_of, found, solve
@@ -153,3 +155,13 @@ def test_a_drive_that_jumps_by_its_formula(step, row):
     jump = found(run, "CONTINUITY")
     assert (jump.verdict, jump.column, jump.row) == ("FAIL", "w", row + 1)
     assert jump.value * run.results.evidence.scale["w"] == pytest.approx(4.0, rel=1e-6)
+
+
+@pytest.mark.parametrize(("rows", "verdict"), [(0, "SKIP"), (1, "SKIP"), (2, "PASS")])
+def test_two_rows_are_a_curve(rows, verdict, monkeypatch):
+    monkeypatch.setattr(continuity, "_jumps_at_breaks", lambda _: False)
+    judged = SimpleNamespace(
+        compared=rows, names=("phi",), errors=np.zeros((rows, 1)), once=lambda *_: None,
+        say=lambda key, **_: say(key, name="phi", share="0", row=1, next=2),
+    )  # fmt: skip
+    assert continuity.continuity(judged).verdict == verdict

@@ -1,9 +1,11 @@
 """A drive by another law than the task's, printed as a column: all that follows from it is worth as much as with other data."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from coursework.grading.marking.table.causes.claims import TableUnderTest
+from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.other_drive import other_drive
 from coursework.variant.reading.reader import parse_variant
 from tests.grading.marking.machines import SLIDER_CRANK, Machine
@@ -70,3 +72,25 @@ def test_a_drive_is_suspected_beyond_two_units_of_its_last_place(units, suspecte
     table = desk.machine.table()
     table[5, desk.key.names.index("w1")] += units * 1e-4
     assert bool([*other_drive(TableUnderTest(desk.key, printed_exactly(table)))]) is suspected
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "felt"), [(0.051, True), (-0.051, True), (0.049, False), (-0.049, False)])
+def test_a_velocity_tells_the_drive_where_that_has_a_twentieth_of_its_most_in_it(size, part, felt):
+    """In row 2 the drive was put right: only the other two velocities, 1.3 times the task's, can tell it."""
+    driven = size * np.array([[1.0, 1.0, -1.0], [1.0, part, -part], [1.0, 0.5, 0.5]])
+    own = 1.3 * driven
+    own[1, 0] = driven[1, 0]
+    key = SimpleNamespace(
+        variant=SimpleNamespace(drive=[SimpleNamespace(name="w1")], known_rates=("w1",)), misread=lambda _: "opposite",
+        velocities_at="task", velocities=("w1", "w2", "w3"),
+    )  # fmt: skip
+    printed = SimpleNamespace(
+        key=key, closely=True, student=SimpleNamespace(values=own), m=0, q=None, w_units=np.full(own.shape, 1e-6 * size),
+        stacked=lambda way: lambda _: driven if way == "task" else -driven,
+        velocities=lambda found, tolerance: (found, tolerance),
+        claim=lambda code, _, found: Claim(code, *found),
+    )  # fmt: skip
+    printed.with_spread = lambda at: (at(None), np.zeros(own.shape))
+    (claim,) = other_drive(printed)
+    assert claim.expected == pytest.approx(1.3 * driven if felt else np.where([[False], [True], [False]], driven, 1.3 * driven))

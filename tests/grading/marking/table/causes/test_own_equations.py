@@ -7,6 +7,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.key.key import key_of
+from coursework.grading.marking.table.causes import own_equations as module
 from coursework.grading.marking.table.causes.claims import TableUnderTest
 from coursework.grading.marking.table.causes.own_equations import _independent, _solved, _task_lines, _used, equation_claims
 from coursework.variant.formula.reader import parse
@@ -111,3 +112,14 @@ def test_what_stands_in_the_equations_too_is_named_before_what_does_not():
     for equations, code in (("right", "sign_u"), ({"2": "VMy - a*w3*cos(phi3) + c*w3*sin(phi3) + u = 0"}, "equation_2")):
         found = codes(desk.marked(table, equations)[1])
         assert found[0] == code and {*found} == {"sign_u", "equation_2"}
+
+
+@pytest.mark.parametrize("size", [0.004, 250.0])
+@pytest.mark.parametrize(("part", "regular"), [(1.02e-9, True), (-1.02e-9, True), (0.98e-9, False), (-0.98e-9, False)])
+def test_own_equations_of_any_size_are_solved_where_they_are_regular(size, part, regular, monkeypatch):
+    """A velocity of 3 and one of 2, the second times a small part, in the second of three rows."""
+    names = {"a": np.full(3, size), "b": size * np.array([1.0, part, 1.0])}
+    monkeypatch.setattr(module, "_names", lambda *_: names)
+    key = SimpleNamespace(variant=SimpleNamespace(sought=("u", "v"), known_rates=()), velocities=["v", "u"])
+    found = module._solved(key, [parse("a*u - 3*a"), parse("b*v - 2*b")], np.zeros(3), np.zeros((3, 1)))
+    assert found == pytest.approx(np.array([[2, 3], [2, 3] if regular else [np.nan, np.nan], [2, 3]]), nan_ok=True)

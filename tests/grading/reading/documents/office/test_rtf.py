@@ -2,9 +2,12 @@ r"""What control words of RTF make of a text: letters of code pages, what is pas
 
 from __future__ import annotations
 
+from contextlib import nullcontext
+
 import pytest
 
 from coursework.grading.reading.documents.document import Document
+from coursework.grading.reading.documents.office import rtf
 from coursework.grading.reading.documents.office.rtf import document_of_rtf, is_rtf
 from coursework.grading.reading.limits import Refused, Room
 
@@ -88,3 +91,14 @@ def test_bounds_and_what_is_rtf() -> None:
         read("{" * 10_001)
     with pytest.raises(Refused):
         read(r"\b" * 500_001)
+
+
+@pytest.mark.parametrize(("most", "deepest", "is_read"), [(6, 3, True), (5, 3, False), (6, 2, False)])
+def test_a_text_has_as_many_tokens_and_groups_as_are_allowed(
+    most: int, deepest: int, is_read: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two braces that open, a word, a text and two braces that close."""
+    monkeypatch.setattr(rtf, "_MOST_TOKENS", most)
+    monkeypatch.setattr(rtf, "_DEEPEST", deepest)
+    with nullcontext() if is_read else pytest.raises(Refused):
+        document_of_rtf(b"{{\\b a}}", Room(20, 10))

@@ -6,6 +6,8 @@ import re
 
 import pytest
 
+from coursework.grading.reading.equations.systems.component_sums import by_axes
+from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from tests.grading.reading.equations.notation.test_notations import marked
 
 A, BA = "-r1*w1*sin(phi1), r1*w1*cos(phi1)", "-r2*w2*sin(phi2), r2*w2*cos(phi2)"
@@ -82,3 +84,9 @@ def test_a_hint_has_the_column_in_the_line_of_the_file(line: str, slip: str) -> 
     (wrong,) = marked(text).wrong
     assert wrong.hint is not None
     assert text[wrong.hint.column - 1 :].startswith(slip)
+
+
+@pytest.mark.parametrize(("letters", "is_read"), [(EQUATION_CHARACTERS, True), (EQUATION_CHARACTERS + 1, False)])
+def test_an_equation_of_vectors_is_read_up_to_its_most_letters(letters: int, is_read: bool) -> None:
+    (found,) = by_axes(["(a) i + b*j = (c, d)".ljust(letters)], {}.get, bool)
+    assert (found == "(a) = (c); b = (d)") is is_read

@@ -214,3 +214,9 @@ def test_a_datum_is_short_and_no_name_of_one_s_own_where_answers_are_asked(names
 def test_two_ways_about_a_loop_differ_by_two_parts_in_a_hundred(first: str, second: str, alike: bool, size: float) -> None:
     """At t = 0; a name without a value, b, tells nothing."""
     assert _meet(parse(first), parse(second), {"a": size}) is alike
+
+
+@pytest.mark.parametrize("size", ["0.004", "250"])
+@pytest.mark.parametrize(("part", "equal"), [("0.98", True), ("-0.98", True), ("1.02", False), ("-1.02", False)])
+def test_formulas_of_nearly_the_same_value_are_equal_at_any_size(size: str, part: str, equal: bool) -> None:
+    assert kinds.are_equal(parse(f"{size}*a"), parse(f"{size}*a*(1 + ({part})/1000000000)")) is equal
