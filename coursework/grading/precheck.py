@@ -49,8 +49,7 @@ def precheck(submission: Submission, variant: Variant, named: Callable[[str, tup
     Raises `InputError` if the variant has no table.
     """
     key = key_to_mark_by(variant)
-    grid = key.grid
-    work = read_submission(submission, Expected(grid, key.variant))
+    work = read_submission(submission, Expected(key.grid, key.variant))
     told: list[Sentence] = [say("screen.file", name=entry.name, kind=_kinds(entry), bytes=entry.bytes) for entry in work.files]
 
     def known(text: str) -> str:
@@ -117,19 +116,18 @@ def _steps(key: Key, cells: Cells, named: Named, told: Told) -> None:
 
     Nothing is told where a step cannot be judged, since cells are missing or have too few digits.
     """
-    m = len(key.coordinates)
     values = cells.student.values
     telling = telling_steps(key, cells)
     against = telling & ~true_steps(key, cells)
     if not against.any():
-        judged = telling & ~cells.too_coarse[1:, :m]
+        judged = telling & ~cells.too_coarse[1:, : key.m]
         if judged.any() and (judged | ~key.stepped).all():
             told(say("screen.steps_follow"))
         return
     row = int(np.argmax(against.any(axis=1)))
     place = int(np.argmax(against[row]))
     name, rate = (named(name) for name in (key.names[place], key.velocities[place]))
-    before, speed = values[row, place], values[row, m + place]
+    before, speed = values[row, place], values[row, key.m + place]
     after, found = before + key.step * speed, values[row + 1, place]
     told(
         say(

@@ -8,7 +8,7 @@ import time
 
 import coursework
 from coursework.report.pages import build_model, render_html
-from coursework.report.pages.pdf import render_pages
+from coursework.report.pages.pdf import paper_of
 
 WARM, MEASURED = 2, 4  # reports
 LEFT = 1100  # blocks of memory that a report may leave: its formulas and sentences stay set, up to a fixed number; 900 measured
@@ -40,7 +40,7 @@ def test_reports_of_a_class_leave_nothing_behind() -> None:
 def _printed(page: dict[str, object]) -> float:
     """Return the processor time (s) of one PDF."""
     begun = time.process_time_ns()
-    render_pages([page])
+    paper_of([page])
     return (time.process_time_ns() - begun) / 1e9
 
 

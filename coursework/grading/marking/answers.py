@@ -113,8 +113,7 @@ def _expected(key: Key, of: str, row: int) -> tuple[float, float, float]:
 
 def _speed(key: Key, point: str, row: int) -> float:
     """Return the speed (m/s) of a point in a row of the exact motion."""
-    m = len(key.coordinates)
-    q, rates = key.exact[row, :m], key.exact[row, m : 2 * m]
+    q, rates = key.exact[row, : key.m], key.exact[row, key.m : 2 * key.m]
     h = _DIFFERENCE * key.step
     t = key.t[row] + np.array([-h, h])
     positions = names_at(key, t, q + np.outer([-h, h], rates))[point]

@@ -84,7 +84,7 @@ class Grade:
             "files": [entry.plain() for entry in self.work.files],
             "reading": self.table.table.reading.plain() if self.table else None,
             "table": self._table(),
-            "first_wrong": self.table.first.plain() if self.table and self.table.first else None,
+            "first_wrong": asdict(self.table.first) if self.table and self.table.first else None,
             "equations": self._equations(),
             "answers": self._answers(),
             "misconception": self.table.misconception.plain() if self.table and self.table.misconception else None,

@@ -44,9 +44,8 @@ def verdicts(key: Key, table: TableMarks | None, equations: EquationMarks | None
 
 def telling_steps(key: Key, cells: Cells) -> Flags:
     """Return which steps (n - 1, m) can be judged: Euler's rule makes the coordinate, and the cells that it needs are there."""
-    m = len(key.coordinates)
     there = np.isfinite(cells.student.values)
-    return np.asarray(there[1:, :m] & there[:-1, :m] & there[:-1, m : 2 * m] & key.stepped)
+    return np.asarray(there[1:, : key.m] & there[:-1, : key.m] & there[:-1, key.m : 2 * key.m] & key.stepped)
 
 
 def euler_steps(key: Key, cells: Cells) -> tuple[int, int]:
@@ -56,8 +55,7 @@ def euler_steps(key: Key, cells: Cells) -> tuple[int, int]:
 
 
 def _integration(key: Key, cells: Cells) -> Literal["right", "wrong", "unknown"]:
-    m = len(key.coordinates)
-    rows = int(np.all(np.isfinite(cells.student.values[:, :m]), axis=1).sum())
+    rows = int(np.all(np.isfinite(cells.student.values[:, : key.m]), axis=1).sum())
     held, spoken = euler_steps(key, cells)
     if rows < LEAST_ROWS or not spoken:
         return "unknown"

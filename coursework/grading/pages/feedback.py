@@ -221,13 +221,12 @@ def _is_alike(shown: str, text: str) -> bool:
 
 def _panels(key: Key, cells: Cells, words: Phrases) -> list[str]:
     """Return a graph of each velocity: the student's cells beside the key."""
-    m = len(key.coordinates)
     student, wrong = cells.student.values, cells.wrong
     return [
         panel(
             symbol(name), words.unit(key.variant.unit_of(name)), key.t, key.table[:, at], student[:, at], wrong[:, at], words
         )
-        for at, name in enumerate(key.velocities, start=m)
+        for at, name in enumerate(key.velocities, start=key.m)
     ]  # fmt: skip
 
 

@@ -13,6 +13,7 @@ from dataclasses import replace
 from coursework.mechanism.derivation.segments import ZERO
 from coursework.mechanism.mechanism import Mechanism
 from coursework.system.frozen import frozen
+from coursework.variant.formula.made import sum_of
 from coursework.variant.formula.tree import Formula, constant, evaluate
 from coursework.variant.record.entries import reached
 
@@ -56,7 +57,7 @@ def _without_zeros(formula: Formula) -> Formula:
     """Return a formula without zero terms in its sums: a guide along x has the angle 0, a normal to it 0 + pi/2."""
     args = tuple(map(_without_zeros, formula.args))
     if formula.op in {"+", "-"}:
-        return _sum(formula.op, *(ZERO if constant(arg) == 0 else arg for arg in args))
+        return sum_of(formula.op, *(ZERO if constant(arg) == 0 else arg for arg in args))
     return replace(formula, args=args)
 
 
@@ -92,18 +93,10 @@ def _parts(formula: Formula, points: Mapping[str, Formula], moved: set[str]) -> 
         if both[0] is None or both[1] is None:
             return None
         pairs = zip(both[0], both[1], strict=True)
-        x, y = (_sum(formula.op, first, second) for first, second in pairs)
+        x, y = (sum_of(formula.op, first, second) for first, second in pairs)
         return x, y
     return None
 
 
 def _negative(formula: Formula) -> Formula:
     return formula if formula == ZERO else Formula("neg", (formula,))
-
-
-def _sum(sign: str, first: Formula, second: Formula) -> Formula:
-    if second == ZERO:
-        return first
-    if first == ZERO:
-        return second if sign == "+" else _negative(second)
-    return Formula(sign, (first, second))

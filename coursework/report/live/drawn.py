@@ -39,8 +39,7 @@ def drawn_of(scene: Scene, label: Callable[[str], str]) -> Drawn:
     outline = read_outline(scene.mechanism)
     if outline is None or not outline.shown:
         return Drawn({kind: [] for kind in _KINDS}, ())
-    symbols = scene.equations.symbols
-    vectors = drawn_vectors(outline, symbols)
+    vectors = drawn_vectors(outline, scene.equations.symbols)
     kept = outline.plain()
     data = {kind: kept[kind] for kind in ("points", "slots", "blocks", "wheels")}
     data["links"] = [{"name": bar.link, "points": list(bar.corners), "rate": bar.rate} for bar in outline.bars]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -70,14 +71,9 @@ class Formulas:
 
     def of_motion(self) -> Reason | None:
         """Return the first law or constraint without a value in some row, as the reason why the table lacks one; else None."""
-        for law in in_order(self.variant):
-            if reason := self._of_law(law):
-                return reason
-        for constraint in self.variant.constraints:
-            for side in constraint.sides:
-                if reason := self._of(constraint.path, f"constraint {constraint.name}", side):
-                    return reason
-        return None
+        laws = map(self._of_law, in_order(self.variant))
+        sides = (self._of(one.path, f"constraint {one.name}", side) for one in self.variant.constraints for side in one.sides)
+        return next(filter(None, chain(laws, sides)), None)
 
     def of_point(self, name: str) -> Reason | None:
         """Return why a point has no position, or None; the cause may be a law, a constraint or an earlier point."""
@@ -91,13 +87,10 @@ class Formulas:
 
     def of_forces(self) -> Reason | None:
         """Return why a force has no value; the points and the laws may be why."""
-        for point, formula in self.variant.points:
-            if reason := self._of(("points", point), f"points.{point}", formula, point):
-                return reason
-        for path, formula, _ in self.variant.forces.measured() if self.variant.forces is not None else ():
-            if reason := self._of(path, ".".join(map(str, path)), formula):
-                return reason
-        return None
+        measured = self.variant.forces.measured() if self.variant.forces is not None else ()
+        points = (self._of(("points", name), f"points.{name}", formula, name) for name, formula in self.variant.points)
+        others = (self._of(path, ".".join(map(str, path)), formula) for path, formula, _ in measured)
+        return next(filter(None, chain(points, others)), None)
 
     def _of_law(self, law: Law) -> Reason | None:
         path = self.variant.path_of(law.name)

@@ -28,9 +28,9 @@ LONGEST_RUNNING = (70, 36)  # characters of title and of name above the later pa
 class ReportModel:
     """One report: its language, titles, and sections in order.
 
-    `running` is the head of the later pages, `footer` the foot of all pages.  Words of the screen: `contents`, the heading of
-    the list of sections; `skip`, the link past it; `copy` and `copied`, on the buttons of formulas; `enlarge`, at a small
-    drawing on a phone.  `live` is the moving part, for a screen only; `scripts` is whether the page may contain scripts.
+    `running` is the head of the later pages, `footer` the foot of all pages.  `screen` are words of the screen: `contents`, the
+    heading of the list of sections; `skip`, the link past it; `copy` and `copied`, on the buttons of formulas; `enlarge`, at a
+    small drawing on a phone.  `live` is the moving part, for a screen only; `scripts` is whether the page may contain scripts.
     """
 
     language: str
@@ -39,11 +39,7 @@ class ReportModel:
     author: str
     running: str
     footer: str
-    contents: str
-    skip: str
-    copy: str
-    copied: str
-    enlarge: str
+    screen: dict[str, str]
     sections: tuple[Section, ...]
     live: LivePart | None
     scripts: bool
@@ -51,8 +47,9 @@ class ReportModel:
 
     def plain(self) -> dict[str, Any]:
         """Return the model as dicts, lists and strings, as templates, JSON and golden files need it."""
-        names = ("language", "kind", "heading", "author", "running", "footer", "contents", "skip", "copy", "copied", "enlarge")
-        found = {name: getattr(self, name) for name in names} | {"sections": [section.plain() for section in self.sections]}
+        names = ("language", "kind", "heading", "author", "running", "footer")
+        found = {name: getattr(self, name) for name in names} | self.screen
+        found["sections"] = [section.plain() for section in self.sections]
         return found if self.title_language == self.language else found | {"title_language": self.title_language}
 
 
@@ -84,11 +81,7 @@ def build_model(
         author=author,
         running=" – ".join(running),
         footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
-        contents=words("title.contents"),
-        skip=words("title.skip"),
-        copy=words("title.copy"),
-        copied=words("title.copied"),
-        enlarge=words("title.enlarge"),
+        screen={name: words(f"title.{name}") for name in ("contents", "skip", "copy", "copied", "enlarge")},
         sections=tuple(_numbered(all_sections(context), words)),
         live=live_part(context) if live else None,
         scripts=live,

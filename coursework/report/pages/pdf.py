@@ -31,16 +31,14 @@ class Paper(NamedTuple):
 
 def render_pdf(model: ReportModel) -> bytes:
     """Return the report as PDF.  Raises `OutputError` if Typst is missing or refuses the page."""
-    return render_pages([model.plain()])
-
-
-def render_pages(reports: Sequence[dict[str, Any]]) -> bytes:
-    """Return several reports, each the plain form of a model, one after the other in one PDF.  Raises `OutputError`."""
-    return paper_of(reports).content
+    return paper_of([model.plain()]).content
 
 
 def paper_of(reports: Sequence[dict[str, Any]]) -> Paper:
-    """Return the PDF of `render_pages` and the letters for which there is no font.  Raises `OutputError`."""
+    """Return several reports, each the plain form of a model, in one PDF, and the letters without a font.
+
+    Raises `OutputError`.
+    """
     return pdf_of("report.typ", list(reports))
 
 

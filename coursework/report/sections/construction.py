@@ -35,8 +35,7 @@ def graph_check(context: PageContext) -> list[Part]:
     drawings = [part for parts in drawn for part in parts]
     if context.run.blank:
         return drawings
-    keys = READING_HEADS
-    heads = [Column(context.say(f"graph.{key}"), words=key in {"quantity", "relation"}) for key in keys]
+    heads = [Column(context.say(f"graph.{key}"), words=key in {"quantity", "relation"}) for key in READING_HEADS]
     table = Table(heads, [_row(context, one) for one in graph.readings], context.say("graph.table"))
     told = [context.rich(note) for note in graph.notes]
     if far := [one.length for one in graph.readings if one.computed is not None]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, factors
 
 Cell = Callable[[Formula], str]
 _CALLS = {"log": "LN"}  # other functions have the same names in capitals
@@ -39,7 +39,7 @@ def spreadsheet(tree: Formula, names: Mapping[str, str], table: Callable[[str, F
             case "call":
                 return called(node)
             case "neg":
-                text, factor = inner(node.args[0], _PRODUCT), _first_factor(node.args[0])
+                text, factor = inner(node.args[0], _PRODUCT), next(factors(node.args[0], "*/"))[0]
                 if factor.op == "^":  # a spreadsheet would take the minus before it to the power too
                     power = inner(factor, _POWER)
                     text = f"({power}){text[len(power) :]}"
@@ -64,9 +64,3 @@ def spreadsheet(tree: Formula, names: Mapping[str, str], table: Callable[[str, F
         return f"{_CALLS.get(node.name, node.name.upper())}({','.join(map(inner, args))})"
 
     return inner(tree)
-
-
-def _first_factor(node: Formula) -> Formula:
-    while node.op in {"*", "/"}:
-        node = node.args[0]
-    return node

@@ -31,6 +31,15 @@ def summed(terms: Iterable[tuple[Formula, int]]) -> Formula:
     return number(0) if total is None else total
 
 
+def sum_of(sign: str, first: Formula, second: Formula) -> Formula:
+    """Return first + second or first - second, without a zero."""
+    if second == number(0):
+        return first
+    if first == number(0):
+        return second if sign == "+" else Formula("neg", (second,))
+    return Formula(sign, (first, second))
+
+
 def product_of(parts: Sequence[Formula]) -> Formula:
     """Return the product of formulas, 1 if there are none."""
     return reduce(lambda first, second: Formula("*", (first, second)), parts) if parts else number(1)

@@ -26,15 +26,10 @@ Found = tuple[str, KeyPath, Sentence]  # a code, what the remark is about, the r
 
 def parts_unused(variant: Variant, dimensions: Dimensions) -> Iterator[Found]:
     """Yield every such remark, and that the table ends before the requested end."""
-    yield from _links_left_out(variant)
-    yield from _pinned_sleeves(variant)
-    yield from _speeds_as_rates(variant)
-    yield from _no_pivots(variant)
     yield from _idle(variant, dimensions)
-    yield from _stiff_springs(variant)
-    yield from _empty_guides(variant)
-    yield from _untouched(variant)
-    yield from _short_of_end(variant)
+    of_links = (_links_left_out, _pinned_sleeves, _speeds_as_rates, _no_pivots)
+    for found in (*of_links, _stiff_springs, _empty_guides, _untouched, _short_of_end):
+        yield from found(variant)
 
 
 def _links_left_out(variant: Variant) -> Iterator[Found]:

@@ -176,8 +176,7 @@ def _texts(said: schema.Texts, parts: Parts) -> Texts:
 
 def _lines(source: Source) -> dict[KeyPath, int]:
     """Return the line of each key, with names in the tool's spelling."""
-    lines = source.positions.lines
-    return {spell_path(path): line for path, line in lines.items()}
+    return {spell_path(path): line for path, line in source.positions.lines.items()}
 
 
 def _given(key: str, entry: Any, parts: Parts) -> Given:

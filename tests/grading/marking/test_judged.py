@@ -30,7 +30,7 @@ def test_steps_are_eulers_where_93_of_a_hundred_are(monkeypatch, rows, held, spo
     monkeypatch.setattr(verdicts, "euler_steps", lambda *_: (held, spoken))
     values = np.where(np.arange(5)[:, None] < rows, 1.0, np.nan) * np.ones(2)
     cells = SimpleNamespace(student=SimpleNamespace(values=values))
-    assert verdicts._integration(SimpleNamespace(coordinates=("a", "b")), cells) == judged
+    assert verdicts._integration(SimpleNamespace(coordinates=("a", "b"), m=2), cells) == judged
 
 
 def test_right_cells_that_do_not_count_are_told_where_cells_count():

@@ -16,8 +16,7 @@ import pymupdf
 import pytest
 
 from coursework import parse_variant, solve
-from coursework.report.pages import render_pdf
-from coursework.report.pages.pdf import render_pages
+from coursework.report.pages import pdf, render_pdf
 from coursework.report.text.parts import Checks, Claims, Column, Display, Equations, Judged, Paragraph, Part, Runs, Section, Table
 from coursework.report.text.text_runs import runs
 from coursework.report.text.words import load_words
@@ -185,7 +184,7 @@ def pages_of(parts: Sequence[Part]) -> list[list[str]]:
     """Return the texts of the pages of reports, each with more lines before a section of these parts than the last."""
     model = model_of(solved("31", quantities=["table"]))
     shown = Section("shown", "The heading", list(parts))
-    made = render_pages([replace(model, sections=(_lines(count), shown)).plain() for count in range(18, 54)])
+    made = pdf.paper_of([replace(model, sections=(_lines(count), shown)).plain() for count in range(18, 54)]).content
     found: list[list[str]] = []
     with pymupdf.open(stream=made, filetype="pdf") as document:
         for sheet in document:

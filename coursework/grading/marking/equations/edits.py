@@ -19,7 +19,7 @@ from coursework.grading.marking.equations.numbers import NoValue, combined, comp
 from coursework.system.frozen import frozen
 from coursework.system.grouped import grouped
 from coursework.variant.formula.made import unsigned
-from coursework.variant.formula.tree import Formula, named, number, replaced, spelled
+from coursework.variant.formula.tree import Formula, factors, named, number, replaced, spelled
 
 Kind = Literal["sign", "function", "name", "factor"]
 _LIKELIEST = ("sign", "function", "removed", "name", "factor")
@@ -46,19 +46,20 @@ def edits(tree: Formula, kinds: Mapping[str, str], values: Mapping[str, float] |
     """
     alike = grouped((kind, name) for name, kind in kinds.items())
     data = {name: Fraction(str(value)) for name, value in (values or {}).items() if value > 0 and name in kinds}
-    factors = [named(name) for name, kind in kinds.items() if kind in {"m", "rad/s", "m/s"}]
+    by = [named(name) for name, kind in kinds.items() if kind in {"m", "rad/s", "m/s"}]
     angles = [named(name) for name, kind in kinds.items() if kind == "rad"]
-    factors += [Formula("call", (angle,), name=call) for angle in angles for call in ("sin", "cos")]
+    by += [Formula("call", (angle,), name=call) for angle in angles for call in ("sin", "cos")]
     for path, node, is_term, leads in places(tree):
         column = column_of(node)
         if node.op in _OPPOSITE and path:
             yield Edit("sign", path, Formula(_OPPOSITE[node.op], node.args, column=node.column), column_of(node.args[1]))
         if node.op == "neg":
             yield Edit("sign", path, node.args[0], column)
-        if is_term and leads and not _is_signed(node):
+        # Of a term that begins with a minus the sign is turned there, as no student writes -(-r2)*w2 for -r2*w2.
+        if is_term and leads and next(factors(node, "*/"))[0].op != "neg":
             yield Edit("sign", path, Formula("neg", (node,)), column)
         if is_term:
-            for factor in (number(2), *factors):
+            for factor in (number(2), *by):
                 yield Edit("factor", path, _multiplied(factor, node), column)
             yield Edit("factor", path, Formula("/", (node, number(2))), column)
         if node.op == "call" and node.name in _OTHER:
@@ -75,13 +76,6 @@ def edits(tree: Formula, kinds: Mapping[str, str], values: Mapping[str, float] |
             yield from (Edit("factor", path, arg, column) for arg in node.args)
         if node.op == "/":
             yield Edit("factor", path, node.args[0], column)
-
-
-def _is_signed(node: Formula) -> bool:
-    """Return whether a term begins with a minus: its sign is turned there, as no student writes -(-r2)*w2 for -r2*w2."""
-    while node.op in {"*", "/"}:
-        node = node.args[0]
-    return node.op == "neg"
 
 
 def places(

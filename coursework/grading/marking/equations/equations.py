@@ -125,8 +125,7 @@ class Judge:
         if mark.verdict == "unreadable" or mark.hint_of_slip or (mark.verdict in COUNTED and not is_dependent):
             return mark
         others = [(other.line.where, other.line.difference) for other in counted if other is not mark]
-        variant = self.key.variant
-        return replace(mark, lack=lack_of(mark.line.difference, mark.verdict, others, variant, self.off_closure))
+        return replace(mark, lack=lack_of(mark.line.difference, mark.verdict, others, self.key.variant, self.off_closure))
 
     def _independent(self, counted: Sequence[EquationMark]) -> tuple[int, list[EquationMark]]:
         """Return how many lines are independent, and the lines that follow from those before them.

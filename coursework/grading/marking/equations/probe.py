@@ -61,7 +61,7 @@ class Probe:
 
 def random_probe(key: Key) -> Probe:
     """Return eight random points and the right velocities there; the same points on every machine."""
-    m = len(key.coordinates)
+    m = key.m
     generator = np.random.Generator(np.random.PCG64(_SEED))
     low, high = key.table[:, :m].min(axis=0), key.table[:, :m].max(axis=0)
     margin = WIDER * np.maximum(high - low, 1e-3)
@@ -79,9 +79,8 @@ def random_probe(key: Key) -> Probe:
 
 def exact_probe(key: Key) -> Probe:
     """Return at most eight rows of the exact motion, spread over the table."""
-    m = len(key.coordinates)
     rows = np.unique(np.linspace(0, len(key.exact) - 1, POINTS).round().astype(int))
-    return _probe(key, key.t[rows], key.exact[rows, :m], key.exact[rows, m:])
+    return _probe(key, key.t[rows], key.exact[rows, : key.m], key.exact[rows, key.m :])
 
 
 def with_data(key: Key, probe: Probe, data: Mapping[str, float]) -> Probe:

@@ -141,8 +141,7 @@ class Key:
     @property
     def stepped(self) -> Flags:
         """Return which coordinates (m,) are integrated by Euler's rule."""
-        places = np.arange(len(self.coordinates))
-        return np.ones(len(places), dtype=bool) if self.free is None else np.isin(places, self.free.state)
+        return np.ones(self.m, dtype=bool) if self.free is None else np.isin(np.arange(self.m), self.free.state)
 
     @property
     def stride(self) -> float:
@@ -158,6 +157,11 @@ class Key:
     def coordinates(self) -> tuple[str, ...]:
         """Return the names of the coordinates."""
         return self.model.coordinates
+
+    @property
+    def m(self) -> int:
+        """Return the number of coordinates."""
+        return len(self.model.coordinates)
 
     @property
     def velocities(self) -> tuple[str, ...]:
@@ -198,7 +202,7 @@ class Key:
     @cached_property
     def gap(self) -> float:
         """Return the one-step gap G: the largest difference of a Heun step from an Euler step, over rows and coordinates."""
-        m = len(self.coordinates)
+        m = self.m
         if self.free is not None:
             return float(gap_of(np.zeros((1, m)), self.free.accelerations[:, :m] * self.step, self.step, self.ranges[:m]))
         here, q = self.t[:-1], self.table[:-1, :m]
@@ -209,7 +213,7 @@ class Key:
     @cached_property
     def off_euler(self) -> Array:
         """Return the differences (3, n - 1, m) from Euler's step: of Heun's, and with the velocities at t + h and at t - h."""
-        m, h, t, q = len(self.coordinates), self.step, self.t[:-1], self.table[:-1, : len(self.coordinates)]
+        m, h, t, q = self.m, self.step, self.t[:-1], self.table[:-1, : self.m]
         rates = self.velocities_at(t, q)[:, :m]
         others = [self.velocities_at(at, q)[:, :m] for at in (t + h, t - h)]
         heun = (rates + self.velocities_at(t + h, q + h * rates)[:, :m]) / 2
@@ -230,7 +234,7 @@ class Key:
     def coarsest(self) -> Array:
         """Return the largest unit of the last place (m + r,), SI, with which a cell of each column counts as shown."""
         found = np.full(len(self.names), SHOWN * self.gap)
-        found[len(self.coordinates) :] /= self.step
+        found[self.m :] /= self.step
         if self.accepted_decimals is None:
             return found
         return np.asarray(np.maximum(found, np.minimum(_LAST_BIT * 10.0**-self.accepted_decimals, SHARED * found)))
@@ -238,7 +242,7 @@ class Key:
     @cached_property
     def order(self) -> tuple[int, ...]:
         """Return the places of the columns in the order of work: angles, then velocities block by block, driven rates last."""
-        m = len(self.coordinates)
+        m = self.m
         if self.free is not None:  # the state of a row, then what follows from it
             return (*self.free.state, *(place for place in range(len(self.names)) if place not in self.free.state))
         placed = [place for block in self.blocks for place in sorted(m + self.velocities.index(name) for name in block)]

@@ -54,7 +54,7 @@ class Counts:
 
 def counts(key: Key, marked: TableMarks) -> Counts:
     """Return the counts of a table."""
-    m, cells = len(key.coordinates), marked.cells
+    m, cells = key.m, marked.cells
     wrong, missing, carried = (int((found & cells.counted).sum()) for found in (cells.wrong, cells.missing, cells.carried))
     count = marked.points.cells
     return Counts(count, wrong, missing, carried, count - wrong - missing - carried, int(cells.wrong[0, :m].sum()))
@@ -193,7 +193,7 @@ def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:
     named = marked.misconception
     if named and named.code.startswith(_READ_OTHERWISE):
         return ""
-    if marked.cells.too_coarse[1:, : len(key.coordinates)].all():  # such cells count as missing: nothing is said about them
+    if marked.cells.too_coarse[1:, : key.m].all():  # such cells count as missing: nothing is said about them
         return say("marking.verdict.integration.unknown")
     held, spoken = euler_steps(key, marked.cells)
     verdict = "unknown" if not spoken else "right" if held == spoken else "wrong"

@@ -15,7 +15,7 @@ from coursework.grading.marking.decimals import NO_GAP
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.sensitivity import with_spread
 from coursework.grading.marking.table.cells import Cells, mark_cells, marks_by
-from coursework.grading.marking.table.points import TablePoints, table_points
+from coursework.grading.marking.table.points import TablePoints, credited, table_points
 from coursework.grading.marking.table.ways import (
     ANGLES,
     HALF,
@@ -44,11 +44,10 @@ def points_of(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | None
 def _mark_rows(key: Key, student: StudentTable) -> Cells:
     values, units = student.values, student.units
     ways = (Way(KEY, key.table, as_printed(key, units)), *_own(key, student))
-    m = len(key.coordinates)
-    given = near(values[:1, :m], key.table[:1, :m], as_printed(key, units)[:1, :m])
+    given = near(values[:1, : key.m], key.table[:1, : key.m], as_printed(key, units)[:1, : key.m])
     marks, too_coarse = marks_by(key, student, ways, given)
     follows = np.asarray(np.any([way.holds(values) for way in ways[1:]], axis=0))
-    return Cells(student, marks, follows, ways, too_coarse, None, m, np.zeros_like(follows))
+    return Cells(student, marks, follows, ways, too_coarse, None, key.m, np.zeros_like(follows))
 
 
 def _own(key: Key, student: StudentTable) -> tuple[Way, Way]:
@@ -74,15 +73,8 @@ def _own(key: Key, student: StudentTable) -> tuple[Way, Way]:
 
 def _points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     """Return the points of a table; a cell that is right only from the student's own counts if the state of its row is right."""
-    right = cells.right
     assert key.free is not None
     state = list(key.free.state)
     moves = np.asarray(np.all((~cells.wrong & ~cells.missing)[:, state], axis=1))
     still = key.ranges <= NO_GAP * np.max(np.abs(key.table), axis=0)
-    credit = np.where(cells.carried, carried, 1.0) * right
-    shut = right & (cells.carried | still) & ~moves[:, None]
-    credit[shut] = 0.0
-    count = int(cells.counted.sum())
-    earned = max(float(credit.sum()) - int(cells.wrong[:1, : cells.starts].sum()), 0.0)
-    closed = {"motion": int(shut.sum())} if shut.any() else {}
-    return TablePoints(earned / count if count else 0.0, count, closed, shut)
+    return credited(cells, carried, {"motion": cells.right & (cells.carried | still) & ~moves[:, None]})

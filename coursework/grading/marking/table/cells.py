@@ -135,7 +135,7 @@ def _by_key(key: Key, student: StudentTable) -> Cells:
 
 
 def _marked(key: Key, student: StudentTable, table: Array) -> Cells:
-    m, values = len(key.coordinates), student.values
+    m, values = key.m, student.values
     own = own_ways(key, student)
     units = student.units.copy()
     units[:, :m] = np.maximum(units[:, :m], own.coarse)  # work coarser than its print misses the key by as much

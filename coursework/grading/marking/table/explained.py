@@ -62,7 +62,7 @@ class Explained:
         costs a cell. With `as_it_is` no cell is taken as put right, and those of the key count in runs. `table` (n, m + r) is the
         one that the explanation makes, None if unknown: where it has another value, a cell of the key was put right.
         """
-        m, rows = len(self.key.coordinates), self._rows
+        m, rows = self.key.m, self._rows
         explained = (holds | self.by_key) & self.spoken
         counts = self._in_runs.copy()
         if not as_it_is:
@@ -103,7 +103,7 @@ class Explained:
         A velocity beside an angle that nothing explains tells no more what its row was made from: it may agree by chance, and
         be explained as soon as that angle is right.
         """
-        m = len(self.key.coordinates)
+        m = self.key.m
         unexplained = self.spoken[self._rows, :m] & ~explained[:, :m]
         angles, rates, astray = (np.asarray(part.any(axis=1)) for part in (put[:, :m], put[:, m:], unexplained))
         beside = np.zeros(len(put), dtype=bool)
@@ -136,7 +136,7 @@ class Explained:
     @cached_property
     def _hardly(self) -> Flags:
         """Return the steps (n - 1, m) that the table's own velocities make smaller than its digits, if anything moves at all."""
-        m, rows, student = len(self.key.coordinates), self._rows, self.cells.student
+        m, rows, student = self.key.m, self._rows, self.cells.student
         small = np.diff(self.key.t[rows])[:, None] * np.abs(student.values[rows[:-1], m : 2 * m]) <= student.units[rows[1:], :m]
         return np.asarray(small & (not stands_still(self.key, self.cells)))
 

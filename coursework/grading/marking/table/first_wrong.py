@@ -6,8 +6,7 @@ Enters: `Cells`, the table as it was read.  Leaves: `FirstWrong` or None.  Used 
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, replace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 
@@ -39,10 +38,6 @@ class FirstWrong:
     tolerance: float
     way: str
     sentence: Sentence
-
-    def plain(self) -> dict[str, Any]:
-        """Return the record as grades.json writes it."""
-        return asdict(self)
 
 
 @frozen
@@ -100,17 +95,16 @@ def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int
     }  # fmt: skip
     said = _SAID[way].replace(" ", "_")
     if way in {STEP, STEP_TRUE}:
-        m = len(key.coordinates)
-        rate = _shown(key, table, key.velocities[place % m], row)
+        rate = _shown(key, table, key.velocities[place % key.m], row)
         if row - before > 1:
             said, values["steps"] = "step_several", row - before
         elif way == STEP_TRUE:
             said = "step_true"
-        elif place >= m or rate.unit != _RATE_OF.get(shown.unit):  # the step of a free rate is made with an acceleration
+        elif place >= key.m or rate.unit != _RATE_OF.get(shown.unit):  # the step of a free rate is made with an acceleration
             said = "step_alone"
         else:
             used = cells.student.values[row - 1]
-            speed = rate.number(float(used[m + place]))
+            speed = rate.number(float(used[key.m + place]))
             rate_shown = float(f"{abs(speed):.{_MOST_DIGITS}g}")
             values |= {
                 "start": number(float(used[place])),
@@ -131,7 +125,7 @@ def _told(key: Key, table: Table | None, row: int) -> Sentence | int:
 
 def _nearest(key: Key, cells: Cells, row: int, place: int) -> tuple[str, float, float]:
     """Return the way that comes nearest to a cell: its name, the expected value, its tolerance."""
-    if row == 0 and place < len(key.coordinates):
+    if row == 0 and place < key.m:
         return START, float(key.table[0, place]), float(0.5 * (cells.student.units[0, place] + key.told_to[place]))
     found = float(cells.student.values[row, place])
     said = [(way.name, float(way.expected[row, place]), float(way.tolerance[row, place])) for way in cells.ways]

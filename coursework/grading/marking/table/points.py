@@ -71,9 +71,9 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
 
     `untold` (n, m + r) marks cells that are right only because their few digits hide what was done instead.
     """
-    m = len(key.coordinates)
-    marks, counted = cells.marks, cells.counted
-    untold = np.zeros_like(counted) if untold is None else untold
+    m = key.m
+    marks = cells.marks
+    untold = np.zeros_like(cells.counted) if untold is None else untold
     right = cells.right
     sound, rows = (right & ~untold) | cells.fitted, handed_in(cells)  # `fitted` were right before others were put right
     made = sound[rows, m:]
@@ -100,17 +100,22 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0, untold: Flags | N
         "motion": but((velocities | still) & follows[:, None], motion) | ((velocities | still) & ~follows[:, None]),
         "chance": but(right & ~in_a_run(marks == KEY, rows), works),
     }
-    credit = np.where(cells.carried, carried, np.where(right, 1.0, 0.0))
+    return credited(cells, carried, shut)
+
+
+def credited(cells: Cells, carried: float, shut: Mapping[str, Flags]) -> TablePoints:
+    """Return the points of the right cells except those that gates `shut`; `carried` is as in `table_points`."""
+    credit = np.where(cells.carried, carried, np.where(cells.right, 1.0, 0.0))
     counts: dict[str, int] = {}
-    uncounted = np.zeros_like(right)
+    uncounted = np.zeros_like(cells.counted)
     for gate, closed in shut.items():
         lost = closed & (credit > 0)
         counts |= {gate: int(lost.sum())} if lost.any() else {}
         uncounted |= lost
         credit[closed] = 0.0
-    count = int(counted.sum())
+    count = int(cells.counted.sum())
     # Start values are given and earn nothing; one that is copied wrong costs as much as any other wrong cell.
-    earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
+    earned = max(float(credit.sum()) - int(cells.wrong[:1, : cells.starts].sum()), 0.0)
     return TablePoints(earned / count if count else 0.0, count, counts, uncounted)
 
 
@@ -142,7 +147,7 @@ def rows_that_follow(key: Key, cells: Cells) -> tuple[Flags, float]:
     copied, shuffled or invented follow from nothing, and right cells in them are no work. The second number is the part of
     such cells that counts (0 to 1); it falls as fewer rows follow.
     """
-    m, rows = len(key.coordinates), handed_in(cells)
+    m, rows = key.m, handed_in(cells)
     q, marks = cells.student.values[rows, :m], cells.marks[rows]
     near = _near_steps(key, cells.student, rows)
     if cells.before is not None:
@@ -161,7 +166,7 @@ def left_open(key: Key, cells: Cells, rows: Places) -> Flags:
     It may have been put right, and all velocities of its row may have been made from what stood there; so no gate closes when
     one more cell becomes right: to the task's number, or to that of the table from another start that it is marked by.
     """
-    m, right = len(key.coordinates), (alike(key, cells.student, key.table) | (cells.marks == KEY))[rows]
+    m, right = key.m, (alike(key, cells.student, key.table) | (cells.marks == KEY))[rows]
     used = right[:-1, : 2 * m] & ~constant(key)[: 2 * m]
     put = put_right(right[:, :m])[:-1].any(axis=1, keepdims=True)
     return np.asarray(right[1:, :m] | used[:, :m] | used[:, m:] | put)
@@ -169,7 +174,7 @@ def left_open(key: Key, cells: Cells, rows: Places) -> Flags:
 
 def _near_steps(key: Key, table: StudentTable, rows: Places) -> Flags:
     """Return which steps (n - 1, m) from row to row lie between those by the velocities of both rows, with some to spare."""
-    m, h = len(key.coordinates), np.diff(key.t[rows])[:, None]
+    m, h = key.m, np.diff(key.t[rows])[:, None]
     q, w, units = table.values[rows, :m], table.values[rows, m : 2 * m], table.units[rows]
     with np.errstate(invalid="ignore"):
         largest = np.max(h / 2 * np.abs(np.diff(key.table[rows, m : 2 * m], axis=0)), axis=0, initial=0.0)
@@ -211,7 +216,7 @@ def in_a_run(right: Flags, rows: Places) -> Flags:
 
 def stands_still(key: Key, cells: Cells) -> bool:
     """Return whether no coordinate of a table moves, although the key's coordinates do."""
-    m, rows = len(key.coordinates), handed_in(cells)
+    m, rows = key.m, handed_in(cells)
     return not _moves(cells.student.values[rows, :m]).any() and bool(_moves(key.table[:, :m]).any())
 
 
@@ -225,7 +230,7 @@ def moves_as_it_may(key: Key, cells: Cells) -> Flags:
 
     It need not move where the key's hardly does; nor in some rows if it moves in many, as digits hide small steps.
     """
-    rows, m, student = handed_in(cells), len(key.coordinates), cells.student
+    rows, m, student = handed_in(cells), key.m, cells.student
     moves = _moves(student.values[rows, :m]) | _moves((cells.before or student).values[rows, :m])
     with np.errstate(invalid="ignore"):
         hardly = np.abs(np.diff(key.table[rows, :m], axis=0)) <= np.fmax(_CONSTANT, student.units[rows, :m][1:])
@@ -234,4 +239,4 @@ def moves_as_it_may(key: Key, cells: Cells) -> Flags:
 
 def true_steps(key: Key, cells: Cells) -> Flags:
     """Return which steps of angles (n - 1, m) follow from the printed row before; a missing cell follows from nothing."""
-    return np.asarray(cells.way(STEP).holds(cells.student.values)[1:, : len(key.coordinates)])
+    return np.asarray(cells.way(STEP).holds(cells.student.values)[1:, : key.m])

@@ -1,12 +1,14 @@
 """A table that begins elsewhere than the task says: compared with Euler's table from the student's own start values.
 
-Enters: marked cells.  Leaves: the same cells marked against that table.
+Enters: marked cells.  Leaves: the same cells marked against that table.  Where the geometry gives some starts, one datum or one
+start changes the others, and is told alone.
 Used by `misconceptions.py`, `claims.py` and `step_lengths.py`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -14,10 +16,12 @@ import numpy as np
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.guesses import agreed
 from coursework.grading.marking.table.cells import GIVEN, Cells, mark_cells
-from coursework.grading.marking.table.closed_starts import one_number
 from coursework.grading.marking.table.ways import HALF, KEY, StudentTable, as_printed, near, own_ways
+from coursework.motion.geometry.start import start_values
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
+from coursework.variant.record.entries import Given
+from coursework.words.errors import CourseworkError
 
 # A start that is not printed must explain this part of all cells more than the task's start does.
 _MORE = 0.1
@@ -26,6 +30,7 @@ _NEARLY_ALL = 0.9
 _DECIMALS = range(1, 9)
 # So many rows are stepped back to row 2, and so many must say the same of it.
 _BACK, _AGREE = 8, 2
+_ROUNDS, _DIFFERENCE = 6, 1e-4  # Newton steps to a datum, and the part of it by which its slope is taken
 
 
 @frozen
@@ -47,7 +52,7 @@ class OwnStart:
 
 def begins_elsewhere(key: Key, cells: Cells) -> bool:
     """Return whether row 1 has a start value that is not the task's."""
-    return bool(cells.wrong[0, : len(key.coordinates)].any())
+    return bool(cells.wrong[0, : key.m].any())
 
 
 def own_start(key: Key, cells: Cells) -> OwnStart | None:
@@ -56,7 +61,7 @@ def own_start(key: Key, cells: Cells) -> OwnStart | None:
     The start may be what row 1 prints, or what stood there before it was put right or misprinted, or what the velocities of
     row 1 tell; single values may be the task's. The start that makes most cells right is taken.
     """
-    m, student = len(key.coordinates), cells.student
+    m, student = key.m, cells.student
     to_print = HALF * (np.nan_to_num(student.units[0, :m]) + key.told_to)
     least = int((cells.marks == KEY).sum() + _MORE * cells.marks.size)
     best, most = None, -1
@@ -75,15 +80,68 @@ def own_start(key: Key, cells: Cells) -> OwnStart | None:
     start, made = best
     task = key.table[0, : len(start)]
     names = tuple(key.coordinates[place] for place in np.flatnonzero(start != task).tolist())
-    one = one_number(key, start, 2 * to_print) if len(names) > 1 else ""
+    one = _one_number(key, start, 2 * to_print) if len(names) > 1 else ""
     if one and one not in names:
         return OwnStart(made, (), one)
     return OwnStart(made, (one,) if one else names)
 
 
+def _one_number(key: Key, start: Array, within: Array) -> str:
+    """Return the coordinate or datum from another value of which the starts (m,) follow, up to `within`; "" if there is none.
+
+    The rows follow from the start with the task's velocities: they must not depend on such a datum.
+    """
+    given = [place for place, one in enumerate(key.variant.coordinates) if one.start is not None]
+    if len(given) == len(start):
+        return ""
+    other = np.flatnonzero(np.abs(start - key.table[0, : len(start)]) > within)
+    changed = [place for place in given if place in other]
+    if len(changed) == 1 and _is_near(_closed(key, {}, {changed[0]: float(start[changed[0]])}), start, within):
+        return key.coordinates[changed[0]]
+    if changed:
+        return ""
+    task = _closed(key, {}, {})
+    for datum in _felt_by_none(key):
+        value, at, slope = datum.value, task, 0.0
+        for _ in range(_ROUNDS):
+            beside = _closed(key, {datum.name: value * (1 + _DIFFERENCE)}, {})
+            if at is None or beside is None or not (slope := float(np.sum((beside - at)[other] ** 2))):
+                break
+            value += value * _DIFFERENCE * float(np.dot((beside - at)[other], (start - at)[other])) / slope
+            at = _closed(key, {datum.name: value}, {})
+        if slope and _is_near(at, start, within):
+            return datum.name
+    return ""
+
+
+def _felt_by_none(key: Key) -> list[Given]:
+    """Return the data of which no velocity depends."""
+    q = key.table[:, : key.m]
+    given = key.variant.given
+    task, *others = key.sets_at(key.t, q, [{}, *({one.name: one.value * (1 + _DIFFERENCE)} for one in given)])
+    return [one for one, found in zip(given, others, strict=True) if np.array_equal(found, task, equal_nan=True)]
+
+
+def _closed(key: Key, data: dict[str, float], starts: dict[int, float]) -> Array | None:
+    """Return the closed starts (m,) with other data and other given starts, None if nothing closes."""
+    variant = key.variant
+    other = replace(
+        variant,
+        given=tuple(replace(one, value=data.get(one.name, one.value)) for one in variant.given),
+        coordinates=tuple(replace(one, start=starts.get(place, one.start)) for place, one in enumerate(variant.coordinates)),
+    )
+    with suppress(CourseworkError, ArithmeticError, ValueError):
+        return np.array(start_values(replace(key.model.equations, variant=other)))
+    return None
+
+
+def _is_near(made: Array | None, start: Array, within: Array) -> bool:
+    return made is not None and bool(np.all(np.abs(made - start) <= within))
+
+
 def _starts(key: Key, cells: Cells) -> list[Array]:
     """Return the starts (m,), other than the task's, from which a table may have been made."""
-    m, values, task = len(key.coordinates), cells.student.values[0], key.table[0, : len(key.coordinates)]
+    m, values, task = key.m, cells.student.values[0], key.table[0, : key.m]
     found = []
     for table in (cells.before, cells.student, _stepped_back(key, cells)):
         if table is not None:
@@ -101,7 +159,7 @@ def _stepped_back(key: Key, cells: Cells) -> StudentTable | None:
 
     Row 2 was what most of the next rows say, each of them stepped back to it: it may be a misprint, or put right.
     """
-    m, student, h = len(key.coordinates), cells.student, key.stride
+    m, student, h = key.m, cells.student, key.stride
     q, rates, units = (rows[1 : 1 + _BACK] for rows in (student.values[:, :m], student.values[:, m : 2 * m], student.units))
     told = q - h * (np.cumsum(rates, axis=0) - rates)
     open_by = HALF * np.cumsum(units[:, :m] + h * units[:, m : 2 * m], axis=0)
@@ -135,7 +193,7 @@ def _as_typed(told: Array, within: Array) -> Array:
 
 def _told_by_velocities(key: Key, cells: Cells) -> Iterator[Array]:
     """Yield a start (m,) with one value more that is not the task's, where the velocities of row 1 follow from it alone."""
-    m, student = len(key.coordinates), cells.student
+    m, student = key.m, cells.student
     if not cells.wrong[0, m:].any():
         return
     start = np.where(cells.wrong[0, :m], student.values[0, :m], key.table[0, :m])
@@ -154,7 +212,7 @@ def _told_by_velocities(key: Key, cells: Cells) -> Iterator[Array]:
 
 def _marked_from(key: Key, cells: Cells, start: Array, least: int) -> Cells | None:
     """Return the table marked from a start, None if row 1 does not follow from it or fewer cells than `least` can be its."""
-    m, table = len(key.coordinates), march(key, start, key.velocities_at)
+    m, table = key.m, march(key, start, key.velocities_at)
     units = cells.student.units.copy()
     units[:, :m] = np.maximum(units[:, :m], own_ways(key, cells.student).coarse)
     if (near(cells.student.values, table, as_printed(key, units)) | (cells.marks == KEY)).sum() < least:
@@ -175,7 +233,7 @@ def march(
 
     `increments` (t, q, velocities) gives the steps of the coordinates; Euler's if None.
     """
-    m, step = len(key.coordinates), key.step
+    m, step = key.m, key.step
     rows = np.full(key.table.shape, np.nan)
     q = np.asarray(start, dtype=float)[None]
     for place in range(len(rows)):

@@ -30,7 +30,7 @@ def untold_steps(key: Key, cells: Cells, steps: Flags, rows: Places) -> Flags:
 
     A step is told if all other rules miss it clearly. If most told steps are Euler's, untold ones count; if few are, none does.
     """
-    m, gaps = len(key.coordinates), _gaps(key, rows)
+    m, gaps = key.m, _gaps(key, rows)
     marks = cells.marks[rows[1:], :m]
     told = np.where(marks == MISSING, 0.0, gaps)
     euler = float((told * (marks != WRONG)).sum() / told.sum()) if told.any() else 1.0
@@ -46,8 +46,7 @@ def untold_cells(key: Key, cells: Cells, expected: Array, holds: Flags, table: A
     `table` (n, m + r) is the whole table that the cause makes, None if unknown. Cells whose digits do tell decide: if most of
     these are right, the others count; if few are, none does.
     """
-    m = len(key.coordinates)
-    of_euler = np.hstack([cells.way(STEP).expected[:, :m], cells.way(ANGLES).expected[:, m:]])
+    of_euler = np.hstack([cells.way(STEP).expected[:, : key.m], cells.way(ANGLES).expected[:, key.m :]])
     with np.errstate(invalid="ignore"):
         other = (np.abs(expected - of_euler) > _SAME * key.ranges) & cells.judged
     other &= ~_right_with_all_digits(key, table) if table is not None else cells.marks != KEY

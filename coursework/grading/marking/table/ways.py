@@ -167,7 +167,7 @@ def _coarse(key: Key, student: StudentTable, step: Way) -> tuple[float, int | No
     The floor of usual print depends only on its digits, that of coarser work goes in rungs, and broken steps influence neither:
     otherwise a cell put right could make others wrong by narrowing the tolerance slightly.
     """
-    m, units, most = len(key.coordinates), student.units, min(_COARSE_MOST, key.gap / _COARSE_GAP)
+    m, units, most = key.m, student.units, min(_COARSE_MOST, key.gap / _COARSE_GAP)
     digits = HALF * (units[1:, :m] + units[:-1, :m] + key.stride * units[:-1, m : 2 * m])
     signed = (student.values - step.expected)[1:, :m]
     off = np.abs(signed)
@@ -199,7 +199,7 @@ def rows_above(values: Array) -> Places:
 
 def _steps(key: Key, student: StudentTable) -> Way:
     """Return the way of the step from the row before with its printed velocity."""
-    m, h = len(key.coordinates), key.stride
+    m, h = key.m, key.stride
     rates, units = student.values[:-1, m : 2 * m], student.units[:-1, m : 2 * m]
     size = np.maximum(np.abs(rates), LEAST * key.usual_ranges[m : 2 * m])
     return _way_of_steps(STEP, key, student, rates, HALF * h * units, SLACK * h * size)
@@ -207,7 +207,7 @@ def _steps(key: Key, student: StudentTable) -> Way:
 
 def _way_of_steps(name: str, key: Key, student: StudentTable, rates: Array, off: Array, slack: Array | float = 0.0) -> Way:
     """Return the way of the step from the row before with velocities (n - 1, m) that move the next row by `off` and `slack`."""
-    m, values, units = len(key.coordinates), student.values, student.units
+    m, values, units = key.m, student.values, student.units
     expected, tolerance = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
     expected[1:, :m] = values[:-1, :m] + key.stride * rates
     tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + off + slack
@@ -220,7 +220,7 @@ def _several_steps(key: Key, student: StudentTable, expected: Array, tolerance: 
 
     The first step uses the printed velocity if `by_own_velocity`; all others use the reference velocity.
     """
-    above, m, h = rows_above(student.values), len(key.coordinates), key.stride
+    above, m, h = rows_above(student.values), key.m, key.stride
     below = 1 + np.flatnonzero((above < np.arange(len(above))) & np.isfinite(student.values[1:, :m]).any(axis=1))
     if not len(below):
         return
@@ -244,55 +244,53 @@ def _several_steps(key: Key, student: StudentTable, expected: Array, tolerance: 
 
 def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -> Array:
     """Return the tolerance of printed velocities (n, r): own digits, digits of the cells they were made from, and slack."""
-    m = len(key.coordinates)
-    size = np.maximum(np.abs(expected), LEAST * key.usual_ranges[m:])
+    size = np.maximum(np.abs(expected), LEAST * key.usual_ranges[key.m :])
     return np.asarray(HALF * np.where(np.isnan(units), 0.0, units) + HALF * spread + SLACK * size)
 
 
 def clear(key: Key, expected: Array, tolerance: Array) -> Array:
     """Return expected velocities (n, r), NaN where the tolerance is as large as they are: there anything would pass."""
-    sizes = np.maximum(np.abs(expected), np.max(np.abs(key.table[:, len(key.coordinates) :]), axis=0))
+    sizes = np.maximum(np.abs(expected), np.max(np.abs(key.table[:, key.m :]), axis=0))
     with np.errstate(invalid="ignore"):
         return np.where(tolerance > _VAGUE * sizes, np.nan, expected)
 
 
+def clear_velocities(key: Key, units: Array, found: Array, spread: Array) -> tuple[Array, Array]:
+    """Return velocities (n, r) printed with `units`, NaN where the digits are too few, and their tolerance."""
+    tolerance = velocity_tolerance(key, units, found, spread)
+    return clear(key, found, tolerance), tolerance
+
+
 def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
     """Return the way of the reference velocities at the student's own angles."""
-    m = len(key.coordinates)
-    q, units = student.values[:, :m], np.maximum(student.units[:, :m], coarse)
+    q, units = student.values[:, : key.m], np.maximum(student.units[:, : key.m], coarse)
     found, spread = with_spread(lambda rows: key.velocities_at(np.tile(key.t, len(rows) // len(key.t)), rows), q, units)
-    return _velocity_way(ANGLES, key, found, velocity_tolerance(key, student.units[:, m:], found, spread))
+    return _velocity_way(ANGLES, key, student.units, found, spread)
 
 
 def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:
     """Return the way of the later blocks' velocities from the student's own velocities of earlier blocks."""
-    m, r = len(key.coordinates), len(key.velocities)
+    m, r = key.m, len(key.velocities)
     units = student.units.copy()
     units[:, :m] = np.maximum(units[:, :m], coarse)
-    expected, tolerance = np.full((len(units), r), np.nan), np.full((len(units), r), np.nan)
-    for index, block in enumerate(key.blocks):
-        if not index:
-            continue
+    expected, spread = np.full((2, len(units), r), np.nan)
+    for index, block in enumerate(key.blocks[1:], start=1):
         places = [key.velocities.index(name) for name in block]
 
         def at(cells: Array, index: int = index) -> Array:
             return key.block_at(index, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m], cells[:, m:])
 
-        found, spread = with_spread(at, student.values, units)
-        size = np.maximum(np.abs(found), LEAST * key.usual_ranges[[m + place for place in places]])
-        own = np.where(np.isnan(units), 0.0, units)[:, [m + place for place in places]]
-        expected[:, places] = found
-        tolerance[:, places] = HALF * own + HALF * spread + SLACK * size
-    return _velocity_way(EARLIER, key, expected, tolerance)
+        expected[:, places], spread[:, places] = with_spread(at, student.values, units)
+    return _velocity_way(EARLIER, key, units, expected, spread)
 
 
-def _velocity_way(name: str, key: Key, expected: Array, tolerance: Array) -> Way:
-    expected = clear(key, expected, tolerance)
-    blank = np.full((len(expected), len(key.coordinates)), np.nan)
+def _velocity_way(name: str, key: Key, units: Array, found: Array, spread: Array) -> Way:
+    expected, tolerance = clear_velocities(key, units[:, key.m :], found, spread)
+    blank = np.full((len(expected), key.m), np.nan)
     return Way(name, np.hstack([blank, expected]), np.hstack([blank, tolerance]))
 
 
 def _true_steps(key: Key, student: StudentTable, own: Way) -> Way:
     """Return the way of the step from the row before with the reference velocity at the student's own angles there."""
-    rates, off = (part[:-1, len(key.coordinates) : 2 * len(key.coordinates)] for part in (own.expected, own.tolerance))
+    rates, off = (part[:-1, key.m : 2 * key.m] for part in (own.expected, own.tolerance))
     return _way_of_steps(STEP_TRUE, key, student, rates, key.stride * off)

@@ -27,6 +27,7 @@ from coursework.report.text.tables import extra_parts
 from coursework.report.text.text_runs import numeral, runs
 from coursework.scene.quantities import ENERGY, FORCES
 from coursework.system.arrays import Array
+from coursework.words.sentences import ranges
 
 MILLIMETRES = 1  # decimals of a length in mm, which is read to half a mm
 _ROUND_OFF = 1e-12  # parts of a force: a smaller component is round-off
@@ -253,7 +254,7 @@ def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
     power = found.energy.drive
     known = power[np.isfinite(power)]
     brakes = [place + 1 for place in np.flatnonzero(power < -1e-9 * np.abs(known).max(initial=0.0)).tolist()]
-    told = [context.words("forces.brakes", rows=context.words("join.comma").join(_spans(brakes)))] if brakes else []
+    told = [context.words("forces.brakes", rows=context.words("join.comma").join(ranges(brakes, len(brakes))))] if brakes else []
     if not brakes and len(known) == len(power):
         told = [context.words("forces.drives")]
     wheel = find_flywheel(found, context.run.variant.time.period)
@@ -265,14 +266,3 @@ def _told(context: PageContext, found: ForceAnalysis) -> list[Part]:
         if wheel.needed is not None:
             told.append(context.words("forces.flywheel", inertia=context.quantity(wheel.needed, "kg·m²", 4)))
     return [Paragraph(context.lettered(context.words.sentences(told)))] if told else []
-
-
-def _spans(rows: list[int]) -> list[str]:
-    """Return rows as "1–4" and "7": consecutive rows become a span."""
-    spans: list[list[int]] = []
-    for row in rows:
-        if spans and row == spans[-1][1] + 1:
-            spans[-1][1] = row
-        else:
-            spans.append([row, row])
-    return [str(a) if a == b else f"{a}–{b}" for a, b in spans]

@@ -24,7 +24,7 @@ def test_an_edit_explains_a_row_within_what_rounding_allows(monkeypatch, off, is
     monkeypatch.setattr(own_equations, "Values", lambda tree, names: values)
     monkeypatch.setattr(own_equations, "applied", lambda tree, edit: (tree, edit))
     student = SimpleNamespace(values=np.ones((10, 2)), units=np.ones((10, 2)))
-    key = SimpleNamespace(t=np.arange(10.0), velocities=("w",), coordinates=())
+    key = SimpleNamespace(t=np.arange(10.0), velocities=("w",), coordinates=(), m=0)
     line = SimpleNamespace(tree=7.0, edits=("edit",), is_wrong=False, name="1")
     (used,) = _used(SimpleNamespace(key=key, m=1, student=student), [line])
     assert used.tree == ((7.0, "edit") if is_used else 7.0)

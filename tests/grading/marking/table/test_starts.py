@@ -13,7 +13,7 @@ from coursework.grading.marking.table.ways import StudentTable
 
 STRIDE = 0.1
 KEYED: Any = SimpleNamespace(
-    coordinates=("p", "q"), stride=STRIDE, t=np.zeros(1), velocities_at=lambda t, q: q * np.array([2.0, -1.0])
+    coordinates=("p", "q"), m=2, stride=STRIDE, t=np.zeros(1), velocities_at=lambda t, q: q * np.array([2.0, -1.0])
 )
 
 

@@ -20,7 +20,7 @@ def coarse_of(off, gap=1.0, unit=1e-6):
     expected = np.full((count, 2), NAN)
     expected[1:, 0] = off
     student = SimpleNamespace(values=values, units=np.column_stack([np.full(count, unit), np.full(count, 1e-5)]))
-    return _coarse(SimpleNamespace(coordinates=("phi",), gap=gap, stride=H), student, SimpleNamespace(expected=expected))
+    return _coarse(SimpleNamespace(coordinates=("phi",), m=1, gap=gap, stride=H), student, SimpleNamespace(expected=expected))
 
 
 @pytest.mark.parametrize(("middle", "rung", "decimals"), [
@@ -69,7 +69,7 @@ def table(phi, w):
 
 
 KEY = SimpleNamespace(
-    coordinates=("phi",), stride=H, t=H * np.arange(5.0), usual_ranges=np.array([1.0, 10.0]), table=np.array([[0.0, 8.0]]),
+    coordinates=("phi",), m=1, stride=H, t=H * np.arange(5.0), usual_ranges=np.array([1.0, 10.0]), table=np.array([[0.0, 8.0]]),
     velocities_at=lambda t, q: np.asarray(100 * t)[:, None] + 0 * q,
 )  # fmt: skip
 
@@ -104,7 +104,7 @@ def test_below_rows_that_are_missing_as_many_steps_are_made():
 
 def test_a_velocity_may_be_off_by_its_digits_by_those_it_was_made_from_and_a_slack():
     expected, spread = np.array([[4.0, -0.1]]), np.array([[0.02, 0.04]])
-    key = SimpleNamespace(coordinates=("phi",), usual_ranges=np.array([1.0, 10.0, 10.0]))
+    key = SimpleNamespace(coordinates=("phi",), m=1, usual_ranges=np.array([1.0, 10.0, 10.0]))
     found = velocity_tolerance(key, np.array([[0.01, NAN]]), expected, spread)
     assert found[0] == pytest.approx([0.505 * 0.03 + 2e-4 * 4.0, 0.505 * 0.04 + 2e-4 * 0.5])
 

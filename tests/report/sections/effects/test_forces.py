@@ -19,11 +19,11 @@ from coursework.report.sections.effects.forces import (
     _convention,
     _math_of,
     _sizes,
-    _spans,
     _text_of,
     _told,
     _without_noise,
 )
+from coursework.words.sentences import ranges
 from tests.mechanisms.library import mechanism
 from tests.report.made import model_of, page_of, solved
 from tests.report.reading import html_text
@@ -182,7 +182,7 @@ def test_names_of_forces_as_text_and_in_equations() -> None:
 
 
 def test_rows_that_follow_each_other_are_a_span() -> None:
-    assert _spans([1, 2, 3, 7, 9, 10]) == ["1–3", "7", "9–10"] and _spans([4]) == ["4"] and _spans([]) == []
+    assert ranges([1, 2, 3, 7, 9, 10], 6) == ("1–3", "7", "9–10") and ranges([4], 1) == ("4",) and ranges([], 0) == ()
 
 
 class Words(dict[str, str]):

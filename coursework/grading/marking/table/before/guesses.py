@@ -46,7 +46,7 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     `other` marks cells that may have had another value, `untold` those of them that are not explained yet: the former as those
     say that were made from them, then the latter as the rows above make them.
     """
-    m = len(key.coordinates)
+    m = key.m
     makes, rows = np.asarray(beside_makers(wrong, m).any(axis=1)), makers_of_several(wrong, m)
     is_method = bool(rows.mean() > FEW)  # so many wrong cells come from another method, not from slips
     if is_method:
@@ -100,7 +100,7 @@ def agreed(
     and the cells it was made from leave it spans as wide as their tolerances; a value where most spans meet is taken. With it
     come the units of its last places, as wide as all cells that agree leave it open: no value in there makes any of them wrong.
     """
-    m, r, printed = len(key.coordinates), len(key.velocities), was.values
+    m, r, printed = key.m, len(key.velocities), was.values
     made = beside_makers(wrong & np.isfinite(printed), m)
     angles, earlier, step, true = (np.where(made, beside_makers(_open_by(key, way, printed), m), np.nan) for way in own.tried)
     tolerance = np.hstack([angles[:, :r], earlier[:, :r], step[:, r:], true[:, r:], true[:, r:]])
@@ -154,7 +154,7 @@ def _begun(key: Key, printed: Array, row: Places, place: Places, by: Places) -> 
 
     The search begins near the neighbours, as a misprint leads astray, at the next row's value, and for an angle all around.
     """
-    m, after = len(key.coordinates), np.minimum(row + 1, len(printed) - 1)
+    m, after = key.m, np.minimum(row + 1, len(printed) - 1)
     middle = np.median([printed[row - 1, place], key.table[row, place], printed[after, place]], axis=0)
     middle = np.where(np.isfinite(middle), middle, printed[row, place])
     below = np.where((place < m) & np.isfinite(printed[after, place]), printed[after, place], middle)
@@ -176,7 +176,7 @@ def _open_by(key: Key, way: Way, printed: Array) -> Array:
     here, found = np.fmax(np.abs(printed), least), np.fmax(np.abs(way.expected), least)
     with np.errstate(divide="ignore", invalid="ignore"):
         open_by = np.where(here > found, way.tolerance * here / found, way.tolerance - SLACK * (found - here))
-    open_by[:, : len(key.coordinates)] = way.tolerance[:, : len(key.coordinates)]
+    open_by[:, : key.m] = way.tolerance[:, : key.m]
     return np.asarray(open_by)
 
 

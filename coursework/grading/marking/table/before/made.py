@@ -26,7 +26,7 @@ def beside_makers(cells: NDArray[Any], m: int) -> NDArray[Any]:
 
 def made_from_rows(key: Key, t: Array, rows: Array) -> Array:
     """Return what rows (n, m + r) make: velocities from angles, later ones from earlier ones, next coordinates in three ways."""
-    m, h = len(key.coordinates), key.stride
+    m, h = key.m, key.stride
     velocities = key.velocities_at(t, rows[:, :m])
     later = _later(key, t, rows)
     steps = (rows[:, :m] + h * rates[:, :m] for rates in (rows[:, m:], velocities, np.where(np.isnan(later), rows[:, m:], later)))
@@ -35,7 +35,7 @@ def made_from_rows(key: Key, t: Array, rows: Array) -> Array:
 
 def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> StudentTable | None:
     """Return the table with `right` cells that do not follow from the rows before replaced by what does; None if unchanged."""
-    m = len(key.coordinates)
+    m = key.m
     w, printed = student.values[:, m:], student.values[:, m:]
     allowed = np.fmax(own.angles.tolerance, own.earlier.tolerance)[:, m:]
     follows = (own.step.holds(student.values) | own.step_true.holds(student.values))[:, :m]
@@ -53,7 +53,7 @@ def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> St
 
 def _marched(key: Key, student: StudentTable, right: Flags, follows: Flags, velocities: Array) -> tuple[Array, Array]:
     """Return coordinates (n, m) and units (n, m + r); a `right` coordinate that is no step from above is replaced by the step."""
-    m, h = len(key.coordinates), key.stride
+    m, h = key.m, key.stride
     q, units = student.values[:, :m].copy(), student.units.copy()
     edge = right & ~neighbours(right)
     for place in range(m):
@@ -78,8 +78,7 @@ def _made(key: Key, q: Array, w: Array) -> Array:
 
 def _later(key: Key, t: Array, cells: Array) -> Array:
     """Return the velocities (n, r) of later blocks from rows of `cells` (n, m + r); NaN in the first block."""
-    m = len(key.coordinates)
     found = np.full((len(cells), len(key.velocities)), np.nan)
     for index, block in enumerate(key.blocks[1:], start=1):
-        found[:, [key.velocities.index(name) for name in block]] = key.block_at(index, t, cells[:, :m], cells[:, m:])
+        found[:, [key.velocities.index(name) for name in block]] = key.block_at(index, t, cells[:, : key.m], cells[:, key.m :])
     return found

@@ -51,7 +51,7 @@ def restored(key: Key, student: StudentTable, wrong: Flags, right: Flags, own: O
     Those cells may be wrong, or have the task's value because they were put right. A `right` cell may have been what the rows
     above make of it; any other earlier value is told by the cells made from it, and costs a cell as before the correction.
     """
-    m, put = len(key.coordinates), near(student.values, key.table, as_printed(key, student.units))
+    m, put = key.m, near(student.values, key.table, as_printed(key, student.units))
     sure = ~wrong & ~put & own.holds(student.values)
     search = _Search(key, student, wrong & ~put, wrong | put, sure, own)
     was = search.was(student)
@@ -133,7 +133,7 @@ class _Search:
         Coordinates are made from the row above of the first table, in the row of the second one. Of equally many cells the
         velocities may cost a little more: the gates of the points look at rows with all of them right.
         """
-        m, width = len(self.key.coordinates), self.wrong.shape[1]
+        m, width = self.key.m, self.wrong.shape[1]
         values, other, held, slips = (
             np.array(one) for one in zip(*((was.table.values, was.other, was.held, was.slips) for was in pool), strict=True)
         )
@@ -199,7 +199,7 @@ class _Search:
 
         `told` cells speak with what they were, as the printed ones do.
         """
-        m, speaking = len(self.key.coordinates), self.wrong | told
+        m, speaking = self.key.m, self.wrong | told
         printed = np.where(told, last.table.values, self.student.values)
         bases = [last.table, replace(self.student, values=printed)]
         misprints = self.wrong & (np.arange(self.wrong.shape[1]) < m) & makers_of_several(self.wrong, m)[:, None]

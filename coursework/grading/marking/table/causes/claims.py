@@ -16,7 +16,7 @@ from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.sensitivity import with_spread
 from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.starts import march
-from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear, put_right, velocity_tolerance
+from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, clear_velocities, put_right
 from coursework.system.arrays import Array, Flags, shifted
 
 # A hypothesis is examined only if this part of the velocities lies within _NEAR times Euler's tolerances of what it expects.
@@ -129,8 +129,7 @@ class TableUnderTest:
 
     def velocities(self, found: Array, spread: Array) -> tuple[Array, Array]:
         """Return velocities (n, r), NaN where the digits are too few, and their tolerance."""
-        tolerance = velocity_tolerance(self.key, self.w_units, found, spread)
-        return clear(self.key, found, tolerance), tolerance
+        return clear_velocities(self.key, self.w_units, found, spread)
 
     def with_spread(
         self, function: Callable[[Array], Array], at: Array | None = None, units: Array | None = None

@@ -31,7 +31,7 @@ def turned(key: Key, student: StudentTable) -> StudentTable | None:
     Either all angular velocities have the opposite sign and the angles move against them, or the table begins to turn in the
     opposite sense with the angles mirrored too.
     """
-    m, angular = len(key.coordinates), _angular(key)
+    m, angular = key.m, _angular(key)
     values = student.values
     steps = np.diff(values[:, :m], axis=0)
     with np.errstate(invalid="ignore"):
@@ -64,7 +64,7 @@ def _by_drive(key: Key, cells: Cells) -> float:
     Such a drive explains its own table better than the convention does.  If both give the same numbers, as in a train of wheels,
     they cannot be told apart, and the convention is believed.
     """
-    m, student, other = len(key.coordinates), cells.student, key.misread("sign_drive")
+    m, student, other = key.m, cells.student, key.misread("sign_drive")
     if other is None or _begins_mirrored(key, student):
         return 0.0
     allowed = np.fmax.reduce([way.tolerance[:, m:] for way in cells.ways])
@@ -89,7 +89,7 @@ def _turned(key: Key, student: StudentTable, signs: Flags, *, mirrored: bool) ->
     A cell that is right as it stands was put right in the table handed in, and stays, where others of its column are right only
     when turned back: however many there are of each, as one more becomes right no other one goes.
     """
-    m, angular = len(key.coordinates), _angular(key)[: len(key.coordinates)]
+    m, angular = key.m, _angular(key)[: key.m]
 
     def back(values: Array) -> Array:
         found = values.copy()
@@ -114,12 +114,11 @@ def _start(key: Key, first: Array) -> Array:
 
 def _begins_mirrored(key: Key, student: StudentTable) -> bool:
     """Return whether an angle begins at the negative of the task's start, and not at the start itself."""
-    m = len(key.coordinates)
-    first, start = student.values[0, :m], key.table[0, :m]
-    allowed = student.units[0, :m]
+    first, start = student.values[0, : key.m], key.table[0, : key.m]
+    allowed = student.units[0, : key.m]
     with np.errstate(invalid="ignore"):
         away = (_whole_turns_off(first - start) > allowed) & (_whole_turns_off(first + start) <= allowed)
-    return bool((away & _angular(key)[:m]).any())
+    return bool((away & _angular(key)[: key.m]).any())
 
 
 def _rest(angle: Array) -> Array:
@@ -138,8 +137,7 @@ def _opposite(printed: Array, reference: Array) -> Array:
 
 def _explained(key: Key, cells: Cells) -> float:
     """Return the part of the velocities that follow from the key or from the table's own cells."""
-    m = len(key.coordinates)
-    return _part(np.isin(cells.marks[:, m:], (KEY, ANGLES, EARLIER)), ~cells.missing[:, m:])
+    return _part(np.isin(cells.marks[:, key.m :], (KEY, ANGLES, EARLIER)), ~cells.missing[:, key.m :])
 
 
 def _part(holds: Flags, of: Flags) -> float:

@@ -1,25 +1,54 @@
 """The claims that explain most of a table, held against the whole of it: what they explained before cells were put right counts.
 
+A table made with other velocities or another step is marked as if these were the task's.
 Enters: `Claim`s, a `Key`, marked cells.  Leaves: the claims to look at, which cells each explains.  Used by `misconceptions.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.hypotheses import ROUNDED_OMEGA
-from coursework.grading.marking.table.causes.misread_key import MisreadKey
 from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.ways import KEY, near
-from coursework.system.arrays import Flags
+from coursework.system.arrays import Array, Flags
 
 # For so many of the hypotheses that explain most the whole table is computed.
 _CLOSER, _READ_OFF = 3, 2
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class _MisreadKey(Key):
+    """The key of a table made with the velocities `made_with` (t, q) and with steps that are `part` of those of the `task`."""
+
+    made_with: Callable[[Array, Array], Array]
+    part: float
+    task: Key
+
+    def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
+        """Return the velocities (n, r) with which the table was made."""
+        return self.made_with(t, q)
+
+    @property
+    def stride(self) -> float:
+        """Return the step with which the table was made, s."""
+        return self.part * self.step
+
+    @property
+    def blocks(self) -> tuple[tuple[str, ...], ...]:
+        """Return one block with all velocities: an order of solution exists only for the task."""
+        return (self.velocities,)
+
+    @cached_property
+    def coarsest(self) -> Array:
+        """Return the coarsest digits that count as shown: the task decides them, whatever the table was made with."""
+        return self.task.coarsest
 
 
 def closer(held: Mapping[str, tuple[int, Claim, Flags]]) -> list[tuple[str, Claim, Flags]]:
@@ -60,7 +89,7 @@ def _by_its_own_rules(key: Key, cells: Cells, claim: Claim) -> Flags:
     A cell with the task's value had the claim's before it was put right; what follows from the earlier value is right too.
     """
     assert claim.velocities_at is not None and claim.table is not None
-    own = MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at, part=claim.part, task=key)
+    own = _MisreadKey(key.variant, key.model, key.table, made_with=claim.velocities_at, part=claim.part, task=key)
     table = claim.table()
     made = mark_cells(own, cells.student, table)
     right = ~made.wrong & ~made.missing

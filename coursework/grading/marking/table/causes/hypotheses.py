@@ -116,19 +116,18 @@ def _from_rows_before(key: Key, weight: float = 1.0) -> Array:
 
     The first step uses only the first row's velocities.
     """
-    m = len(key.coordinates)
     rates: list[Array] = []
 
     def increments(t: Array, q: Array, w: Array) -> Array:
-        rates.append(w[:, :m])
+        rates.append(w[:, : key.m])
         return key.step * (rates[-1] + weight * (rates[max(len(rates) - 2, 0)] - rates[-1]))
 
-    return march(key, key.table[0, :m], key.velocities_at, increments)
+    return march(key, key.table[0, : key.m], key.velocities_at, increments)
 
 
 def _of_rows_above(key: Key) -> Array:
     """Return the table (n, m + r) that, from row 2 on, prints the velocities of the row above and steps with them."""
-    m, table = len(key.coordinates), _from_rows_before(key)
+    m, table = key.m, _from_rows_before(key)
     table[1:, m:] = table[:-1, m:].copy()
     return table
 
@@ -141,7 +140,7 @@ def _of_angles_above(key: Key) -> Array:
         rows.append(q)
         return key.velocities_at(t, rows[max(len(rows) - 2, 0)])
 
-    return march(key, key.table[0, : len(key.coordinates)], velocities_at)
+    return march(key, key.table[0, : key.m], velocities_at)
 
 
 def _implicit(key: Key, new: float, t: Array, q: Array, w: Array) -> Array:

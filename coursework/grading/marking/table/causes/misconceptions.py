@@ -121,7 +121,7 @@ def explanations(
         share, fit = fitting
         if share >= NAMED:
             weighed.name_step(share, told_step(own.step))
-            untold[:, : len(key.coordinates)] = cells.counted[:, : len(key.coordinates)]
+            untold[:, : key.m] = cells.counted[:, : key.m]
         if fit > weighed.euler_fit + BETTER:
             further.append(Fit(OTHER_STEP, fit, in_print=True))  # beside what the rows as handed in say of it
     if began and (share := share_of(*euler_cells(began.cells))) >= NAMED and share > weighed.rivals.key + BETTER:

@@ -45,6 +45,6 @@ def on_own_rows(key: Key, cells: Cells, own: OwnRows) -> OnOwnRows | None:
     put_right = np.zeros_like(marked.wrong)
     at = np.rint(key.t / own.step).astype(int)
     on_grid = (at < rows) & np.isclose(at * own.step, key.t)
-    put_right[at[on_grid], len(key.coordinates) :] = (cells.marks == KEY)[on_grid, len(key.coordinates) :]
+    put_right[at[on_grid], key.m :] = (cells.marks == KEY)[on_grid, key.m :]
     reached = int(np.sum(key.t <= (rows - 1 + _NEAR) * own.step))
     return OnOwnRows(made, marked, min(rows, reached) / len(key.table), put_right)

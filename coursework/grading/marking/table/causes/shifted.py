@@ -71,8 +71,7 @@ def in_order(printed: TableUnderTest) -> StudentTable | None:
 
     A row may be another one's that was put right meanwhile: then the row that stood there is right in the place that is left.
     """
-    stands = printed.of_task
-    same = alike_rows(printed.key, printed.student, stands)
+    same = alike_rows(printed.key, printed.student, printed.of_task)
     there = np.flatnonzero(np.isfinite(printed.student.values).any(axis=1))
     at_home = np.diagonal(same)
     # Of a row that agrees with several rows, the first that no other row is.

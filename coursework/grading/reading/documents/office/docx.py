@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import partial
 
 from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.formulas import omml
@@ -51,12 +52,13 @@ class _Reader:
         self.cells: list[tuple[int, bool]] = []  # per open cell: columns it spans, whether it continues the one above
         # The most frequent elements are looked up here, as a table has a thousand of each.
         self.begins: dict[str, Callable[[], None]] = {
-            "t": self._begin_text, "r": self._begin_run, "p": builder.open_paragraph, "tc": self._begin_cell,
-            "tr": builder.open_row, "tbl": builder.open_table,
+            "t": partial(setattr, self, "is_text", True), "r": partial(setattr, self, "position", ""),
+            "p": builder.open_paragraph, "tc": partial(self.cells.append, _ONE), "tr": builder.open_row,
+            "tbl": builder.open_table,
         }  # fmt: skip
         self.ends: dict[str, Callable[[], None]] = {
-            "t": self._end_text, "p": builder.close_paragraph, "tc": self._end_cell, "tr": builder.close_row,
-            "tbl": builder.close_table,
+            "t": partial(setattr, self, "is_text", False), "p": builder.close_paragraph, "tc": self._end_cell,
+            "tr": builder.close_row, "tbl": builder.close_table,
         }  # fmt: skip
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
@@ -124,18 +126,6 @@ class _Reader:
             self.formula = None
         elif name in omml.ELEMENTS:
             self.formula.end()
-
-    def _begin_text(self) -> None:
-        self.is_text = True
-
-    def _end_text(self) -> None:
-        self.is_text = False
-
-    def _begin_run(self) -> None:
-        self.position = ""
-
-    def _begin_cell(self) -> None:
-        self.cells.append(_ONE)
 
     def _end_cell(self) -> None:
         if self.cells:

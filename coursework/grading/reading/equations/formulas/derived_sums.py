@@ -12,6 +12,7 @@ from functools import partial, reduce
 from coursework.grading.reading.equations.formulas.names_in_text import Spellings
 from coursework.grading.reading.equations.formulas.repair import sides_of
 from coursework.grading.reading.equations.notation.signs import depths
+from coursework.variant.formula.made import sum_of
 from coursework.variant.formula.reader import parse_equation
 from coursework.variant.formula.tree import Formula, FormulaFault, named, number, spelled
 
@@ -106,10 +107,10 @@ def _derivative(tree: Formula, spellings: Spellings) -> Formula:
     elif tree.op == "neg":
         return Formula("neg", (derived(tree.args[0]),))
     elif tree.op in {"+", "-"}:
-        return _sum(tree.op, *map(derived, tree.args))
+        return sum_of(tree.op, *map(derived, tree.args))
     elif tree.op == "*":
         first, second = tree.args
-        return _sum("+", _product(derived(first), second), _product(first, derived(second)))
+        return sum_of("+", _product(derived(first), second), _product(first, derived(second)))
     elif tree.op == "/" and derived(tree.args[1]) == number(0):
         return Formula("/", (derived(tree.args[0]), tree.args[1]))
     elif tree.op == "^" and tree.args[1].op == "number":
@@ -126,9 +127,3 @@ def _derivative(tree: Formula, spellings: Spellings) -> Formula:
 
 def _product(first: Formula, second: Formula) -> Formula:
     return number(0) if number(0) in (first, second) else Formula("*", (first, second))
-
-
-def _sum(sign: str, first: Formula, second: Formula) -> Formula:
-    if second == number(0):
-        return first
-    return Formula(sign, (first, second)) if first != number(0) else second if sign == "+" else Formula("neg", (second,))

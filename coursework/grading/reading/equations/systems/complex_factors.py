@@ -13,6 +13,7 @@ from coursework.grading.reading.equations.formulas.repair import sides_of
 from coursework.grading.reading.equations.notation.latex import without_latex
 from coursework.grading.reading.equations.notation.signs import plain_signs
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
+from coursework.variant.formula.made import sum_of
 from coursework.variant.formula.reader import parse_equation
 from coursework.variant.formula.tree import Formula, FormulaFault, number, spelled
 
@@ -68,27 +69,19 @@ def _parts(tree: Formula, unit: str) -> Parts:
         return tree, _ZERO
     if tree.op == "neg":
         real, imaginary = _parts(tree.args[0], unit)
-        return _less(_ZERO, real), _less(_ZERO, imaginary)
+        return sum_of("-", _ZERO, real), sum_of("-", _ZERO, imaginary)
     if tree.op not in {"+", "-", "*", "/"} or (tree.op == "/" and unit in tree.args[1].names()):
         raise _NotKnownError
     (a, b), (c, d) = (_parts(side, unit) for side in tree.args)
     if tree.op == "*":
-        return _less(_times(a, c), _times(b, d)), _more(_times(a, d), _times(b, c))
+        return sum_of("-", _times(a, c), _times(b, d)), sum_of("+", _times(a, d), _times(b, c))
     if tree.op == "/":
         a, b = (one if one == _ZERO else Formula("/", (one, c)) for one in (a, b))
         return a, b
-    return (_more(a, c), _more(b, d)) if tree.op == "+" else (_less(a, c), _less(b, d))
+    return sum_of(tree.op, a, c), sum_of(tree.op, b, d)
 
 
 def _times(one: Formula, other: Formula) -> Formula:
     if _ZERO in (one, other):
         return _ZERO
     return other if one == number(1) else one if other == number(1) else Formula("*", (one, other))
-
-
-def _more(one: Formula, other: Formula) -> Formula:
-    return other if one == _ZERO else one if other == _ZERO else Formula("+", (one, other))
-
-
-def _less(one: Formula, other: Formula) -> Formula:
-    return one if other == _ZERO else Formula("neg", (other,)) if one == _ZERO else Formula("-", (one, other))

@@ -226,7 +226,7 @@ def test_a_cell_is_begun_to_be_looked_for_near_its_neighbours_as_the_next_row_ha
 
 def test_larger_velocities_are_left_the_more_open_and_smaller_ones_less():
     """Tolerance 0.01; least sizes 0.05 of the ranges 20 and 40: 1 and 2.  What is expected: 4 and -8, then 0.5 and 0."""
-    key = SimpleNamespace(coordinates=("p",), usual_ranges=np.array([9.0, 20.0, 40.0]))
+    key = SimpleNamespace(coordinates=("p",), m=1, usual_ranges=np.array([9.0, 20.0, 40.0]))
     way = Way("own", np.array([[1.0, 4.0, -8.0], [1.0, 0.5, 0.0]]), np.full((2, 3), 0.01))
     found = _open_by(key, way, np.array([[5.0, -6.0, 3.0], [NAN, 0.1, -5.0]]))
     assert found == pytest.approx(np.array([[0.01, 0.015, 0.01 - 2e-4 * 5], [0.01, 0.01, 0.025]]))

@@ -14,7 +14,7 @@ from coursework.grading.marking.table.ways import StudentTable
 
 NAN = math.nan
 KEY = SimpleNamespace(
-    coordinates=("p",), velocities=("w", "u"), blocks=(("w",), ("u",)), stride=0.1, t=np.arange(4.0),
+    coordinates=("p",), m=1, velocities=("w", "u"), blocks=(("w",), ("u",)), stride=0.1, t=np.arange(4.0),
     velocities_at=lambda t, q: np.hstack([2 * q, 4 * q]), block_at=lambda index, t, q, w: {1: 2 * w[:, :1]}[index],
     variant=SimpleNamespace(unit_of={"p": "rad"}.get),
 )  # fmt: skip
@@ -83,7 +83,7 @@ def test_what_is_no_step_from_above_becomes_that_step_with_the_digits_of_what_it
 
     In the first, row 2 begins a run; row 4 is no step, so rows 5 and 6 are made from it; 7 is near enough; 8 follows otherwise.
     """
-    key = SimpleNamespace(coordinates=("p", "s"), stride=0.1)
+    key = SimpleNamespace(coordinates=("p", "s"), m=2, stride=0.1)
     first = [1.0, 1.2, 1.403, 1.9, 2.15, 1.7, 2.205, 3.0, 3.2135, 9.9]
     second = [1.0, 1.2, 1.9, 2.1, 5.0, 2.5, 2.7, 2.9, 3.1, 3.3]
     digits = np.arange(1, 11) * 1e-3

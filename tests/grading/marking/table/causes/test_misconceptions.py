@@ -182,7 +182,7 @@ def test_a_velocity_put_right_beside_an_angle_that_nothing_explains_excuses_no_r
     """The angle of row 4 is a misprint: what its velocity was made from is not told, as that is right by chance."""
     explained, given = np.ones((5, 2), dtype=bool), np.zeros((5, 2), dtype=bool)
     explained[3, 0], given[put] = False, True
-    table = SimpleNamespace(key=SimpleNamespace(coordinates=("p",)), spoken=np.ones((5, 2), dtype=bool), _rows=np.arange(5))
+    table = SimpleNamespace(key=SimpleNamespace(coordinates=("p",), m=1), spoken=np.ones((5, 2), dtype=bool), _rows=np.arange(5))
     assert np.flatnonzero(Explained._beside_put(table, given, explained)).tolist() == rows
 
 
@@ -210,6 +210,6 @@ def test_what_was_made_from_cells_put_right_counts_whether_few_or_most_of_their_
     by_key[:count, 0] = True
     explained = shown.copy()
     explained[: count + 1, 1] = False
-    table = SimpleNamespace(key=SimpleNamespace(coordinates=("p",)), _rows=np.arange(8), spoken=shown, by_key=by_key)
+    table = SimpleNamespace(key=SimpleNamespace(coordinates=("p",), m=1), _rows=np.arange(8), spoken=shown, by_key=by_key)
     table._beside_put = partial(Explained._beside_put, table)
     assert (Explained._as_before(table, explained & ~by_key, explained) == ~explained).all()

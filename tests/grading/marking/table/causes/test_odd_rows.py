@@ -95,8 +95,7 @@ def test_an_angle_begins_mirrored_within_the_last_digit_of_the_start_s_negative(
     first: float, is_mirrored: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(clockwise, "_angular", lambda key: np.array([True]))
-    key = SimpleNamespace(table=np.array([[0.4]]))
-    key.coordinates = ("q",)
+    key = SimpleNamespace(table=np.array([[0.4]]), m=1)
     assert clockwise._begins_mirrored(key, StudentTable(np.array([[first]]), np.array([[0.01]]))) == is_mirrored
     key.table = np.array([[0.004]])  # its own negative but for a digit
     assert not clockwise._begins_mirrored(key, StudentTable(np.array([[-0.004]]), np.array([[0.01]])))
@@ -112,7 +111,7 @@ def test_a_start_is_another_by_more_than_its_rounding(
     monkeypatch.setattr(starts, "_marked_from", lambda key, cells, start, least: SimpleNamespace(marks=np.zeros((1, 1))))
     monkeypatch.setattr(starts, "_told_by_velocities", lambda key, cells: iter(()))
     monkeypatch.setattr(starts, "_stepped_back", lambda key, cells: None)
-    key = SimpleNamespace(coordinates=("q",), table=np.array([[3.0]]), told_to=0.0, stride=0.02)
+    key = SimpleNamespace(coordinates=("q",), m=1, table=np.array([[3.0]]), told_to=0.0, stride=0.02)
     table = StudentTable(np.array([[3.0 + 0.1 * off]]), np.array([[0.1]]))
     student = table if before is None else StudentTable(np.array([[3.0]]), np.array([[0.1]]))
     cells = SimpleNamespace(student=student, before=None if before is None else table, marks=np.zeros((1, 1)))
