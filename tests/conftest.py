@@ -66,19 +66,26 @@ def pytest_pycollect_makeitem(collector: Any, obj: object) -> list[Any] | None:
 def pytest_collection(session: pytest.Session) -> None:
     """Let the first of several processes read the tests alone: what it compiles, others that begin with it would each compile."""
     if getattr(session.config, "workerinput", {}).get("workerid", "gw0") != "gw0":
-        patient_until = time.monotonic() + 120  # s: the first may have died
-        while not have_been_read(session.config).exists() and time.monotonic() < patient_until:
+        patient_until = time.monotonic() + 120  # s: the first may hang
+        have_been_read = of_readers(Path(session.config.option.basetemp).parent)
+        while not have_been_read.exists() and time.monotonic() < patient_until:
             time.sleep(0.1)
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
     if hasattr(session.config, "workerinput"):
-        have_been_read(session.config).touch()
+        of_readers(Path(session.config.option.basetemp).parent).touch()
 
 
-def have_been_read(config: Any) -> Path:
-    """Return the file that is there once a process has read the tests, in the folder that holds those of all processes."""
-    return Path(config.option.basetemp).parent / "tests-have-been-read"
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    """Let nobody wait for a process that died while it read the tests."""
+    of_readers(node.config._tmp_path_factory.getbasetemp()).touch()
+
+
+def of_readers(folder: Path) -> Path:
+    """Return the file that is there once a process has read the tests, in the `folder` that holds those of all processes."""
+    return folder / "tests-have-been-read"
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -87,7 +94,7 @@ def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> 
     if not hasattr(item.config, "workerinput"):
         return None
     reports = runtestprotocol(item, log=False, nextitem=nextitem)
-    passed = all(report.passed for report in reports)
+    passed = all(report.passed for report in reports) and not item.config.option.durations  # of setting up, too
     for report in reports:
         if passed:
             report.keywords = {}

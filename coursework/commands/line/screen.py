@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 _TIED = "\ue00e"
 _UNIT = r"(?:%|(?:m|mm|rad|м|мм|рад)(?:/[sс]²?)?|[sсNНJ]|Дж)(?!\w)"
-_BESIDE_NUMBER = re.compile(rf"(?<=\S) (?=[-−]?\d|[=<] )|(?<=[=<]) |(?<=\d) (?={_UNIT})")  # gaps at which no line is broken
+_BESIDE_NUMBER = re.compile(rf"(?<=\S) (?=[-−]?\d|[=<−—] )|(?<=[=<]) |(?<=\d) (?={_UNIT})")  # gaps at which no line is broken
 _SPOKEN: ContextVar[str] = ContextVar("language", default=ENGLISH)
 
 

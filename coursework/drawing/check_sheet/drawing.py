@@ -24,9 +24,11 @@ from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import AXIS, BOLD, ITALIC, Sheet, Word, inside, plain
 from coursework.drawing.paper.symbols import decimal, lowered_name, name_word, powers, short
 from coursework.drawing.plans.foot import draw_foot
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 VELOCITY = 'stroke="black" stroke-width="0.4"'
+MOST_DECIMALS = 6
 READ = 1e4  # 1/m: off a drawing 1:1 a position is read to 0.1 mm
 FAR = 12.0  # mm of covered lines: price of a far centre's name where it could be taken for another's
 MISTAKEN = 8.0  # mm of covered lines: the same price for any other name
@@ -65,6 +67,12 @@ def _seen(sketch: Sketch, findings: Findings) -> str:
     moving = {name: abs(v) for name, v in findings.velocities.items() if name in sketch.moving}
     fastest = max(moving, key=lambda name: moving[name], default="")
     return say("graph.fastest", point=fastest, speed=moving[fastest]) if fastest else ""
+
+
+def place(at: complex, decimals: int) -> Sentence:
+    """Return the coordinates of a place (m) with so many decimals, with a power of ten where nobody would count them."""
+    x, y = (round(part, decimals) + 0.0 for part in (at.real, at.imag))
+    return say("drawing.place" if decimals <= MOST_DECIMALS else "drawing.tiny_place", x=x, y=y)
 
 
 class _Drawing:
@@ -135,9 +143,9 @@ class _Drawing:
                 places.append((part[1] - 6 * along, self.middle - part[1], 1.4))
                 arrows.append((part[1] - 8 * along, part[1]))
         decimals = max(0, math.ceil(math.log10(READ / layout.scale) - 1e-9))
-        where = say("drawing.place", x=round(centre.at.real, decimals) + 0.0, y=round(centre.at.imag, decimals) + 0.0)
         if places:
-            self.far.append(((self.letter, short(link), self.written(where).replace("-", "−")), places, arrows))
+            where = powers(self.written(place(centre.at, decimals))).replace("-", "−")
+            self.far.append(((self.letter, short(link), where), places, arrows))
 
     def marked(self, at: complex, word: Word) -> None:
         """Mark a place of the sheet (mm) with a cross and its name."""

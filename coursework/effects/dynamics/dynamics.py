@@ -35,7 +35,7 @@ MOST_STEPS = 3000  # largest number of steps between two rows; only very steep f
 _LEAST = 1e-11  # share of the whole time: smaller steps are not taken
 _ALONE = ((0, 1),)  # the first slope alone
 _LOOKS = 1000  # number of times at which it is tested whether friction still holds
-_RUNAWAY = 1e9  # rad, m, rad/s or m/s: larger values are treated as not finite
+_RUNAWAY = 1e9  # rad or sizes of the mechanism, and that a second: larger values are treated as not finite
 
 
 @dataclass(slots=True)
@@ -224,7 +224,7 @@ class Dynamics:
 
     def _march(self, state: Sequence[float], step: float, steps: int, take: Take) -> FreeMotion:
         count, now, self.count, self._lost = len(self.motion.free), list(state), 0, ()
-        positions, rates, ended, at, by = [], [], "", 0.0, ""
+        positions, rates, ended, at, by, most = [], [], "", 0.0, "", _RUNAWAY * self.motion.size
         for row in range(steps + 1):
             t = row * step
             try:
@@ -236,7 +236,7 @@ class Dynamics:
                     self._first = (t, *self.q, *now[count:])
                 if row < steps:
                     now = take(t, now)
-                if not (math.isfinite(sum(now)) and max(now) < _RUNAWAY and min(now) > -_RUNAWAY):
+                if not (math.isfinite(sum(now)) and max(now) < most and min(now) > -most):
                     raise OverflowError
             except (Open, ZeroDivisionError) as error:
                 ended = error.kind if isinstance(error, Open) else "dead point" if self.motion.others else "too steep"

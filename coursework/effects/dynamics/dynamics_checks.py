@@ -135,7 +135,7 @@ def _areas(values: Array, t: Array) -> Array:
 def _energy(e: Evidence) -> Finding:
     (left, exchanged), (unseen, given) = remainder(e.own), remainder(e.exact)
     if len(left) < 2:
-        return skipped(say("check.no_row"))
+        return skipped(say("check.ENERGY.open", row=len(left) + 1) if e.own.rows.count > len(left) else say("check.no_row"))
     moving, stored = (float(np.abs(energy).max()) for energy in (e.exact.energy.kinetic, e.exact.energy.potential))
     if max(exchanged, given) <= _ROUND_OFF * (moving + stored):
         return skipped(say("check.ENERGY.rest" if moving <= _ROUND_OFF * stored else "check.forces.none"))

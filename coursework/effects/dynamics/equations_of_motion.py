@@ -22,7 +22,8 @@ class EquationsOfMotion:
     `slope(t, *q, *v)` -> free accelerations, then the rates of the others; `newton(t, *q, *kept)` -> corrections of the others,
     with `kept` the values that positions keep; `table(t, *q, *v)` over arrays -> velocities, their derivatives, kinetic and
     potential energy, determinants (`determinants` of them).  `rubbing` is the friction contained in both.  `sizes` are large
-    corrections of the others (1 rad, m of the mechanism).  `breaks` are the times (s) at which a force changes its formula;
+    corrections of the others (1 rad, m of the mechanism), `size` what large numbers are large beside: 1, or a larger length (m)
+    where lengths are free.  `breaks` are the times (s) at which a force changes its formula;
     `acting` the edges (s) of stretches of time in each of which the forces vary little.
     """
 
@@ -35,6 +36,7 @@ class EquationsOfMotion:
     determinants: int
     rubbing: Rubbing | None = None
     sizes: tuple[float, ...] = ()
+    size: float = 1.0
     breaks: tuple[float, ...] = ()
     acting: Array | None = None
 

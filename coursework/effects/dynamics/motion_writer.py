@@ -96,9 +96,10 @@ class MotionWriter:
         newton = self.compiled(
             "newton", [*blocks], deltas, [*self.arguments[: -len(free)], *(f"_kept{k}" for k in range(len(kept)))]
         )
-        sizes = tuple(1.0 if variant.coordinates[place].unit == "rad" else largest_length(variant) for place in others)
+        units = [1.0 if one.unit == "rad" else largest_length(variant) for one in variant.coordinates]
+        sizes, size = tuple(units[place] for place in others), max(1.0, *(units[place] for place in free))
         return EquationsOfMotion(
-            free, others, slope, newton, kept, self._table(common), len(self.reduction.blocks), sizes=sizes,
+            free, others, slope, newton, kept, self._table(common), len(self.reduction.blocks), sizes=sizes, size=size,
             breaks=breaks(variant), acting=resolution(self.equations).edges,
         )  # fmt: skip
 

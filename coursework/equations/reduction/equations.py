@@ -11,6 +11,8 @@ from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TypeVar, cast
 
+import numpy as np
+
 from coursework.equations.algebra.calculus import without_denominators
 from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression, add
 from coursework.equations.codegen.tabulated import TableLaw
@@ -18,10 +20,11 @@ from coursework.equations.reduction.bound import STILL, Geometry, Speed, rate_of
 from coursework.equations.reduction.symbolic import Symbols, placed, symbol
 from coursework.equations.reduction.tidying.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.arrays import Array
 from coursework.system.frozen import frozen, single
 from coursework.variant.formula.made import with_sign
 from coursework.variant.formula.tree import Formula, FormulaFault, on_axes, spelled
-from coursework.variant.record.held import closed_loops, followed, unit_of
+from coursework.variant.record.held import closed_loops, followed, largest_length, unit_of
 from coursework.variant.record.variant import Constraint, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -97,6 +100,12 @@ class VelocityEquations:
     geometry: Geometry
     bound: tuple[VelocityEquation, ...]
     facts: dict[Hashable, object] = field(default_factory=dict, repr=False)
+
+    @property
+    def speed_units(self) -> Array:
+        """Return what counts as 1 of each unknown (k,): 1 rad/s, or the size of the mechanism in a second."""
+        size = largest_length(self.variant)
+        return np.array([size if self.variant.unit_of(name).startswith("m") else 1.0 for name in self.unknowns])
 
     def once(self, key: Hashable, find: Callable[[], Fact]) -> Fact:
         """Return a fact that does not depend on the data; it is computed at the first call."""

@@ -26,6 +26,7 @@ from coursework.words.sentences import joined, say, say_count
 DEPENDENT = 1e-9
 # A smaller relative difference is a repetition; a larger one was written in the file.
 EXACTLY = 1e-14
+_ZERO = 1e-12
 _MISSING = "fault.V404"
 _MOST_CONDITION = 1e15
 
@@ -50,12 +51,13 @@ def choose(
     base = matrix if len(independent_rows(matrix)) == len(independent_rows(generic)) else generic
     kept = independent_rows(base)
     names = [equation.name for equation in listed]
-    sames, conflicts = _judge_dropped(matrix, right, kept, names)
+    size = float(np.abs(matrix * equations.speed_units).max(initial=0.0))
+    sames, conflicts = _judge_dropped(matrix, right, kept, names, size)
     if conflicts:
         # What follows from the geometry cannot be corrected: so of contradicting equations the written one is reported.
         order = sorted(range(len(listed)), key=lambda place: listed[place].written is not None)
         kept = [order[place] for place in independent_rows(base[order])]
-        sames, conflicts = _judge_dropped(matrix, right, kept, names)
+        sames, conflicts = _judge_dropped(matrix, right, kept, names, size)
     if len(kept) < len(equations.unknowns) and (nearly := _nearly(base, kept, names)):
         raise InputError([_too_near(equations, nearly, base)])
     if len(kept) == len(equations.unknowns) and (names_tied := _tied(equations, start, matrix, kept)):
@@ -75,8 +77,8 @@ def _tied(equations: VelocityEquations, start: Sequence[float], matrix: Array, k
         return ()
     slopes = [derivative(one.right_side, symbol(rate)) for one in equations.equations for rate in rates]
     right = np.array(compile_values(equations, slopes)[0](0.0, *start), dtype=float).reshape(-1, len(rates))
-    names = [equation.name for equation in equations.equations]
-    tied = [rate for rate, column in zip(rates, right.T, strict=True) if _judge_dropped(matrix, column, kept, names)[1]]
+    names, size = [equation.name for equation in equations.equations], float(np.abs(matrix * equations.speed_units).max())
+    tied = [rate for rate, column in zip(rates, right.T, strict=True) if _judge_dropped(matrix, column, kept, names, size)[1]]
     return tuple(tied)
 
 
@@ -111,15 +113,18 @@ def _left_out(matrix: Array, kept: list[int], names: list[str]) -> Iterator[tupl
 
 
 def _judge_dropped(
-    matrix: Array, right: Array, kept: list[int], names: list[str]
+    matrix: Array, right: Array, kept: list[int], names: list[str], size: float
 ) -> tuple[list[tuple[str, list[str]]], list[tuple[str, list[str], float]]]:
-    """Return, for the rows left out, (name, names it repeats) and (name, names it contradicts, difference)."""
+    """Return, for the rows left out, (name, names it repeats) and (name, names it contradicts, difference).
+
+    `size` is that of the largest term for velocities of 1 rad/s: sides that are zero but for its round-off are equal.
+    """
     sames: list[tuple[str, list[str]]] = []
     conflicts: list[tuple[str, list[str], float]] = []
     for index, weights, involved in _left_out(matrix, kept, names):
         gap = float(right[index] - weights @ right[kept])
         scale = abs(right[index]) + float(np.abs(weights) @ np.abs(right[kept]))
-        if abs(gap) > DEPENDENT * max(scale, 1e-300) and abs(gap) > 1e-12:
+        if abs(gap) > DEPENDENT * max(scale, 1e-300) and abs(gap) > _ZERO * size:
             conflicts.append((names[index], involved, gap))
         else:
             sames.append((names[index], involved))

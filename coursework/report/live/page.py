@@ -48,8 +48,8 @@ _LABORATORY = (
     "stop_watch", "laboratory", "animation",
 )  # fmt: skip
 _RECORDED = ("recorded_motion", "page", "drawing", "names", "additions", "cursors", "animation")
-# Places of a slider and points per step at which the drive is evaluated, and the error allowed in its travel per step (rad or m):
-# a kink causes as much, a pulse far more.
+# Places of a slider and points per step at which the drive is evaluated, and the error allowed in its travel per step (rad or
+# share of the largest length): a kink causes as much, a pulse far more.
 _PLACES, _POINTS, _OPEN = 5, 2, 1e-4
 _ROUNDING = 1e-12
 

@@ -198,11 +198,11 @@ def unit_of(formula: Formula, variant: Variant) -> str:
     within = (inner for node in formula.walk() if node.op in {"*", "/", "^", "call"} for arg in node.args for inner in arg.walk())
     if has_parts and all(inner.op != "part" for inner in within):
         return "m"
-    laws = {law.name: law for law in variant.laws}
+    laws, size = {law.name: law for law in variant.laws}, largest_length(variant)
 
     def value(factor: float) -> float:
         values: dict[str, complex] = {"t": 0.37, "pi": math.pi}
-        values |= {g.name: g.value * (factor if g.si == "m" else 1.0) for g in variant.given}
+        values |= {g.name: g.value * (factor / size if g.si == "m" else 1.0) for g in variant.given}
         values |= {name: factor if unit == "m/s" else 1.0 for name, unit in variant.unknowns}
         for place, coordinate in enumerate(variant.coordinates):
             scale = factor if coordinate.unit == "m" else 1.0
@@ -212,7 +212,7 @@ def unit_of(formula: Formula, variant: Variant) -> str:
                 values[name] = evaluate_any(where, values)
         for name, law in laws.items():
             if law.formula is None:
-                values[name] = factor
+                values.setdefault(name, factor)
             elif values.keys() >= {*law.formula.names()}:
                 values[name] = evaluate_any(law.formula, values)
         return evaluate_any(formula, values).real

@@ -130,6 +130,8 @@ def test_a_variant_called_as_its_file_is_named_once_and_a_step_without_an_end_ha
     ("the largest error is 43.1 % of its scale", ["the largest error", "is 43.1 % of its scale"]),
     ("it begins at rest, with h = 0.02 s, and turns", ["it begins at rest, with", "h = 0.02 s, and turns"]),
     ("наибольшая скорость 1,5 рад/с у звена", ["наибольшая", "скорость 1,5 рад/с у", "звена"]),
+    ("степень подвижности W = 3·4 − 2·5 = 2", ["степень подвижности", "W = 3·4 − 2·5 = 2"]),
+    ("координата phi2 равна пи — а не нулю", ["координата phi2 равна", "пи — а не нулю"]),
 ])  # fmt: skip
 def test_a_number_keeps_its_unit_and_its_letter(monkeypatch, capsys, text, lines):
     monkeypatch.setattr("shutil.get_terminal_size", lambda: os.terminal_size((26, 24)))

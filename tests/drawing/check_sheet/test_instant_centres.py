@@ -9,8 +9,11 @@ from dataclasses import replace
 import pytest
 
 from coursework import load, parse_variant, solve
+from coursework.drawing.check_sheet.drawing import place
 from coursework.drawing.check_sheet.instant_centres import Centre, construct
 from coursework.drawing.check_sheet.sketch import Body
+from coursework.drawing.paper.symbols import powers
+from coursework.words.sentences import load_phrases
 from tests.drawing.check_sheet.checked import scene
 from tests.report.own import BOOM
 
@@ -141,3 +144,10 @@ def test_a_centre_farther_away_than_a_hundred_times_the_mechanism_is_at_infinity
     found = construct(scene({"A": 0j, "B": size + 0j}, [body], velocities={"A": 3j, "B": 3j * (1 - 1 / times)}))
     assert found.centres["1"].at == (pytest.approx(times * size) if is_told else None)
     assert found.omegas["1"] == pytest.approx(-3 / times / size)
+
+
+def test_a_place_in_micrometres_is_written_with_a_power_of_ten() -> None:
+    """Variant 31 a million times smaller: nobody counts the zeros of -0.000000891 m."""
+    at = 3.14e-9 - 8.912e-7j
+    assert powers(load_phrases("ru").written(place(at, 9))) == " (3·10⁻⁹; -8,91·10⁻⁷) м"
+    assert str(place(1e6 * at, 3)) == " (0.003; -0.891) m" and str(place(at, 6)) == " (0; -0.000001) m"

@@ -46,9 +46,24 @@ def test_what_energy_is_told_to_be_made_or_lost(left, exchanged, unseen, given, 
     pairs = {"own": (np.array(left, dtype=float), exchanged), "exact": (np.array(unseen, dtype=float), given)}
     monkeypatch.setattr(dynamics_checks, "remainder", lambda of: pairs[of.name])
     energy = SimpleNamespace(kinetic=np.array([0.0, 2.0]), potential=np.array([-3.0, 1.0]))
-    found = _energy(SimpleNamespace(own=SimpleNamespace(name="own"), exact=SimpleNamespace(name="exact", energy=energy)))
+    found = _energy(
+        SimpleNamespace(
+            own=SimpleNamespace(name="own", rows=SimpleNamespace(count=len(left))),
+            exact=SimpleNamespace(name="exact", energy=energy),
+        )
+    )
     assert (found.verdict, found.sentence.key) == (verdict, f"check.{key}")
     assert {name: found.sentence.values[name] for name in told} == pytest.approx(told)
+
+
+@pytest.mark.parametrize(
+    ("known", "rows", "key"), [(0, 0, "no_row"), (1, 1, "no_row"), (0, 3, "ENERGY.open"), (1, 3, "ENERGY.open")]
+)
+def test_rows_that_are_there_but_have_no_power_are_not_called_missing(known, rows, key, monkeypatch):
+    monkeypatch.setattr(dynamics_checks, "remainder", lambda _: (np.zeros(known), 0.0))
+    found = _energy(SimpleNamespace(own=SimpleNamespace(rows=SimpleNamespace(count=rows)), exact=None))
+    assert (found.verdict, found.sentence.key) == ("SKIP", f"check.{key}")
+    assert key == "no_row" or f"In row {known + 1} the power" in str(found.sentence)
 
 
 @pytest.mark.parametrize(("moving", "key"), [(2.9e-12, "ENERGY.rest"), (3.1e-12, "forces.none")])

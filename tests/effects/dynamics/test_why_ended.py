@@ -141,6 +141,17 @@ rates = ["v"]
 
 
 @pytest.mark.parametrize("scheme", ["exact", "rk4"])
+def test_a_block_that_swings_as_far_as_its_mechanism_is_long_does_not_go_off_the_scale(scheme):
+    """x = X cos(w t) at 3e9 m/s."""
+    text = BLOCK.replace("[given]", '[given]\nX = "1e7 m"').replace("0.01 m", "1e7 m").replace('"0.1 s"', '"0.02 s"')
+    motion = coursework.solve(coursework.parse_variant(text), scheme=scheme).motion
+    assert len(motion.t) == 41
+    assert motion.column("x") == pytest.approx(
+        1e7 * np.cos(math.sqrt(1e5) * motion.t), abs=1e-12 * 1e7 if scheme == "exact" else 1e3
+    )
+
+
+@pytest.mark.parametrize("scheme", ["exact", "rk4"])
 def test_a_spring_of_the_wrong_sign_is_told_not_to_need_a_shorter_step(scheme):
     """x = x0 cosh(w t), w^2 = k/m; the scale ends at 1e9 m/s."""
     stop = coursework.solve(coursework.parse_variant(BLOCK.replace("-k*x", "k*x")), scheme=scheme).stop

@@ -19,7 +19,9 @@ def test_a_row_of_which_a_billionth_is_left_depends_on_those_before(part, kept):
     [((1, 1 + 1.8e-9), False), ((1, 1 + 2.2e-9), True), ((1, 1 - 2.2e-9), True), ((0, 0.9e-12), False), ((0, 1.1e-12), True)],
 )
 def test_a_right_side_contradicts_by_more_than_a_billionth_of_both(right, contradicts):
-    sames, conflicts = _judge_dropped(np.ones((2, 1)), np.array(right, dtype=float), [0], ["1", "2"])
+    for size in (1e-6, 1e7):
+        sames, conflicts = _judge_dropped(size * np.ones((2, 1)), size * np.array(right, dtype=float), [0], ["1", "2"], size)
+        assert bool(conflicts) is contradicts
     assert [name for name, *_ in conflicts] == (["2"] if contradicts else [])
     assert sames == ([] if contradicts else [("2", ["1"])])
 

@@ -154,6 +154,17 @@ def test_a_stretch_is_looked_at_in_each_piece_of_its_law(fast, is_seen):
     assert resolved(found.equations, values, np.array([0.0, 0.12])).all() == is_seen
 
 
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e7])
+def test_what_a_drive_along_a_line_does_unseen_is_a_share_of_the_size(size):
+    """A slider swings there and back by a sixth of its rod, between a few times or many."""
+    lengths = {name: f"{part * size!r} m" for name, part in (("r", 0.1), ("l", 0.3), ("a", 0.05))}
+    text = mechanism("driven-slider", ("0.25 m", f"{0.25 * size!r} m"), **lengths)
+    equations = coursework.compile_model(coursework.parse_variant(text)).equations
+    data = {name: np.array([value]) for name, value in equations.variant.values.items()}
+    seen = [resolved(equations, data, np.linspace(0, 1.2, parts + 1), 2, 1e-4).item() for parts in (13, 14)]
+    assert seen == [False, True]
+
+
 @pytest.mark.parametrize("data", [{"V": [1.0, 1.5, 30.0]}, {"late": [0.05, 0.033, 0.06]}])
 @pytest.mark.parametrize("scheme", ["euler", "rk4"])
 def test_a_drive_in_pieces(data, scheme):

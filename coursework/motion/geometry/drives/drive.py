@@ -21,6 +21,7 @@ from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drives.enclosures import Laws
 from coursework.motion.geometry.drives.quadrature import POINTS, WANTED, Resolution, left_open, resolve
 from coursework.system.arrays import Array, Flags, as_columns, distinct
+from coursework.variant.record.held import largest_length, velocities_of_points
 from coursework.variant.record.variant import MAX_ROWS, Law, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -135,12 +136,14 @@ def resolved(
 ) -> Flags:
     """Return for which data sets the quadrature rule sees all that the drives do between `times` (k,).
 
-    `data` holds one column (n,) per name.  `wanted` is the largest error (rad or m) allowed for a rule of `points` between two
-    times.
+    `data` holds one column (n,) per name.  `wanted` is the largest error (rad or share of the largest length) allowed for a rule
+    of `points` between two times.
     """
+    variant = equations.variant
+    straight = {one.rate for one in variant.coordinates if one.unit == "m"} | velocities_of_points(variant).keys()
     sets = max(map(len, data.values()), default=1)
     seen = np.ones(sets, dtype=bool)
-    moving = _moving(equations, _laws(equations, equations.variant.values))
+    moving = _moving(equations, _laws(equations, variant.values))
     inner = _joints(equations)
     edges = distinct(times, inner[(inner > times[0]) & (inner < times[-1])])
     for first in range(0, sets if moving else 0, some := max(1, _MOST_CELLS // len(edges))):
@@ -149,7 +152,8 @@ def resolved(
         laws = _laws(equations, columns)
         for name in moving:
             open_ = left_open(laws.over(name, edges[:-1], edges[1:]), np.diff(edges) / 2, points)
-            seen[part] &= np.all(open_ <= wanted, axis=-1)
+            allowed = wanted * (largest_length(variant) if name in straight else 1.0)
+            seen[part] &= np.all(open_ <= allowed, axis=-1)
     return seen
 
 

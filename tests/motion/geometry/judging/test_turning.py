@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.geometry.judging.misfits import misfits
 from coursework.motion.geometry.judging.turning import _of_link, said_otherwise
 from coursework.variant.reading.reader import parse_variant
 from tests.mechanisms.library import changed, mechanism
@@ -216,3 +217,14 @@ def test_a_rate_may_be_off_by_a_millionth_of_the_largest(largest, found, named, 
     fault = _of_link(SimpleNamespace(link="2", rate="w2"), closure, np.arange(3.0), *rates, largest, of)
     said = fault and (fault.message.key.rpartition(".")[2], fault.message.values["found"])
     assert said == (told and (told[0], pytest.approx(largest * told[1], rel=1e-12)))
+
+
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e7])
+@pytest.mark.parametrize(("turns", "moves", "unfit"), [("-(w1", "-", ()), ("(w1", "-", ("1",)), ("-(w1", "", ("2",))])
+def test_a_sign_is_told_beside_equations_of_another_unit_at_any_size(size, turns, moves, unfit):
+    """The centre of the planet moves at v = -R wc sin(pc): of metres a second, beside radians, that is little or all there is."""
+    text = TRAIN.replace("= -(w1", f"= {turns}").replace("3 mm", f"{size!r} m").replace(
+        "[time]", '[unknowns]\nv = { unit = "m/s", of = "P", along = "0 deg" }\n[time]'
+    ).replace("[points]", f'[[constraint]]\nequation = "v = {moves}m*(z1 + z2)/2*wc*sin(pc)"\n[points]')  # fmt: skip
+    run = coursework.solve(coursework.parse_variant(text), "rk4")
+    assert misfits(run.scene.equations, run.motion.t, run.motion.coordinates) == ((), unfit)
