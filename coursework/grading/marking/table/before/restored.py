@@ -14,16 +14,27 @@ a row that was never put into the pool.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
 from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.table.before.guesses import FEW, Counts, guesses, makers_of_several
 from coursework.grading.marking.table.before.made import as_it_was, beside_makers
-from coursework.grading.marking.table.ways import HALF, OwnWays, StudentTable, Way, as_printed, near, own_ways, ways_of_all
+from coursework.grading.marking.table.ways import (
+    HALF,
+    OwnWays,
+    Places,
+    StudentTable,
+    Way,
+    as_printed,
+    near,
+    own_ways,
+    ways_of_all,
+)
 from coursework.system.arrays import Flags
 from coursework.system.frozen import frozen
 
@@ -127,40 +138,61 @@ class _Search:
             return ways_of_all(self.key, tables, self.own.coarse) if tables else []
         return [self.own if tables[0] is self.student else own_ways(self.key, tables[0], self.own.coarse)]
 
-    def _costs(self, pool: Sequence[_Was], *, velocities_first: bool = False) -> tuple[Counts, Counts]:
-        """Return what each row of each table in the `pool` costs: its velocities (k, n), and its coordinates (k, k, n).
+    def _costs(
+        self, pool: Sequence[_Was], *, velocities_first: bool = False
+    ) -> tuple[Counts, Callable[[Places, Places, Places], Counts]]:
+        """Return what the velocities in each row of each table in the `pool` cost (k, n), and a function for the coordinates.
 
-        Coordinates are made from the row above of the first table, in the row of the second one. Of equally many cells the
-        velocities may cost a little more: the gates of the points look at rows with all of them right.
+        It takes two tables and a row, (p,) each: coordinates are made from the row above of the first, in the row of the second
+        one. Of equally many cells the velocities may cost a little more: the gates of the points look at rows with all of them
+        right.
         """
         m, width = self.key.m, self.wrong.shape[1]
-        values, other, held, slips = (
-            np.array(one) for one in zip(*((was.table.values, was.other, was.held, was.slips) for was in pool), strict=True)
+        values, units, other, held, slips = (
+            np.array(one)
+            for one in zip(*((was.table.values, was.table.units, was.other, was.held, was.slips) for was in pool), strict=True)
         )
         broken = (1 + width) * ((self.wrong | self.sure) & ~held) + velocities_first * (self.wrong & ~held)
         here = broken[:, :, m:].sum(axis=2) + (1 + width) * slips[:, :, m:].sum(axis=2)
-        digits = np.array([was.table.units[:, :m] for was in pool])
-        own_digits = HALF * (digits - digits[:, None])  # of the second table's row, not of the first one's
-        follows = np.zeros(own_digits.shape, dtype=bool)
-        for place in (2, 3):
-            steps = [was.ways.tried[place] for was in pool]
-            expected, open_by = (np.array([getattr(one, name)[:, :m] for one in steps]) for name in ("expected", "tolerance"))
-            follows |= near(values[None, :, :, :m], expected[:, None], open_by[:, None] + own_digits)
-        between = (1 + width) * (broken[:, None, :, :m] > 0).sum(axis=3) + (1 + width) * (other[:, :, :m] & ~follows).sum(axis=3)
+        steps = [[was.ways.tried[place] for was in pool] for place in (2, 3)]
+        made = [(np.array([one.expected for one in step]), np.array([one.tolerance for one in step])) for step in steps]
+
+        def between(above: Places, below: Places, row: Places) -> Counts:
+            first, second = (above, row, slice(m)), (below, row, slice(m))
+            own_digits = HALF * (units[second] - units[first])  # of the second table's row, not of the first one's
+            follows = [near(values[second], expected[first], open_by[first] + own_digits) for expected, open_by in made]
+            lost = (broken[first] > 0).sum(axis=1) + (other[second] & ~np.logical_or(*follows)).sum(axis=1)
+            return np.asarray((1 + width) * lost)
+
         return here, between
 
     def cheapest(self, pool: Sequence[_Was], *, velocities_first: bool = False) -> tuple[_Was, int]:
         """Return the table that takes each row from any in the `pool` and costs least, and its cost; the first ones if equal."""
-        rows, (here, between) = self._rows, self._costs(pool, velocities_first=velocities_first)
-        cost, taken = here[:, rows[0]] + between[0, :, rows[0]], []
-        for row in rows[1:]:
-            via = cost[:, None] + between[:, :, row]
+        here, between = self._costs(pool, velocities_first=velocities_first)
+        joints = [*pairwise([np.zeros(1, dtype=int), *self._differing(pool)])]
+        pairs = [
+            (np.repeat(above, len(below)), np.tile(below, len(above)), np.full(len(above) * len(below), row))
+            for (above, below), row in zip(joints, self._rows, strict=True)
+        ]
+        costs = np.split(between(*map(np.concatenate, zip(*pairs, strict=True))), np.cumsum([len(one) for one, *_ in pairs])[:-1])
+        cost, taken = np.zeros(1, dtype=int), []
+        for (above, below), row, joint in zip(joints, self._rows, costs, strict=True):
+            via = cost[:, None] + joint.reshape(len(above), len(below))
             taken.append(via.argmin(axis=0))
-            cost = via.min(axis=0) + here[:, row]
-        chosen = [int(cost.argmin())]
-        for came in reversed(taken):
-            chosen.append(int(came[chosen[-1]]))
+            cost = via.min(axis=0) + here[below, row]
+        place, chosen = int(cost.argmin()), []
+        for (_, below), came in zip(reversed(joints), reversed(taken), strict=True):
+            chosen.append(int(below[place]))
+            place = int(came[place])
         return self._joined(pool, chosen[::-1]), int(cost.min())
+
+    def _differing(self, pool: Sequence[_Was]) -> list[Places]:
+        """Return for each row the first tables of the `pool` with its numbers: guesses differ from each other in few rows."""
+        rows, tables = self._rows, [was.table for was in pool]
+        digits_below = np.s_[[*rows[1:], rows[-1]], : self.key.m]
+        cells = [np.hstack([table.values[rows], table.units[rows], table.units[digits_below]]) for table in tables]
+        alike = ({cells[place][row].tobytes(): place for place in reversed(range(len(pool)))} for row in range(len(rows)))
+        return [np.array(sorted(first.values())) for first in alike]
 
     @cached_property
     def _rows(self) -> list[int]:
@@ -192,7 +224,8 @@ class _Search:
     def _of_makers(self, was: _Was) -> Counts:
         """Return what is lost (n,) in what each row makes: its velocities and the coordinates of the next row."""
         here, between = self._costs([was])
-        return np.asarray(here[0] + np.append(between[0, 0, 1:], 0))
+        every = np.arange(len(here[0]))
+        return np.asarray(here[0] + np.append(between(0 * every, 0 * every, every)[1:], 0))
 
     def guessed(self, last: _Was, told: Flags) -> Iterator[_Was]:
         """Yield guesses of what cells were, beside the table as found, as printed, and with misprints recomputed.

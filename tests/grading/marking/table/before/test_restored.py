@@ -1,6 +1,7 @@
 """The search itself: of all tables that take each row from one of a pool, the one with the fewest slips is found."""
 
 from itertools import product
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -66,3 +67,17 @@ def test_a_table_with_the_same_numbers_is_looked_at_once(monkeypatch):
     looked = _Search(SIMPLE, student, flags(), flags(), flags(), ways_of(SIMPLE, STRAIGHT))
     assert looked.was(same) is looked.was(student) is not looked.was(coarser)
     assert not looked.was(coarser).other.any() and not looked.was(coarser).slips.any()
+
+
+def test_guesses_are_weighed_only_where_they_differ():
+    """Most guesses change a row or two of a table; the digits of the row below count, as steps are judged by them."""
+    units = np.full(STRAIGHT.shape, UNIT)
+    finer = units.copy()
+    finer[3] /= 10
+    student, own = StudentTable(STRAIGHT, units), ways_of(SIMPLE, STRAIGHT)
+    none = np.zeros(STRAIGHT.shape, dtype=bool)
+    guesses = [STRAIGHT + 0.1 * (np.arange(5) == row)[:, None] for row in (1, 1, 4)]
+    pool = [SimpleNamespace(table=StudentTable(one, units)) for one in (STRAIGHT, *guesses)]
+    pool.append(SimpleNamespace(table=StudentTable(STRAIGHT, finer)))
+    differing = _Search(SIMPLE, student, none, none, none, own)._differing(pool)
+    assert [one.tolist() for one in differing] == [[0], [0, 1], [0, 4], [0, 4], [0, 3]]
