@@ -57,4 +57,4 @@ def test_the_steps_of_three_rows_are_judged(rows, held, spoken, judged, monkeypa
     monkeypatch.setattr(verdicts, "euler_steps", lambda *_: (held, spoken))
     values = np.where(np.arange(5)[:, None] < rows, 1.0, np.nan)
     cells = SimpleNamespace(student=SimpleNamespace(values=values))
-    assert verdicts._integration(SimpleNamespace(coordinates=("phi",)), cells) == judged
+    assert verdicts._integration(SimpleNamespace(coordinates=("phi",), m=1), cells) == judged
