@@ -7,7 +7,8 @@ Nothing is computed.  Used by `matrices.py` and `text_lines.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import partial
 from itertools import islice
 
 from coursework.grading.reading.equations.notation.signs import closing, depths
@@ -66,24 +67,29 @@ def with_entries_apart(text: str) -> str:
     for found in reversed([*islice(_ENTRIES.finditer(text), _MOST)]):
         end = closing(text, found.end(), _LONGEST)
         content, said = text[found.end() + 1 : end], rf"(?<![\w.]){found[1]}"
-        cells, behind = vector(content), text[end + 1 :].removeprefix(")" if "(" in found[0] else "")
+        begun = end + 1 + ("(" in found[0] and text.startswith(")", end + 1))
+        cells, behind = vector(content), text[begun:]
         entry = re.compile(said + r" ?[\[(]\s*([0-3])\s*[\])](?!\s*=(?!=))")
         used = {int(index) for index in entry.findall(behind)}
         first = min(used, default=2) and 1
         is_formula = len(cells) in _SIZES and "*" in content and _ALONE.match(text, end + 1)
         if not is_formula or not used or max(used) - first >= len(cells):
             continue
-        named = [f"{found[1]}{axis}" for axis in "xyz_"[: len(cells)]]
-        lines = "\n" * text.count("\n", found.start(), len(text) - len(behind))
-        behind = entry.sub(lambda one, named=named, first=first: named[int(one[1]) - first], behind)  # type: ignore[misc]
+        names = {place: f"{found[1]}{axis}" for place, axis in enumerate("xyz_"[: len(cells)], first)}
+        behind = entry.sub(partial(_named_entry, names), behind)
         is_whole = re.search(rf"{said}(?!\w)", behind) is not None  # it is used as a whole, too
-        told = (one for place, one in enumerate(zip(named, cells, strict=True), first) if place in used or not is_whole)
-        whole = "; ".join(map(" = ".join, told))
+        told = zip(names.items(), cells, strict=True)
+        apart = "; ".join(f"{name} = {cell}" for (place, name), cell in told if place in used or not is_whole)
         if is_whole:
-            text = text[: len(text) - len(text[end + 1 :].removeprefix(")" if "(" in found[0] else ""))] + behind + f"\n{whole}"
+            text = f"{text[:begun]}{behind}\n{apart}"
         else:
-            text = text[: found.start()] + whole + lines + behind
+            lines = "\n" * text.count("\n", found.start(), begun)
+            text = text[: found.start()] + apart + lines + behind
     return text
+
+
+def _named_entry(names: Mapping[int, str], entry: re.Match[str]) -> str:
+    return names[int(entry[1])]
 
 
 def _around(text: str, vector_: re.Match[str]) -> tuple[int, int]:

@@ -94,13 +94,11 @@ def _of_bars(above: str, line: str, below: str) -> str:
     """
     bars = [found.span() for found in _BAR.finditer(line) if "=" in line[: found.start()] and "=" not in above + below]
     for begin, end in reversed(bars):
-        if len(bars) == 1 and all(one[begin:end].strip() for one in (above, below)):
-            return (
-                f"{line[:begin]}(({above.strip()})/({below.strip()})){line[end:]}"  # the bar may be shorter than what it divides
-            )
         upper, lower = above[begin:end].strip(), below[begin:end].strip()
         if not upper or not lower:
             return ""
+        if len(bars) == 1:  # it may be shorter than what it divides
+            upper, lower, above, below = above.strip(), below.strip(), "", ""
         line = f"{line[:begin]}(({upper})/({lower})){line[end:]}"
         above, below = (f"{one[:begin]}{' ' * len(one[begin:end])}{one[end:]}" for one in (above, below))
     return "" if above.strip() or below.strip() else line

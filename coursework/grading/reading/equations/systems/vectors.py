@@ -42,7 +42,7 @@ _SINES = re.compile(
 _SAME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?::?=|<-)\s*\1\s*(?=[;,}\n#%]|//|$)")  # phi1 = phi1
 _DERIVATIVE = re.compile(r"d[a-z]\w*|\w+_?dot|(?:w|v|om|omega|ω)", re.IGNORECASE)
 _BETWEEN = re.compile("[,;]")
-_MOST_LISTS, _MOST_CHARACTERS, _MOST_SINES, _LONGEST = 40, 200_000, 20, 4000
+_MOST_LISTS, _MOST_VECTORS, _MOST_CHARACTERS, _MOST_SINES, _LONGEST = 40, 40, 200_000, 20, 4000
 
 
 def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str:
@@ -61,7 +61,7 @@ def with_entries_named(text: str, variant: Variant, spellings: Spellings) -> str
     order = _order(text, variant, spellings)
     rates = {one.name: one.rate for one in variant.coordinates}
     meant: dict[str, dict[int, str]] = {}
-    for vector, used in uses.items():
+    for vector, used in islice(uses.items(), _MOST_VECTORS):  # for each the whole text is searched
         indices = {int(entry[4]) for entry in used}
         by_use = _by_use(text, vector, used, order, variant)
         is_own = is_zero_based or not all(spellings.angle(f"{vector}{index}") for index in indices)
