@@ -6,7 +6,7 @@ Used by `model.py` and by whoever solves many sets.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -43,6 +43,19 @@ class Data:
         """Return some of the sets."""
         start = self.start[rows]
         return Data(len(start), {name: column[rows] for name, column in self.given.items()}, start, self.changed)
+
+    def with_each(self, changes: Sequence[Mapping[str, float]]) -> Data:
+        """Return a single set once for each of several `changes`, values in SI by name that replace those of the set.
+
+        >>> import coursework
+        >>> coursework.compile_model("31").data().with_each([{}, {"r1": 0.9}]).given["r1"].tolist()
+        [0.953, 0.9]
+        """
+        given = {name: np.repeat(column, len(changes)) for name, column in self.given.items()}
+        for place, changed in enumerate(changes):
+            for name, value in changed.items():
+                given[name][place] = value
+        return Data(len(changes), given, np.repeat(self.start, len(changes), axis=0), tuple(given))
 
     def of(self, index: int, variant: Variant) -> tuple[dict[str, float | str], dict[str, float | str]]:
         """Return the changed data and start values of one set, as `Variant.with_data` takes them."""

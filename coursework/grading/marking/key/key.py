@@ -70,12 +70,7 @@ class Key:
         """Return the velocities (sets, n, r) with each of several `sets` of changed data."""
         if not sets:
             return np.empty((0, len(t), len(self.velocities)))
-        columns = {name: np.full(len(sets), value) for name, value in self._assigned.given.items()}
-        for place, data in enumerate(sets):
-            for name, value in data.items():
-                columns[name][place] = value
-        start = np.repeat(self._assigned.start, len(sets), axis=0)
-        return self.model.rates(t[None], q[None], Data(len(sets), columns, start, tuple(columns)))
+        return self.model.rates(t[None], q[None], self._assigned.with_each(sets))
 
     def block_at(self, block: int, t: Array, q: Array, velocities: Array) -> Array:
         """Return the velocities (n, size) of a block; those of earlier blocks are taken from `velocities` (n, r)."""

@@ -141,19 +141,18 @@ def resolved(
     """
     variant = equations.variant
     straight = {one.rate for one in variant.coordinates if one.unit == "m"} | velocities_of_points(variant).keys()
-    sets = max(map(len, data.values()), default=1)
-    seen = np.ones(sets, dtype=bool)
+    seen = np.ones(max(map(len, data.values()), default=1), dtype=bool)
     moving = _moving(equations, _laws(equations, variant.values))
+    allowed = {name: wanted * (largest_length(variant) if name in straight else 1.0) for name in moving}
     inner = _joints(equations)
     edges = distinct(times, inner[(inner > times[0]) & (inner < times[-1])])
-    for first in range(0, sets if moving else 0, some := max(1, _MOST_CELLS // len(edges))):
+    for first in range(0, len(seen) if moving else 0, some := max(1, _MOST_CELLS // len(edges))):
         part = slice(first, first + some)
         columns = {name: column[part, None] if np.ptp(column[part]) else float(column[first]) for name, column in data.items()}
         laws = _laws(equations, columns)
-        for name in moving:
+        for name, most in allowed.items():
             open_ = left_open(laws.over(name, edges[:-1], edges[1:]), np.diff(edges) / 2, points)
-            allowed = wanted * (largest_length(variant) if name in straight else 1.0)
-            seen[part] &= np.all(open_ <= allowed, axis=-1)
+            seen[part] &= np.all(open_ <= most, axis=-1)
     return seen
 
 
