@@ -6,6 +6,7 @@ Used by `commands/`, `desk/` and `grading/marking/key/`.
 
 from __future__ import annotations
 
+import re
 import warnings
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -142,15 +143,15 @@ def variant_in(text: str, name: str, tables: Mapping[str, bytes]) -> Variant:
 
 
 def step_of(step: float | str | None, variant: Variant) -> float | None:
-    """Return a step in seconds, given as a number, as text with a unit, or as h/N, where h is the step of the file.
+    """Return a step in seconds, given as a number, as text with a unit, or as h/N or 2h/N, where h is the step of the file.
 
     Raises `InputError` for other text; None stays None.
     """
     if not isinstance(step, str):
         return step
-    head, slash, parts = step.partition("/")
-    if slash and head.strip() == "h" and parts.strip().isdecimal() and int(parts) > 0:
-        return variant.time.step / int(parts)
+    part = re.fullmatch(r"\s*(\d{0,9})\s*h\s*/\s*(\d{1,9})\s*", step)
+    if part and int(part[1] or 1) and int(part[2]):
+        return variant.time.step * int(part[1] or 1) / int(part[2])
     found = seconds(step)
     if isinstance(found, str):
         raise InputError(say("fault.C031", text=step, hint=say("hint.point") if "," in step else ""))

@@ -77,7 +77,7 @@ def draw_start(
     angles = say(f"drawing.mechanism.{turned}") if "data-angle" in svg else ""
     told = {"scale": board.scale_text, "driven": _driven_words(outline, equations.variant), "angles": angles}
     caption = say("drawing.mechanism.later", row=row + 1, time=time, **told) if row else say("drawing.mechanism.caption", **told)
-    alt = say("drawing.mechanism.alt_later", row=row + 1) if row else say("drawing.mechanism.alt")
+    alt = say("drawing.mechanism.alt_later" if row else "drawing.mechanism.alt", row=row + 1, links=outline.links)
     return Drawing("mechanism", svg, board.width, board.height, caption, alt)
 
 

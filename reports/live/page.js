@@ -31,7 +31,7 @@ const shown = (value, digits) => {
 };
 // The same without zeros at the end.
 /** @type {(value: number, digits: number) => string} */
-const plain = (value, digits) => written(String(Number(value.toPrecision(digits))));
+const plain = (value, digits) => written(String(Number(value.toPrecision(digits))).replace(/e(.+)/, (_, power) => `·10${raised(Number(power))}`));
 // What rounds to nought has no sign.
 /** @type {(value: number, decimals: number) => string} */
 const fixed = (value, decimals) => written(value.toFixed(decimals).replace(/^-(?=0(\.0*)?$)/, ""));

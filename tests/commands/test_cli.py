@@ -80,7 +80,7 @@ def test_a_coarse_step_is_a_failure_only_where_one_asks_for_it():
     assert call("run", "31", "--scheme", "rk4", "--strict", *QUICK).exit_code == 0
 
 
-@pytest.mark.parametrize("step", ["h/18", " h / 18 "])
+@pytest.mark.parametrize("step", ["h/18", " h / 18 ", "2h/36"])
 def test_a_step_may_be_a_part_of_the_files_own(step):
     result = call("run", "31", "--step", step, "--strict", *QUICK)
     assert result.exit_code == 0, result.output

@@ -116,3 +116,11 @@ def test_the_language_of_the_environment_is_that_of_the_template(monkeypatch):
     monkeypatch.setenv("COURSEWORK_LANGUAGE", "uk")
     call("new", "mine")
     assert "# найбільша швидкість M\n" in Path("mine.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(("language", "told"), [
+    ("en", "own.toml is written. Next: coursework run own"), ("ru", "own.toml записан. Дальше: coursework run own"),
+    ("uk", "own.toml записано. Далі: coursework run own"), ("zh", "已写出 own.toml。下一步：coursework run own"),
+])  # fmt: skip
+def test_who_has_set_the_data_is_told_what_comes_next(language, told):
+    assert call("new", "own", "--from", "31", "--set", "r1=0.91m", "--language", language).stdout.strip() == told

@@ -19,12 +19,16 @@ WRONG = [
     (lambda: coursework.solve("31", quantities=[1]), "names of quantities"),
     (lambda: coursework.solve("31", quantities=["M.vx"]), "run.points"),
     (lambda: coursework.solve("31", step="20 kg"), "a step in seconds"),
-    *((lambda text=text: coursework.solve("31", step=text), "a step in seconds") for text in ("H/2", "x/2", "h/0", "h/-2")),
+    *(
+        (lambda text=text: coursework.solve("31", step=text), "a step in seconds")
+        for text in ("H/2", "x/2", "h/0", "h/-2", "0h/2")
+    ),
     (lambda: coursework.solve("31", student=5), "student: a text"),
     (lambda: coursework.solve("31", scheme="RK4"), 'mean "rk4"'),
     (lambda: coursework.solve("31", precision="half"), "double or single"),
     (lambda: coursework.solve("31").of("accelerationz"), 'mean "accelerations"'),
     (lambda: coursework.solve("31").plot("w9"), "no column"),
+    (lambda: coursework.solve("31").plot(["w3", "w2"]), 'one by one, not as a list: "w3", "w2".'),
     (lambda: coursework.solve("31").scene.march(0.01, "nope"), "no scheme"),
     (lambda: coursework.solve("31").exact.at(0.481), "outside the motion"),
     (lambda: coursework.solve("31").exact.at(-0.001), "outside the motion"),

@@ -23,7 +23,9 @@ _TOO_MANY = re.compile(r"Got unexpected extra arguments? \((.*)\)\Z", re.DOTALL)
 
 
 def tell_misuse(error: click.ClickException, words: Sequence[str]) -> None:
-    """Print what is wrong with the command line `words`, which may itself choose the language."""
+    """Print what is wrong with the command line `words`, which may itself choose the language; without words, the help."""
+    if isinstance(error, click.exceptions.NoArgsIsHelpError):
+        return error.show()
     try:
         speak(language_of(words))
     except InputError:
@@ -92,7 +94,9 @@ def values_of(words: Sequence[str], option: str) -> list[str]:
 
     >>> values_of(["run", "31", "--language", "ru", "--language=uk"], "--language")
     ['ru', 'uk']
+    >>> values_of([], "--language")
+    []
     """
-    behind = zip(words, [*words[1:], None], strict=True)
+    behind = zip(words, [*words, None][1:], strict=True)
     found = (after if word == option else word.partition("=")[2] for word, after in behind if word.partition("=")[0] == option)
     return [value for value in found if value is not None]

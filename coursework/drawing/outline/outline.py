@@ -103,6 +103,15 @@ class Outline:
         return tuple(name for name, _ in self.points if name in used and not name.startswith("~"))
 
     @property
+    def links(self) -> tuple[str, ...]:
+        """Return the links with their points, as they are told to whom the drawing does not show them: "3 MBC", "4 CP"."""
+        found: dict[str, dict[str, None]] = {}
+        parts = [(bar.link, bar.corners) for bar in self.bars] + [(one.link, (one.centre, one.contact)) for one in self.wheels]
+        for link, names in (*parts, *((block.link, (block.at,)) for block in self.blocks)):
+            found.setdefault(link, {}).update(dict.fromkeys(name for name in names if name in self.names))
+        return tuple(f"{link} {''.join(names)}" for link, names in found.items() if link and names)
+
+    @property
     def shown(self) -> tuple[str, ...]:
         """Return the points whose names are written: those of `names`, and the centres of fixed circles."""
         middles = (track.centre for track in self.tracks if not track.centre.startswith("~"))

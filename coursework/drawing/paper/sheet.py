@@ -163,9 +163,17 @@ class Sheet:
         along = (b - a) / count
         lean = (away / abs(away) - along / abs(along)) * 1.3
         strokes = [(a + (k + 0.5) * along, a + (k + 0.5) * along + lean) for k in range(count)]
-        kept = [(p, q) for p, q in strokes if inside(p, q, self.field)]
-        self.items.append(f'<path d="{_strokes([p for p, _ in kept], lean)}" fill="none" stroke="black" stroke-width="0.15"/>')
-        self.segments += kept
+        self.strokes([(p, q) for p, q in strokes if inside(p, q, self.field)], 'stroke="black" stroke-width="0.15"')
+
+    def strokes(self, lines: Sequence[Segment], pen: str) -> None:
+        """Draw segments as one path, in which each after the first is written from the end of the one before."""
+        part, at, text = 10**DECIMALS, (0, 0), ""
+        for a, b in lines:
+            begin, step = ((round(part * one.real), round(part * one.imag)) for one in (a, b - a))
+            text += f"m{numbers_of((begin[0] - at[0], begin[1] - at[1], *step), DECIMALS)}"
+            at = begin[0] + step[0], begin[1] + step[1]
+        self.items.append(f'<path d="{text}" fill="none" {pen}/>')
+        self.segments += lines
 
     def label(self, word: Word, places: Iterable[Place], look: str = "", *, turn: int = 0, owner: Owner | None = None) -> Place:
         """Write a word beside one of its places, the best ones first, where it covers least; return that place.
@@ -237,16 +245,3 @@ class Sheet:
 
 def _way(points: Sequence[complex]) -> str:
     return way([np.real(points), np.imag(points)], decimals=DECIMALS) if points else "M"
-
-
-def _strokes(begins: Sequence[complex], lean: complex) -> str:
-    """Return the path data of equal strokes; each stroke after the first is written from the end of the one before."""
-    part = 10**DECIMALS
-    stroke = round(part * lean.real), round(part * lean.imag)
-    x = y = 0
-    text = ""
-    for begin in begins:
-        to_x, to_y = round(part * begin.real), round(part * begin.imag)
-        text += f"m{numbers_of((to_x - x, to_y - y, *stroke), DECIMALS)}"
-        x, y = to_x + stroke[0], to_y + stroke[1]
-    return text

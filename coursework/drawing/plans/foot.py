@@ -43,9 +43,8 @@ def draw_foot(sheet: Sheet, scales: Sequence[str], title: str, of_mm: tuple[floa
     sheet.field = (0.0, 0.0, sheet.width, sheet.height)
     sheet.items.append('<g class="paper">')
     sheet.line(complex(left, base), complex(left + BAR, base), BAR_PEN, ' data-bar="100"')
-    for k in range(11):
-        tick = 2.4 if k % 5 == 0 else 1.4
-        sheet.line(complex(left + 10 * k, base), complex(left + 10 * k, base - tick), THIN)
+    marks = [(complex(left + 10 * k, base), 2.4j if k % 5 == 0 else 1.4j) for k in range(11)]
+    sheet.strokes([(at, at - tick) for at, tick in marks], THIN)
     sheet.text(complex(left, base - 4.2), (written(say("drawing.bar", length=f"{BAR:g}")), "", ""), size=SMALL_LETTER)
     beside = [complex(left + BAR + 7, sheet.height - FOOT + 4.6 + 4.2 * k) for k in range(len(scales) + 1)]
     for at, line in zip(beside, scales, strict=False):
@@ -68,7 +67,6 @@ def _screen_bar(sheet: Sheet, at: complex, of_mm: tuple[float, str], written: Ca
     end = at + value / amount
     sheet.items.append('<g class="screen" display="none">')
     sheet.line(at, end, BAR_PEN.replace("#010101", "black"))
-    for place in (at, end):
-        sheet.line(place, place - 2.4j, THIN)
+    sheet.strokes([(place, place - 2.4j) for place in (at, end)], THIN)
     sheet.text(at - 4.2j, (written(say("drawing.length", value=decimal(value), unit=unit)), "", ""), size=SMALL_LETTER)
     sheet.items.append("</g>")

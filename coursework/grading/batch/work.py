@@ -26,7 +26,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases
 
 # Increased whenever marks may change: the next run then grades everything again.
-GRADING_VERSION = 35
+GRADING_VERSION = 36
 
 
 @dataclass(frozen=True)

@@ -34,6 +34,8 @@ AIM = 0.8 * LIMIT
 _TRIES = 12
 # An error of this many scales or more follows no order.
 _WILD = 10.0
+# Largest N of a step 2h/N.
+_LARGEST_PART = 999
 # An error this many times smaller than the order predicts may be luck.
 _LUCK = 4.0
 # Largest work of an advised step, in slopes made of formulas: some three seconds.
@@ -217,9 +219,13 @@ def _tried(evidence: Evidence, scheme: str, parts: int, motion: Motion | None) -
 
 
 def _spelled(evidence: Evidence, parts: int) -> tuple[str, float]:
-    """Return a part of the run's step as --step takes it, and in seconds: h/N of the file's step if that is exact."""
+    """Return a part of the run's step as --step takes it, and in seconds: h/N or, if that is shorter, 2h/N of the file's step."""
     step, own = evidence.motion.step / parts, evidence.variant.time.own_step or evidence.variant.time.step
     whole = round(own / step)
     if whole > 1 and abs(own / step / whole - 1) < 1e-12:
         return f"h/{whole}", own / whole
-    return repr(step), step
+    from fractions import Fraction  # imported here, as few runs have such a step
+
+    share = Fraction(step / own).limit_denominator(_LARGEST_PART)
+    named, exact = f"{share.numerator}h/{share.denominator}", own * share.numerator / share.denominator
+    return (named, exact) if abs(exact / step - 1) < 1e-12 and len(named) < len(repr(step)) else (repr(step), step)

@@ -94,7 +94,7 @@ class _Listing:
             return filled(text, name=one.names[datum.name], value=repr(datum.value)) + told
 
         yield from map(line, program.data)
-        yield filled(text, name=one.h, value=repr(program.step))
+        yield f"{filled(text, name=one.h, value=repr(program.step))}  {one.say('step')}"
         yield f"{filled(self.texts.get('whole', text), name=one.steps, value=max(0, program.rows - 1))}  {one.say('rows')}"
         yield from map(line, program.start)
 

@@ -96,6 +96,7 @@ def _residuals(book: Book, sheet: Any, table: StepTable, columns: list[Residual]
         motion.t, motion.coordinates, motion.velocities
     )
     sheet.write_string(top, 0, book.say("zero"), book.bold)
+    sheet.repeat_rows(top + 1)
     sheet.write_string(top + 1, 0, "t", book.right)
     sheet.write_string(top + 2, 0, book.say("largest"), book.bold)
     first = top + 4

@@ -53,7 +53,9 @@ MOST_PERIODS = 10_000  # in one run
 
 def no_column(name: object, known: tuple[str, ...]) -> InputError:
     """Return the error for a name that is not one of the columns `known`."""
-    return InputError(say("fault.D028", name=name, hint=closest(str(name), known), known=known))
+    several = ", ".join(f'"{one}"' for one in name) if isinstance(name, (list, tuple)) else ""
+    hint = say("hint.one_by_one", names=several) if several else closest(str(name), known)
+    return InputError(say("fault.D028", name=name, hint=hint, known=known))
 
 
 def changed(values: Mapping[str, str]) -> str:

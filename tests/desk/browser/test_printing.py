@@ -13,7 +13,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 def test_the_report_is_printed_alone(desk: Callable[..., Any]) -> None:
     one, _ = desk()
-    with pymupdf.open(stream=one.page.pdf(prefer_css_page_size=True)) as printed:
+    with pymupdf.open(stream=one.page.pdf(format="A4", prefer_css_page_size=True)) as printed:
         text = " ".join(" ".join(page.get_text() for page in printed).split())
         assert 8 <= len(printed) <= 13
     # All of it, also what nobody has looked at on the screen.

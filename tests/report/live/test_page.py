@@ -42,7 +42,7 @@ def test_it_is_hidden_without_scripts_and_in_print(written: Any, opened: Any) ->
     page.emulate_media(media="print")
     assert not page.is_visible("#live")
     title = page.inner_text("#live h2") or "Watch it move"
-    with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as printed:
+    with pymupdf.open(stream=page.pdf(format="A4", prefer_css_page_size=True), filetype="pdf") as printed:
         assert title not in "".join(sheet.get_text() for sheet in printed)
 
 

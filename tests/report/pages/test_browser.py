@@ -38,7 +38,7 @@ def test_it_is_shown_without_a_complaint(opened: Any, report: Path, width: int) 
 
 
 def test_it_prints_on_a4_true_to_scale(opened: Any, report: Path) -> None:
-    printed = opened(report).page.pdf(prefer_css_page_size=True)
+    printed = opened(report).page.pdf(format="A4", prefer_css_page_size=True)
     with pymupdf.open(stream=printed, filetype="pdf") as document:
         assert 5 <= len(document) <= 16
         for sheet in document:
@@ -52,7 +52,7 @@ def test_it_prints_on_a4_true_to_scale(opened: Any, report: Path) -> None:
 @pytest.mark.long
 def test_an_upright_construction_prints_true_to_scale_too(opened: Any, tmp_path: Path) -> None:
     (tmp_path / "report.html").write_text(page_of(model_of(solved("jansen", quantities=["graph_check"]))), encoding="utf-8")
-    printed = opened(tmp_path).page.pdf(prefer_css_page_size=True)
+    printed = opened(tmp_path).page.pdf(format="A4", prefer_css_page_size=True)
     with pymupdf.open(stream=printed, filetype="pdf") as document:
         assert all(sheet.rect.width < sheet.rect.height for sheet in document)
         # The sheet with the plan of velocities has a bar as the construction has.

@@ -198,7 +198,7 @@ def test_scales_are_said_on_paper_only(places: dict[str, Path], page: Any) -> No
 def test_a_printed_report_has_the_readings_of_the_check_beside_its_drawing(places: dict[str, Path], page: Any) -> None:
     page.goto(places["report"].as_uri())
     page.emulate_media(media="print", color_scheme="light")
-    with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
+    with pymupdf.open(stream=page.pdf(format="A4", prefer_css_page_size=True), filetype="pdf") as document:
         assert len(document) <= 9  # 8 of the tool's own
         (lying,) = (sheet for sheet in document if sheet.rect.width > sheet.rect.height)
         told = lying.get_text()
@@ -215,7 +215,7 @@ def test_longer_words_take_no_more_sheets_of_paper(language: str, page: Any, tmp
     path.write_text(page_of(model_of(solved("31"), language)), encoding="utf-8")
     page.goto(path.as_uri())
     page.emulate_media(media="print", color_scheme="light")
-    with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
+    with pymupdf.open(stream=page.pdf(format="A4", prefer_css_page_size=True), filetype="pdf") as document:
         assert len(document) <= 9
     page.emulate_media(media="screen")
 
@@ -224,7 +224,7 @@ def test_a_key_and_a_feedback_page_take_two_sheets_of_paper(places: dict[str, Pa
     page.emulate_media(media="print", color_scheme="light")
     for kind in ("key", "feedback"):
         page.goto(places[kind].as_uri())
-        with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as document:
+        with pymupdf.open(stream=page.pdf(format="A4", prefer_css_page_size=True), filetype="pdf") as document:
             assert len(document) == 2
             lines = [one["rect"].width for one in document[1].get_drawings() if kind == "key" and one["rect"].height < 1]
         assert kind == "feedback" or any(abs(wide / 72 * 25.4 - 100) < 0.3 for wide in lines), "a bar that must measure 100 mm"

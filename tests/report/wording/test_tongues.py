@@ -21,6 +21,7 @@ from coursework.report.formulas.display import marked
 from coursework.report.pages import build_model, render_html
 from coursework.report.text.parts import Display
 from coursework.variant.formula import mass_units, motion_units
+from coursework.variant.record.variant import no_column
 from coursework.words.sentences import load_phrases, say
 from tests.mechanisms.library import mechanism
 from tests.report.words_missing import languages, read
@@ -179,6 +180,20 @@ def test_a_function_in_cyrillic_letters_is_told_in_latin(language: str, said: st
 )  # fmt: skip
 def test_cases_and_order_behind_a_gap_are_those_of_the_language(language: str, said: str) -> None:
     assert said in " ".join(report("31", language).split())
+
+
+@pytest.mark.parametrize(("language", "start", "hint"), [
+    ("en", "The mechanism at the start. Links: 1 DA, 2 AB, 3 MBC", "one by one, not as a list:"),
+    ("ru", "Механизм в начальном положении. Звенья: 1 DA, 2 AB, 3 MBC и 4 CP.", "по одному, не списком:"),
+    ("uk", "Механізм у початковому положенні. Ланки: 1 DA, 2 AB, 3 MBC", "по одному, не списком:"),
+    ("zh", "机构初始位置图。构件：1 DA、2 AB、3 MBC", "请逐个给出，不要用列表："),
+])  # fmt: skip
+def test_who_does_not_see_the_drawing_is_told_its_links_and_who_gives_a_list_what_to_give(
+    language: str, start: str, hint: str
+) -> None:
+    assert start in load_phrases(language).written(solved("31").mechanism().alt)
+    told = no_column(["w3", "w2"], ("w2", "w3")).told(load_phrases(language).written)
+    assert f'{hint}{"" if language == "zh" else " "}"w3", "w2"' in told
 
 
 @pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])

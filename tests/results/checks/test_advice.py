@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.api import load, step_of
 from coursework.motion.integration.finer import finer
 from coursework.results.checks import advice
 from coursework.results.checks.advice import with_advice
@@ -34,13 +35,13 @@ def test_every_nth_row_is_a_row_of_the_old_table(name, options):
     assert np.allclose(again.motion.t[::parts][: len(run.motion.t)], run.motion.t, rtol=1e-15, atol=0)
 
 
-@pytest.mark.parametrize(("step", "option"), [(None, "h/18"), (0.02 / 2, "h/20"), (0.03, None), (0.0137, None)])
+@pytest.mark.parametrize(("step", "option"), [(None, "h/18"), (0.02 / 2, "h/20"), (0.03, "3h/62"), (0.0137, None)])
 def test_the_step_is_a_part_of_the_files_own_where_it_can_be(step, option):
     run = solve("31", step=step)
     accuracy = found(run, "ACCURACY")
     if option:
         assert accuracy.option == f"--step {option}"
-        assert accuracy.step == 0.02 / int(option[2:])
+        assert accuracy.step == step_of(option, load("31"))
     else:
         assert accuracy.option == f"--step {accuracy.step!r}"
         assert float(accuracy.option.split()[1]) == accuracy.step
@@ -197,7 +198,8 @@ def test_an_error_four_times_smaller_than_the_order_foretells_may_be_luck(share,
 @pytest.mark.parametrize(("step", "own", "time_step", "parts", "told"), [
     (0.02, None, 0.02, 4, ("h/4", 0.005)), (0.02, None, 0.02, 1, ("0.02", 0.02)), (0.02, 0.04, 0.02, 1, ("h/2", 0.02)),
     (0.03, 0.02, 0.03, 3, ("h/2", 0.01)), (0.02, 0.03, 0.02, 1, ("0.02", 0.02)),
-    (0.02, 0.03, 0.02, 3, ("0.006666666666666667", 0.02 / 3)),
+    (0.02, 0.03, 0.02, 3, ("2h/9", 0.03 * 2 / 9)), (0.015, 0.02, 0.015, 7, ("3h/28", 0.02 * 3 / 28)),
+    (0.019997, 0.02, 0.019997, 3, ("0.006665666666666667", 0.019997 / 3)),
     (0.02, 0.02 * (1 + 0.9e-12), 0.02, 2, ("h/2", 0.01 * (1 + 0.9e-12))), (0.02, 0.02 * (1 + 1.1e-12), 0.02, 2, ("0.01", 0.01)),
 ])  # fmt: skip
 def test_a_step_is_told_as_a_part_of_that_of_the_file_if_it_is_one(step, own, time_step, parts, told):

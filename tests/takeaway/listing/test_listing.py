@@ -153,6 +153,7 @@ def test_comments_are_numbered_and_speak_the_language_of_the_report(language):
         numbers = [int(one) for one in re.findall(rf"(?:^ *|  ){mark}(\d+) ", text, re.MULTILINE)]
         assert sorted(numbers) == list(range(1, 18)) and 40 <= len(text.splitlines()) <= 80
         assert ("number of steps" in text) is (words == "en")
+        assert {"en": "s, step", "ru": "с, шаг", "uk": "с, крок", "zh": "s，步长"}[words] in text
         assert "(16), (18): w1, w2" in text.replace("：", ": ")
 
 

@@ -242,6 +242,7 @@ def test_sheets_keep_their_names_in_every_language(language):
     head = [cell.value for cell in read["Data"][3]][:6]
     assert (head[0] == "symbol") is (language == "en") and None not in head
     assert "Exact" in read["Read me"]["A3"].value  # the sheet that does not follow the data
+    assert read["Checks"].print_title_rows == "$12:$12" and read["Checks"]["A12"].value == "t"  # on each page of the residuals
     with zipfile.ZipFile(io.BytesIO(content)) as packed:
         assert all(one.date_time[0] == 1980 for one in packed.infolist())
         assert len([name for name in packed.namelist() if "charts/chart" in name]) == 2

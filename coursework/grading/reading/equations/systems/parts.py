@@ -15,7 +15,9 @@ from coursework.grading.reading.equations.notation.signs import ARROW, ARROWS, d
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.variant.formula.reader import MAX_DEPTH
 
-_BETWEEN_BRACKETS = re.compile(r"(?<=\))\s(?:[^\W\d_]{1,5}|&)\s(?=\()")  # (a = b) e (c = d)
+_BETWEEN_BRACKETS = re.compile(  # (a = b) e (c = d), not (a) sin (b) = 0
+    r"(?<=\))\s(?:[^\W\d_]{1,5}|&)\s(?=\((?:[^()=]|\([^()]*\)){1,120}=)"
+)
 _BETWEEN = re.compile(
     rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s&\s(?!\s*=)|\|\||\s\|\s|\s--\s|/\\|[∧⋀]|\\(?:land|wedge)(?![A-Za-z])|<br\s*/?>"
     r"|(?<=[\w)]):\s+(?=[^\W\d]\w{0,20}\s*:=)|(?<=[\w)])\.\s(?=[A-ZА-ЯІЇЄΑ-Ω][^\W\d_]{2,20}\s)|\s(?:and|und|et|y|и|та|і|且|和|en|och|og|és|samt|serta|sekä)\s"

@@ -15,6 +15,8 @@ from coursework.grading.reading.equations.systems.parts import parts_of, rows_of
     ("a = b,", "a = b,"),
     ("a = b => c = d", "a = b|c = d"), ("a = b\tc = d", "a = b|c = d"), ("a = b   c = d", "a = b|c = d"),
     ("a = b  c = d", "a = b  c = d"),
+    ("(a = b) e (c*(d + e) = f)", "(a = b)|(c*(d + e) = f)"), ("v = a (b/2) sin (c) = 0", "v = a (b/2) sin (c) = 0"),
+    ("v = (a) R (b + c) - d = 0", "v = (a) R (b + c) - d = 0"),
     ("a = b. Then c = d", "a = b|Then c = d"), ("V_Cy = V_Dx = 0", "V_Cy = 0|V_Dx = 0"), ("V_Cy = V_Dx = 1", "V_Cy = V_Dx = 1"),
     # what relates no two sides stays with its neighbour
     ("a = b, c", "a = b, c"), ("c, a = b", "c, a = b"), ("c, d, a = b, e, f = g", "c, d, a = b, e|f = g"),
