@@ -70,6 +70,8 @@ FAULTS = [
     ("given = 3", "a section [given] of lines key = value was expected"),
     ("[time]\ncheck_row = { choice = [4.5] }", "rows of the table from 1 to 25 were expected, found 4.5"),
     ("[difficulty]\nnumbers = 3", "a list was expected"),
+    ("[difficulty]\nbanb = 0.1", 'r.toml:2:1  difficulty.banb: the key "banb" is not known here. Did you mean "band"?'),
+    ("[limits]\ntrys = 1", 'r.toml:2:1  limits.trys: the key "trys" is not known here. Did you mean "tries"?'),
     ('[difficulty]\nnumbers = ["euler_eror"]',
      'r.toml:2:12  difficulty.numbers.1: "euler_eror" is not a measure. Did you mean "euler_error"?'),
     ('[difficulty]\nnumbers = [["x"]]', "is not a measure"),

@@ -2,12 +2,14 @@
 
 import math
 from dataclasses import replace
+from unittest.mock import MagicMock
 
 import numpy as np
 import pytest
 
 import coursework
 from coursework.motion.schemes import SCHEMES
+from coursework.report.sections.effects.dynamics import _equation
 from tests.commands.test_cli import call
 from tests.mechanisms.library import mechanism
 from tests.report.made import model_of
@@ -22,6 +24,13 @@ def test_the_page_shows_what_a_step_costs():
     table = next(part for part in section.parts if part.kind == "table" and part.id == "dynamics-lesson")
     assert len(table.rows) == 12
     assert any(part.kind == "panels" and part.id == "dynamics-energy" for part in section.parts)
+
+
+@pytest.mark.parametrize(("is_one", "inertia"), [(True, "J(q)·dv/dt = "), (False, "M(q)·dv/dt = ")])
+def test_the_equation_of_motion_has_a_number_or_a_matrix_for_the_inertia(is_one, inertia):
+    """A single rate v has the reduced inertia J and ½·J′·v² from its change; several have a matrix."""
+    _, equation, _ = _equation(MagicMock(), is_one=is_one)
+    assert equation.items[0].text.startswith(inertia) and ("½·J′(q)·v²" in equation.items[0].text) is is_one
 
 
 def test_accuracy_shows_the_error_of_the_energy_against_slopes(tmp_path, monkeypatch):

@@ -180,6 +180,11 @@ WHEELS = BARS.replace('1 = { points = ["O", "E"],', '1 = { wheel = "O", contact 
     [
         ('equation = "20*w1 = -50*w2"', "Equation pair makes links 1 and 2 turn together: if they are gears"),
         ('closure = "2*p1 + 5*p2 = 0"', "Equation pair makes links 1 and 2 turn together: if they are gears"),
+        # w2 is found by another equation of the same; the one that is held has no name
+        (
+            'equation = "w2*(2 + cos(p1)) = -0.4*w1*(2 + cos(p1))"\n[closure]\nholds = ["2*p1 + 5*p2"]',
+            "Equation 2*p1 + 5*p2 makes links 1 and 2 turn together: if they are gears",
+        ),
         ('equation = "w1*(2 + cos(p1)) = -5*w2"', None),  # no gears: the ratio changes
         ('equation = "2*w1 + k*t = -5*w2"', None),
     ],

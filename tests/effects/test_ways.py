@@ -20,6 +20,7 @@ from coursework.scene.exact_scene import scene_of
 from coursework.variant.catalogue import names
 from tests.effects.massed import analysis, massed, of, of_text
 from tests.mechanisms.library import mechanism
+from tests.solved import solved
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "forces"
 # A crank of changing length is no rigid body, so it has no centre of mass: told as such.
@@ -171,6 +172,18 @@ def test_rows_of_a_scheme_whose_links_have_drifted_apart_are_analysed_and_judged
     found = {one.code: one.verdict for one in run.results.force_checks}
     assert found["VIRTUAL-POWER"] == "PASS"
     assert found["FORCE-ACCURACY"] == "COARSE"
+
+
+def test_links_are_judged_by_a_motion_in_which_something_moves():
+    """A motion from rest shows in its later rows how links move; a scheme by its first, as others may only drift."""
+    scene = solved("falling-arm").scene
+    exact = scene.exact
+    assert not exact.velocities[0].any() and exact.velocities.any()  # it falls from rest
+    assert scene.stirred(exact) is exact
+    drifted, sets_off = (replace(exact, scheme="euler", velocities=exact.velocities + begin) for begin in (0.0, 1.0))
+    assert scene.stirred(sets_off) is sets_off
+    for rests in (drifted, replace(exact, velocities=0 * exact.velocities)):
+        assert scene.stirred(rests).velocities == pytest.approx(np.eye(2))  # each of the two free rates by itself
 
 
 def test_the_inertia_reduced_to_the_crank_and_its_slope_give_the_moment_that_the_links_need():

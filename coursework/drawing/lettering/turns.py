@@ -20,7 +20,7 @@ from coursework.variant.record.held import is_origin
 Values = Mapping[str, complex]
 Sum = list[tuple[Formula, int]]  # terms with their signs
 Signed = tuple[tuple[Formula, int], ...]  # the same, as a field of a record
-SAME = 1e-9  # m: places this near to each other are one
+SAME = 1e-9  # of the distance of the farthest point from the origin: places this near to each other are one
 NEAR = 0.01  # rad: a link this near to the direction of an angle from x shows that the angle is counted from there
 
 
@@ -101,6 +101,7 @@ def _rank(arm: _Arm, moving: set[str]) -> tuple[int, bool]:
 def _arms(mechanism: Mechanism, values: Values, coordinate: str) -> Iterator[_Arm]:
     """Yield the arms that turn with a coordinate, found in points, closures and `holds`."""
     corners = [values[name] for name, _ in mechanism.points if name in values]
+    near = SAME * max(map(abs, corners), default=0.0)
     for parts, is_gap, end in _sums(mechanism):
         for place, (part, _) in enumerate(parts):
             if part.op != "@" or coordinate not in part.args[1].names():
@@ -116,7 +117,7 @@ def _arms(mechanism: Mechanism, values: Values, coordinate: str) -> Iterator[_Ar
             except (KeyError, FormulaFault):  # a length or an angle given by a law
                 continue
             line = _line(mechanism, parts, end)
-            yield _Arm(begin, any(abs(begin - corner) < SAME for corner in corners), own[0], rest, aside, line)
+            yield _Arm(begin, any(abs(begin - corner) <= near for corner in corners), own[0], rest, aside, line)
 
 
 def _begin(parts: Sum, place: int, values: Values) -> complex:

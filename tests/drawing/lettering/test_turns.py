@@ -275,3 +275,20 @@ def test_a_link_leads_a_way_within_a_hundredth_of_its_length(size: float, off: f
     values: Any = {"A": 3 + 4j, "B": 3 + 4j + size * cmath.exp(1j * (0.7 + turned_by))}
     mechanism: Any = SimpleNamespace(variant=SimpleNamespace(links=[SimpleNamespace(rate="w2", wheel=None, points=("B", "A"))]))
     assert _centre(mechanism, "w2", values, cmath.exp(0.7j)) == (values["A"] if leads else None)
+
+
+@pytest.mark.parametrize("name", ["31", "v108"])
+@pytest.mark.parametrize("size", [1e-9, 1e7])
+def test_a_mechanism_of_any_size_turns_about_the_same_places(name: str, size: float) -> None:
+    """Of v108 with links of ten thousand kilometres one of two places was lost to round-off."""
+
+    def found(size: float) -> list[tuple[str, list[complex], complex]]:
+        model = build(load(name))
+        lengths = {datum.name for datum in model.variant.given if datum.si == "m"}
+        values: dict[str, Any] = {"pi": math.pi, "t": 0.0, **{c.name: c.start_or_guess or 0.0 for c in model.variant.coordinates}}
+        values |= {each: value * size if each in lengths else value for each, value in model.variant.values.items()}
+        for point, formula in model.points:
+            values[point] = evaluate_any(formula, values)
+        return [(one.coordinate, [at / size for at in one.at], one.axis) for one in turns(model, values)]
+
+    assert found(size) == [(angle, pytest.approx(at), pytest.approx(axis)) for angle, at, axis in found(1.0)]

@@ -1,7 +1,9 @@
-"""The line of a slot and the hatching of ground as they are drawn: where they begin, how far they reach, to which side."""
+"""The line of a slot, the hatching of ground and the corner of a bent link as they are drawn: where, how far, to which side."""
 
 from __future__ import annotations
 
+import cmath
+import math
 import re
 from types import SimpleNamespace
 from typing import Any
@@ -55,3 +57,16 @@ def test_hatching_leaves_out_what_would_leave_the_field() -> None:
     sheet = Sheet(100.0, 80.0, (0.0, 0.0, 41.0, 80.0))
     sheet.hatch(39 + 30j, 55 + 30j, 1j)
     assert [p.real for p, _ in sheet.segments] == pytest.approx([39.8, 41.4])  # a stroke that only leans into it is kept
+
+
+@pytest.mark.parametrize(("bend", "is_filled"), [(0, False), (2.8, False), (-2.9, True), (20, True), (90, True), (177.2, False)])
+@pytest.mark.parametrize("first", [3 + 4j, 20 + 0j])
+def test_a_link_is_filled_where_it_is_bent(first: complex, bend: float, is_filled: bool) -> None:
+    """More than 0.05 = sin 2.87 degrees from straight it is bent; 5 mm of each arm are filled, of a shorter one all, 3 mm."""
+    sheet, at, ways = Sheet(100.0, 80.0, (0.0, 0.0, 100.0, 80.0)), 50 + 40j, (-first, first * cmath.exp(1j * math.radians(bend)))
+    places = {"A": at + ways[0], "B": at, "C": at + 3 * ways[1] / abs(first)}
+    Painter.corner(SimpleNamespace(at=places, sheet=sheet), "A", "B", "C")  # type: ignore[arg-type]
+    assert bool(sheet.items) is is_filled
+    corner, *tips = dict.fromkeys(end for line in sheet.segments for end in line) if is_filled else (at,)
+    assert corner == at
+    assert tips == pytest.approx([at + 5 * ways[0] / abs(first), at + 3 * ways[1] / abs(first)][: 2 * is_filled])

@@ -136,6 +136,9 @@ def test_a_sum_of_velocities_of_points_counts_if_its_parts_are_defined_and_it_is
     ("n = w2/w1\nn = 1 - R0/R\nu = -(R0 - R)*w1*sin(phi1) - R*n*w1*sin(psi2)", ["right", "right"]),
     ("S = (R0 - R)*w1\nS = -R*w2", ["right"]), ("S = (R0 - R)*w1\nS = R*w2", ["wrong"]), ("n = w2/w1\nn = w2/w1", []),
     ("n = w2/w1\nn = (R - R0)/R = 1 - R0/R", ["right"]), ("n = w2/w1\nn = (R + R0)/R = 1 + R0/R", ["wrong"]),
+    # however long the name is
+    ("gear_ratio = w2/w1\ngear_ratio = 1 - R0/R", ["right"]), ("gear_ratio = w2/w1\ngear_ratio = 1 + R0/R", ["wrong"]),
+    ("speed_A = (R0 - R)*w1\nspeed_A = -R*w2", ["right"]), ("speed_A = (R0 - R)*w1\nspeed_A = R*w2", ["wrong"]),
     # without one, nobody can tell which of them is meant, nor what a name is to which something is added
     ("k = R0 - R\nk = R0 + R\nk*w1 + R*w2 = 0", ["unreadable"] * 3), ("k = R0 - R\nk = -R + R0\nk*w1 + R*w2 = 0", ["right"]),
     ("k = (R0 - R)*w1\nk = k + R0*w1\nk + R*w2 = 0", ["unreadable"] * 3),

@@ -1,13 +1,14 @@
-"""The box on page 1 leaves the summary of all checks out only where its own verdict says as much."""
+"""The box on page 1: the summary of all checks is left out where its own verdict says as much; nothing unchecked is judged."""
 
 from __future__ import annotations
 
 from types import SimpleNamespace
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 
-from coursework.report.sections.verdict.answer import _says_all
+from coursework.report.sections.verdict.answer import _says_all, _verdict
 
 
 def check(code: str, verdict: str = "PASS", *, headline: str = "", unjudged: tuple[str, ...] = ()) -> SimpleNamespace:
@@ -46,3 +47,16 @@ def test_the_verdict_says_all_of_an_ordinary_run(checks: list[Any], all_said: bo
     assert _says_all(context) is all_said
     context.run.tableau = None  # exact rows: accuracy is no matter of theirs
     assert not _says_all(context)
+
+
+@pytest.mark.parametrize(("asks", "checks", "rows", "told"), [
+    (True, [RIGHT, CLOSE], 3, ["result.right", "result.close"]), (True, [check("ROWS", "FAIL")], 3, ["result.wrong"]),
+    (False, [RIGHT, CLOSE], 3, []), (True, [CLOSE], 3, []), (True, [check("STOP")], 3, []), (True, [RIGHT, CLOSE], 0, []),
+])  # fmt: skip
+def test_rows_are_called_right_only_where_there_are_some_and_their_computing_was_checked(
+    asks: bool, checks: list[Any], rows: int, told: list[str]
+) -> None:
+    run = SimpleNamespace(checks=checks, asks=lambda _: asks, motion=SimpleNamespace(t=range(rows)), stop=None)
+    words = Mock(side_effect=lambda key, **_: key, sentences=list)
+    found: Any = _verdict(SimpleNamespace(run=run, words=words, lettered=list))  # type: ignore[arg-type]
+    assert found == told

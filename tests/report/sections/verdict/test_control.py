@@ -7,7 +7,13 @@ from types import ModuleType
 import pytest
 
 import coursework
+from coursework.report.sections.verdict.control import _number
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.words import load_words
+from coursework.results.checks.result import Finding
+from coursework.words.sentences import say
 from tests.mechanisms.library import mechanism
+from tests.report.real import text_of
 from tests.solved import solved
 
 
@@ -46,3 +52,12 @@ def test_jumps_of_the_drive_alone_are_told_without_a_column_that_is_off_by_nothi
     assert told.endswith("from row to row as it does.")
     assert sentence in real.text_of(real.parts(run, "control"))
     assert "not both back" in next(one.sentence for one in run.checks if one.code == "PERIOD-POSITION")
+
+
+@pytest.mark.parametrize(("value", "limit", "shown"), [
+    (0.05004, 0.05, "5.004"), (0.0506, 0.05, "5.1"), (0.05, 0.05, "5.0"), (0.05004, 0.06, "5.0"), (0.05004, None, "5.0"),
+])  # fmt: skip
+def test_a_share_beside_its_limit_has_digits_enough_to_tell_them_apart(value: float, limit: float | None, shown: str) -> None:
+    context = PageContext(solved("31"), load_words("en"))
+    cell = _number(context, Finding("FAIL", "Off.", value, limit, say("unit.relative")))
+    assert text_of(cell).replace("\u00a0", " ") == f"{shown} %"

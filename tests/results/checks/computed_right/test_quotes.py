@@ -7,6 +7,7 @@ import pytest
 import coursework
 from coursework.variant.catalogue import entries
 from coursework.variant.reading.reader import parse_variant
+from coursework.variant.reading.set_values import with_set
 from tests.solved import solved
 
 ASSIGNED = re.compile(r"(\w+) = (-?\d+(?:\.\d+)?)(?![\d.]*\d)(?! *(?:m|mm|s|deg)\b)")
@@ -41,6 +42,14 @@ def test_the_quotes_of_the_catalogue_are_those_of_its_tables(name):
     assert found.verdict == "PASS"
     assert f"({len(run.variant.quotes)} in all)" in found.sentence
     assert found.group == "computation"
+
+
+@pytest.mark.parametrize(("set_here", "is_judged"), [([], True), (["wb=251 rpm"], False)])
+def test_other_data_than_those_of_the_file_are_no_slip_of_its_remarks(set_here, is_judged):
+    variant = coursework.load("engine-start")
+    found = check(coursework.solve(with_set(variant, set_here) if set_here else variant, quantities=["table", "checks"]))
+    assert (found.verdict == "PASS") is is_judged
+    assert is_judged or (found.verdict, found.sentence.key) == ("SKIP", "check.QUOTE.set")
 
 
 def text_with(value, name="example-3", old="-3.18045457492925"):

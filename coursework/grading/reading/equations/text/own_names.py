@@ -29,7 +29,7 @@ _MOST_DEFINITIONS, _PASSES = 100, 3
 _MOST_SAID = 1000  # lines in which the uses of a name are counted
 _OF_ONE_TERM = 2  # terms of 0 = r1*w1, the velocity of a point that moves
 _TWO_FORMULAS = 2  # signs of equality in v = a = b
-_SHORT, _NEAR = 5, 0.02  # most letters of a symbol; relative difference of two formulas that the start values leave
+_NEAR = 0.02  # relative difference of two formulas that the start values leave
 
 
 def sections_of(lines: Sequence[tuple[int, str]], names: Names) -> list[int]:
@@ -159,7 +159,7 @@ def may_vanish(line: str, names: Names) -> EquationReading | None:
 def says_more(line: str, names: Names) -> bool:
     """Return whether another formula for a name, of which one has a velocity, says more than the one that is put in."""
     found = _otherwise(line, names)
-    return found is not None and _has_velocity(names, names.own[found[0]], found[1]) and len(found[0]) <= _SHORT
+    return found is not None and _has_velocity(names, names.own[found[0]], found[1])
 
 
 def _otherwise(line: str, names: Names) -> tuple[str, Formula] | None:

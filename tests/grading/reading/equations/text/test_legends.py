@@ -32,6 +32,17 @@ def test_a_line_is_a_legend_or_stays(line: str, called: dict[str, str]) -> None:
     assert names.spellings.canonical("r1") == "r1" and names.spellings.canonical("phi2") == "phi2"
 
 
+@pytest.mark.parametrize(("row", "read"), [
+    ("L ⇒ r1", "L = r1"),
+    # of the task both, or none; no datum; an arrow between equations
+    ("r2 ⇒ r1", ""), ("φ1 ⇒ r1", ""), ("L ⇒ K", ""), ("r1 ⇒ L", ""), ("L ⇒ w1 + 1", ""), ("w1 = 2 ⇒ w2 = 3", ""),
+])  # fmt: skip
+def test_a_row_that_leads_from_the_students_name_to_a_datum_gives_it_that_name(row: str, read: str) -> None:
+    names, rest = with_legend([(7, row)], names_for(expected()))
+    assert rest == [(7, read or row)]
+    assert names == names_for(expected())
+
+
 @pytest.mark.parametrize(("length", "is_one"), [(300, True), (301, False)])
 def test_a_line_longer_than_three_hundred_signs_is_no_legend(length: int, is_one: bool) -> None:
     _, rest = with_legend([(1, "angle".ljust(length - 6) + "ψ = φ1")], names_for(expected()))
