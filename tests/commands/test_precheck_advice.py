@@ -54,9 +54,11 @@ def test_an_equation_of_positions_is_told_as_that_even_where_the_start_is_not_qu
 
 def test_an_empty_file_is_told_once_and_by_name() -> None:
     place = handed_in("")
-    assert prechecked(place).count("empty") == 1 and "Table: not read. table.csv is empty." in prechecked(place)
+    assert prechecked(place).count(
+        "empty"
+    ) == 1 and "Table: not read. table.csv is empty: nothing is written in it." in prechecked(place)
     call("grade", place.parent, "--variant", "saw", "--out", "marks")
-    assert Path("marks/feedback/ada.html").read_text(encoding="utf-8").count("table.csv is empty.") == 1
+    assert Path("marks/feedback/ada.html").read_text(encoding="utf-8").count("table.csv is empty: nothing is written in it.") == 1
 
 
 @pytest.mark.parametrize(("head", "kind"), [(b"Rar!\x1a\x07", "RAR"), (b"7z\xbc\xaf\x27\x1c", "7z"), (b"\x1f\x8b\x08", "gzip")])

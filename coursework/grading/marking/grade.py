@@ -273,7 +273,7 @@ class Marker:
         if self.rubric.missing_part == "zero":
             shares.update(dict.fromkeys(absent, 0.0))
             return "graded", None, notes
-        return "needs-review", notes[0].text, notes
+        return "needs-review", work.pictured or notes[0].text, notes
 
     def _notes(self, table: TableMarks | None) -> Iterator[Note]:
         if table is not None:

@@ -17,7 +17,6 @@ from coursework.grading.reading.documents.read_document import (
     document_of_bytes,
     document_of_sheets,
     document_of_text,
-    is_document,
     lines_of_document,
     tables_of_document,
 )
@@ -25,32 +24,33 @@ from coursework.grading.reading.equations.formulas.equations import TURNED, most
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.variant_files import is_variant_file, read_variant_file
 from coursework.grading.reading.expected import Expected
-from coursework.grading.reading.files.archive import Archive, legible_name
+from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.encoding import decode
 from coursework.grading.reading.files.html_text import text_of
 from coursework.grading.reading.files.kinds import (
-    ARCHIVES,
-    OLD_EXCEL,
-    OLD_WORD,
-    PICTURES,
+    flat_open_document,
+    has_pictures,
     is_html,
-    is_ignored,
     is_link,
     is_named_as_table,
     is_record,
     kind_of_parts,
     real_kind,
 )
-from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, other_kind, unreadable
+from coursework.grading.reading.files.ods import CONTENT
+from coursework.grading.reading.limits import FILES, INFLATED_BYTES, Refused, unreadable
+from coursework.grading.reading.opened import opened, refused_kind
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, FileEntry, StudentWork, Table, Trouble
-from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
+from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note
 from coursework.grading.reading.table.parts import Part, joined
 from coursework.grading.reading.table.table import read_parts
 from coursework.grading.reading.table.tables_of_file import alike, is_spreadsheet, read_spreadsheet, table_of_text
+from coursework.system.files.zipped import zipped
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _SHOWN = 40  # most characters of a cell that are quoted
+_BLANK = " \t\n\ufeff\u200b"
 _Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignored"]
 
 
@@ -69,7 +69,18 @@ class _Found:
     entries: list[FileEntry] = field(default_factory=list)
     review: Sentence | None = None
     unread: int = 0  # number of lines that were not tried
+    left: int = INFLATED_BYTES  # what may still be inflated from archives, of all files together
     unopened: Sentence | None = None
+    pictured: Sentence | None = None  # what is missing may be in pictures
+
+    def look(self, text: str, name: str) -> None:
+        """Remember that a file has pictures: `text` is what it holds, or the names of its parts."""
+        if has_pictures(text):
+            self.pictured = say("reading.trouble.pictures", name=name)
+
+    def without_work(self, refused: Refused) -> Refused:
+        """Return the refusal of a file in which nothing was found: if there are pictures, they may hold the work."""
+        return Refused(Trouble("unreadable", "other_kind", self.pictured)) if self.pictured else refused
 
     def take(self, tables: Sequence[tuple[Part, Table]], lines: Lines, equations: list[EquationLine]) -> tuple[_Kind, ...]:
         """Add what a file holds and return its kinds; `equations` is the list of this object that takes its equations."""
@@ -87,7 +98,7 @@ class _Found:
             if kinds := self._read(file):
                 return kinds
             if could_be_table:
-                raise unreadable("no_table", name=file.name)
+                raise self.without_work(unreadable("no_table", name=file.name))
             self.notes.append(note("ignored_file", name=file.name, why=say("reading.why.nothing")))
             return ("ignored",)
         except Refused as refused:
@@ -103,13 +114,16 @@ class _Found:
     def _read(self, file: SubmittedFile) -> tuple[_Kind, ...]:
         """Read one file and return its kinds, () if nothing was found in it.  Raises `Refused`."""
         if kind := real_kind(file.content):
-            raise _other_kind(kind)
+            raise refused_kind(kind)
         if is_link(file.content):
             raise unreadable("link", name=file.name)
         if file.trouble:
             raise Refused(Trouble("unreadable", file.trouble.key.rpartition(".")[2], file.trouble))
         if document := document_of_bytes(file.content, self.expected.grid):
             return self._read_document(document, file.name)
+        if flat := flat_open_document(file.content):
+            parts = [("mimetype", flat), (CONTENT, file.content)]
+            return self._read_archive(replace(file, content=zipped(parts)))
         if file.content.startswith(b"PK"):
             return self._read_archive(file)
         if not file.content.strip():
@@ -117,17 +131,25 @@ class _Found:
         return self._read_text(file)
 
     def _read_archive(self, file: SubmittedFile) -> tuple[_Kind, ...]:
-        archive, grid = Archive(file.content), self.expected.grid
+        archive = Archive(file.content, self.left)
+        self.look("\n".join(archive.parts), file.name)
+        try:
+            return self._read_parts(archive, file.name)
+        finally:
+            self.left = archive.left
+
+    def _read_parts(self, archive: Archive, name: str) -> tuple[_Kind, ...]:
+        grid = self.expected.grid
         if document := document_of_archive(archive, grid):
-            return self._read_document(document, file.name)
+            return self._read_document(document, name)
         if kind := kind_of_parts(list(archive.parts)):
-            raise _other_kind(kind)
+            raise refused_kind(kind)
         if not is_spreadsheet(archive):
             raise unreadable("nested_zip")
-        read, sheets = read_spreadsheet(archive, file.name, grid)
-        lines = lines_of_document(document_of_sheets(sheets), file.name, self.expected)
+        read, sheets = read_spreadsheet(archive, name, grid)
+        lines = lines_of_document(document_of_sheets(sheets), name, self.expected)
         if not (read or lines.equations or lines.answers):
-            raise unreadable("no_sheet_table", name=file.name)
+            raise self.without_work(unreadable("no_sheet_table", name=name))
         return self.take([read] if read else [], lines, self.beside)
 
     def _read_document(self, document: Document, name: str) -> tuple[_Kind, ...]:
@@ -142,19 +164,22 @@ class _Found:
         if document.kind == "pdf" and kinds:
             self.notes.append(note("from_pdf", name=name))
         if not kinds and document.kind in FORMATTED:  # a person has to look at it
-            raise _other_kind(FORMATTED[document.kind], "empty_document")
+            raise self.without_work(refused_kind(FORMATTED[document.kind], "empty_document"))
         return kinds
 
     def _read_text(self, file: SubmittedFile) -> tuple[_Kind, ...]:
         decoded, name, expected = decode(file.content), file.name, self.expected
         if is_record(decoded.text):
             return ("ignored",)
+        self.look(decoded.text, name)
         decoded = replace(decoded, text=with_formulas(decoded.text))
         if is_variant_file(decoded.text):
             self._read_variant(file)
             return ("variant",)
-        if is_html(decoded.text) and not has_tables(decoded.text):
-            decoded = replace(decoded, text=text_of(decoded.text))
+        if is_html(decoded.text):
+            if not (said := text_of(decoded.text)).strip(_BLANK) and not self.pictured:
+                raise unreadable("empty", name=name)  # as a platform's editor leaves it
+            decoded = decoded if has_tables(decoded.text) else replace(decoded, text=said)
         document = document_of_text(decoded, expected.grid)
         if document and (document.tables or document.texts or document.is_whole):
             return self._read_document(document, name)
@@ -202,14 +227,15 @@ class _Found:
         if others:
             self.notes.append(note("two_tables", name=_named(best), others=tuple(map(_named, others))))
         self.notes += best.notes
-        self.review = self.review or best.unsure or _unread_cells(best)
+        cut_short = say("reading.review.cut_short", name=_named(best)) if best.is_cut else None
+        self.review = self.review or best.unsure or cut_short or _unread_cells(best)
         return best, None
 
 
 def read_submission(submission: Submission, expected: Expected) -> StudentWork:
     """Return the table, equations and answers of a submission."""
     found = _Found(expected, notes=list(submission.notes), review=submission.review)
-    files = [inner for file in submission.files for inner in _opened(file)]
+    files = [inner for file in submission.files for inner in opened(file)]
     for file in files[FILES:]:
         found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.too_many", limit=FILES)))
     for file in files[:FILES]:
@@ -231,6 +257,7 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         tuple(found.notes),
         found.review,
         found.unopened,
+        found.pictured,
     )
 
 
@@ -250,31 +277,6 @@ def _with_files(lines: list[EquationLine]) -> list[EquationLine]:
     if len({line.file for line in lines}) < 2:
         return lines
     return [replace(line, place=say("reading.place.in_file", file=line.file, place=line.where)) for line in lines]
-
-
-def _opened(file: SubmittedFile) -> list[SubmittedFile]:
-    """Return the file itself, or the files inside it if it is a plain zip (opened only one level deep, in memory)."""
-    if not file.content.startswith(b"PK") or file.trouble:
-        return [file]
-    try:
-        archive = Archive(file.content)
-        if is_spreadsheet(archive) or is_document(archive) or kind_of_parts(list(archive.parts)):
-            return [file]
-        inside: list[SubmittedFile] = []
-        for part in archive.parts.values():
-            name = legible_name(part)
-            if not is_ignored(name) and len(inside) <= FILES:
-                inside.append(submitted_file(f"{file.name}/{name}", archive.read(part.filename, FILE_BYTES)))
-        return sorted(inside, key=lambda entry: entry.name)
-    except Refused as refused:
-        return [replace(file, trouble=refused.trouble.text)]
-
-
-def _other_kind(kind: str, key: str = "other_kind") -> Refused:
-    """Return the refusal of a file of this kind, which tells the student how to save it instead."""
-    if kind in {OLD_EXCEL, OLD_WORD}:
-        return unreadable("old_excel" if kind == OLD_EXCEL else "old_word")
-    return other_kind("picture" if kind in PICTURES else "archive" if kind in ARCHIVES else key, kind=kind)
 
 
 def _unread_cells(table: Table) -> Sentence | None:

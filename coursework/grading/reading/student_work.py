@@ -87,7 +87,7 @@ class Table:
     table stands, None if the file is the table.  `strange` counts the cells read by position under heads that name something
     else; `asked` is the question to a person about columns whose heads are not understood, needed unless their cells are right.
     `in_order` is the table with its rows in the order of the file, if its times are not the grid's. `unsure` is the question to a
-    person about rows that contradict each other, whatever is right.
+    person about rows that contradict each other, whatever is right; `is_cut` is True if dots stand for rows or columns.
     """
 
     reading: Reading
@@ -100,6 +100,7 @@ class Table:
     asked: Sentence | None = None
     in_order: Table | None = None
     unsure: Sentence | None = None
+    is_cut: bool = False
 
     @property
     def rows_present(self) -> tuple[bool, ...]:
@@ -229,7 +230,7 @@ class StudentWork:
     """Everything found in one submission; exactly one of `table` and `trouble` is None.
 
     `equations` is None if no equation was handed in; `answers` are those found in the files.  `unopened` says why a file that may
-    hold the missing part could not be opened.
+    hold the missing part could not be opened; `pictured` says that it may be in pictures.
     """
 
     files: tuple[FileEntry, ...]
@@ -240,3 +241,4 @@ class StudentWork:
     notes: tuple[Note, ...]
     review: Sentence | None = None
     unopened: Sentence | None = None
+    pictured: Sentence | None = None

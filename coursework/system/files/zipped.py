@@ -1,7 +1,8 @@
 """Files -> a zip with the same bytes for the same files, whenever and wherever it is made; and back.
 
 Enters: names and contents.  Leaves: bytes.
-Used by `word.py`, `open_document.py`, `downloads.py`, `zips.py`, `sources.py`, `archive.py` and `desk/answering/takeaway.py`.
+Used by `word.py`, `open_document.py`, `downloads.py`, `zips.py`, `sources.py`, `archive.py`, `read_submission.py` and
+`desk/answering/takeaway.py`.
 """
 
 from __future__ import annotations

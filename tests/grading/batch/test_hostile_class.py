@@ -88,7 +88,7 @@ def million_blank_rows() -> bytes:
 # student: (files beside right equations, state, code or sentence that must be told, points of the table or None)
 HOSTILE: dict[str, tuple[dict[str, bytes], str, str, float | None]] = {
     "01-nothing": ({}, "missing", "", None),
-    "02-empty": ({"table.csv": b""}, "unreadable", "table.csv is empty.", None),
+    "02-empty": ({"table.csv": b""}, "unreadable", "table.csv is empty: nothing is written in it.", None),
     "03-pdf": ({"table.csv": b"%PDF-1.7\n1 0 obj"}, "unreadable", "really PDF", None),
     "03-jpeg": ({"table.csv": b"\xff\xd8\xff\xe0\x00\x10JFIF"}, "unreadable", "really JPEG", None),
     "03-docx": ({"table.csv": archive({"word/document.xml": b"<w/>"})}, "unreadable", "really Word", None),

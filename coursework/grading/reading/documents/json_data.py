@@ -74,16 +74,18 @@ class _Reader:
     def _rows(self, value: Any) -> list[Sequence[Cell]]:
         """Return a value as rows of cells, with a row of heads first if it has names; [] if it is no table."""
         if isinstance(value, list):
-            return _records(value) if all(isinstance(row, JsonObject) for row in value) else _lists(value)
-        data = value.value("data")
-        heads = value.value("columns")
-        if isinstance(data, list) and isinstance(heads, list):  # pandas, orient="split"
-            return [[_cell(head) for head in heads], *_lists(data)] if _lists(data) else []
+            return _series(value) or _records(value) if all(isinstance(row, JsonObject) for row in value) else _lists(value)
+        lists = [inner for _, inner in value.pairs if isinstance(inner, list)]
+        bodies = [rows for inner in lists if (rows := _lists(inner))]
+        for heads in lists if len(bodies) == 1 else []:  # as pandas writes it, orient="split"
+            if all(map(_is_word, heads)) and {len(heads)} == {*map(len, bodies[0])}:
+                return [[_cell(head) for head in heads], *bodies[0]]
         return self._columns(value)
 
     def _columns(self, value: JsonObject) -> list[Sequence[Cell]]:
         """Return the rows of an object of columns, each a list or numbered entries; also of an object of numbered records."""
-        pairs = [pair for name, inner in value.pairs for pair in _spread(name, inner)]
+        is_one = any(isinstance(inner, list) and _flat(inner) for _, inner in value.pairs)  # others may be groups of columns
+        pairs = [pair for name, inner in value.pairs for pair in _spread(name, inner, is_one)]
         found = [(name, inner) for name, inner in pairs if isinstance(inner, (list, JsonObject)) and not _is_texts(inner)]
         columns = [(name, inner) for name, inner in found if _flat(inner)]
         if len(columns) < 2 or len(columns) < len(found):
@@ -96,6 +98,27 @@ class _Reader:
         lists = [[_cell(entry) for entry in _entries(inner)[: self.room.rows]] for _, inner in columns[: self.room.columns]]
         heads = [Cell(name[:CELL_CHARACTERS]) for name, _ in columns[: self.room.columns]]
         return [heads, *map(list, zip_longest(*lists, fillvalue=Cell("")))]
+
+
+def _series(records: list[Any]) -> list[Sequence[Cell]]:
+    """Return records that each name one column, with its numbers and perhaps those of the axis along which it is drawn.
+
+    So programs of graphs write them; an axis that all have in common is the first column, without a head.  [] for other records.
+    """
+    records = records[:_MOST_NAMES]
+    lists = [[inner for _, inner in one.pairs if isinstance(inner, list) and _flat(inner)] for one in records]
+    are_alike = len({(len(found), *map(len, found)) for found in lists}) == 1
+    if not are_alike or not 1 < len(records) < min(map(len, lists[0]), default=0):
+        return []
+    texts = [{name: text for name, text in one.pairs if isinstance(text, str)} for one in records]
+    names = ([one.get(key, "") for one in texts] for key, text in texts[0].items() if _is_word(text))
+    heads = next((found for found in names if len({*found}) == len(records)), None)
+    if heads is None:
+        return []
+    columns = [lists[0][0]] if len({tuple(found[0]) for found in lists if len(found) > 1}) == 1 else []
+    said = [f"{head}, {unit}" if (unit := one.get("unit")) else head for head, one in zip(heads, texts, strict=True)]
+    rows = zip(*columns, *(found[-1] for found in lists), strict=True)
+    return [[_cell(head) for head in [""] * len(columns) + said], *([_cell(entry) for entry in row] for row in rows)]
 
 
 def _records(records: list[Any]) -> list[Sequence[Cell]]:
@@ -125,8 +148,13 @@ def _parted(name: str, value: Any) -> list[tuple[str, Any]]:
     return [(name, value)]
 
 
-def _spread(name: str, value: Any) -> list[tuple[str, Any]]:
-    """Return a column, or the columns of a list of lists: each list is a column if there are few lists, else a row."""
+def _spread(name: str, value: Any, is_grouped: bool = False) -> list[tuple[str, Any]]:
+    """Return a column, or the columns of a list of lists: each list is a column if there are few lists, else a row.
+
+    With `is_grouped`, also those of an object of lists; the number of a list is put behind the name of the object.
+    """
+    if is_grouped and isinstance(value, JsonObject) and all(isinstance(inner, list) and _flat(inner) for _, inner in value.pairs):
+        return [(name + key if key.isdecimal() else key, inner) for key, inner in value.pairs]
     lists = value if isinstance(value, list) and value and all(isinstance(inner, list) for inner in value) else []
     if len(lists) < 2 or len({len(inner) for inner in lists}) > 1:
         return [(name, value)]
@@ -144,7 +172,7 @@ def _lists(rows: list[Any]) -> list[Sequence[Cell]]:
 def _is_texts(value: Any) -> bool:
     """Return whether a value is a text that relates two sides or a list in which some text does."""
     texts = value if isinstance(value, list) else [value]
-    return any(isinstance(text, str) and not isinstance(text, JsonNumber) and relates_two_sides(text) for text in texts)
+    return any(_is_word(text) and relates_two_sides(text) for text in texts)
 
 
 def _is_text(value: Any) -> bool:
@@ -156,6 +184,10 @@ def _sides(value: JsonObject) -> list[str]:
     """Return the two sides of an equation that a record has each by itself, [] for any other record."""
     found = ([side for side in map(value.value, names) if isinstance(side, str)] for names in _SIDES)
     return next((sides for sides in found if len(sides) == 2), [])
+
+
+def _is_word(value: Any) -> bool:
+    return isinstance(value, str) and not isinstance(value, JsonNumber)
 
 
 def _flat(value: Any) -> bool:

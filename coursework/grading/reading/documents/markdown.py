@@ -1,6 +1,6 @@
-"""Markdown -> its pipe tables, formulas and lines of text.
+"""Markdown -> its tables of pipes or HTML, formulas and lines of text.
 
-Enters: text.  Leaves: `Document`; `is_markdown` tells whether a text has a pipe table or `$…$`.
+Enters: text.  Leaves: `Document`; `is_markdown` tells whether a text has a table of either kind or `$…$`.
 Used by `read_document.py` and, for the cells of a notebook, by `notebook.py`.
 """
 
@@ -9,14 +9,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from coursework.grading.reading.documents.document import Document, place_of
+from coursework.grading.reading.documents.document import MOST_CELLS, Document, place_of
 from coursework.grading.reading.documents.office.builder import add_lines
+from coursework.grading.reading.documents.page import add_table, has_tables, pieces_of
 from coursework.grading.reading.equations.notation.latex import ENVIRONMENT, LINE_END, matrices_in_one_piece, with_formulas_joined
 from coursework.grading.reading.equations.notation.latex_names import with_own_commands
 from coursework.grading.reading.equations.notation.signs import relates_two_sides
 from coursework.grading.reading.equations.systems.parts import legend_of_cells
 from coursework.grading.reading.files.cells import Cell
-from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
+from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, Room
 from coursework.words.sentence import Sentence
 
 _RULE = re.compile(r"\|?:?-+:?(?:\|:?-+:?)*\|?")  # matched against a line without blanks
@@ -28,12 +29,13 @@ _IN_TEX = re.compile(r"\\[(\[]([^$=]{1,300}=[^$]{1,600}?)\\[)\]]")  # \(a = b\)
 _ESCAPED = re.compile(r"\\(?=[*_#|<>\[\]()+-])")
 _CELL = re.compile(r"(?<!\\)\|")
 _MOST_COLUMNS = 1000
+_ROOM = Room(MOST_CELLS, _MOST_COLUMNS)  # of a table; the document limits its cells
 
 
 def is_markdown(text: str) -> bool:
-    """Return whether a text has a pipe table or a formula between dollar signs."""
+    """Return whether a text has a pipe table, a table of HTML or a formula between dollar signs."""
     has_formula = "$" in text and bool(_DISPLAYED.search(text) or _INLINE.search(text))
-    return has_formula or ("|" in text and any("|" in line and _is_rule(line) for line in text.split("\n")))
+    return has_formula or has_tables(text) or ("|" in text and any("|" in line and _is_rule(line) for line in text.split("\n")))
 
 
 def _is_rule(line: str) -> bool:
@@ -50,6 +52,15 @@ def document_of_markdown(text: str, kind: str) -> Document:
 
 def add_markdown(document: Document, text: str, place: Callable[[int], Sentence]) -> None:
     """Add the tables and lines of a Markdown text; `place` gives the description of a line by its number (from 1)."""
+    for piece, is_table, before in pieces_of(text):
+        if is_table:
+            add_table(document, piece, _ROOM)
+        else:
+            _add_pipes(document, piece, lambda line, before=before: place(before + line))  # type: ignore[misc]
+
+
+def _add_pipes(document: Document, text: str, place: Callable[[int], Sentence]) -> None:
+    """Add the pipe tables and the lines of a text."""
     lines = [line[:LINE_CHARACTERS] for line in text.split("\n")]
     at = 0
     kept: list[str] = []

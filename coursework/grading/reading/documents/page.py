@@ -2,13 +2,14 @@
 
 Enters: text.  Leaves: `Document`, or the page with its <math> as text; nothing is executed or fetched.  The time is
 proportional to the length of the text.
-Used by `read_document.py` and `read_submission.py`.
+Used by `read_document.py`, `read_submission.py` and `markdown.py`.
 """
 
 from __future__ import annotations
 
 import html
 import re
+from collections.abc import Iterator
 from itertools import islice
 
 from coursework.grading.reading.documents.document import MOST_LINES, MOST_TABLES, Document, place_of
@@ -58,24 +59,36 @@ _MOST_FORMULAS, _MOST_SPANS = 400, 2000  # formulas of a page, spans that draw o
 
 
 def has_tables(text: str) -> bool:
-    """Return whether an HTML page or a LaTeX file contains tables."""
-    return bool(_TABLE.search(text) or _TABULAR.search(text))
+    """Return whether a text contains tables of HTML."""
+    return _TABLE.search(text) is not None
+
+
+def has_latex_tables(text: str) -> bool:
+    """Return whether a text contains tables of LaTeX."""
+    return _TABULAR.search(text) is not None
 
 
 def document_of_page(text: str, kind: str, room: Room) -> Document:
     """Return the tables and lines of an HTML page; a table inside another is a separate table."""
     document = Document(kind, is_whole=False)
     marked = _DRAWN.sub(lambda found: f"<p>{_MARK}{found[1] or found[2]}</p>", text)
-    depth = end = 0
-    for found in (*islice(_TABLE.finditer(marked), _MOST_ENDS), None):
-        piece = marked[end : found.start() if found else len(marked)]
-        if found and depth:
-            _add_table(document, piece, room)
+    for piece, is_table, _ in pieces_of(marked):
+        if is_table:
+            add_table(document, piece, room)
         else:
             _add_text(document, piece)
-        if found:
-            depth, end = max(0, depth - 1) if found[1] else depth + 1, found.end()
     return document
+
+
+def pieces_of(text: str) -> Iterator[tuple[str, bool, int]]:
+    """Yield what stands inside and outside the tables of a page: text, whether it is a table, number of line breaks before it."""
+    depth = end = lines = 0
+    for found in (*islice(_TABLE.finditer(text), _MOST_ENDS), None):
+        piece = text[end : found.start() if found else len(text)]
+        yield piece, depth > 0 and found is not None, lines
+        if found:
+            lines += piece.count("\n") + found[0].count("\n")
+            depth, end = max(0, depth - 1) if found[1] else depth + 1, found.end()
 
 
 def _spanned(rows: list[list[str]], columns: int) -> list[list[str]]:
@@ -108,7 +121,8 @@ def _span_mark(found: re.Match[str]) -> str:
     return f"{found[0]}{_MARK}{spans.get('colspan', 1)},{spans.get('rowspan', 1)}{_MARK}" if spans else found[0]
 
 
-def _add_table(document: Document, piece: str, room: Room) -> None:
+def add_table(document: Document, piece: str, room: Room) -> None:
+    """Add the table whose cells and rows a piece of a page holds."""
     lines = text_of(_CELL.sub(_span_mark, piece)).split("\n")
     rows = _spanned([line.split("\t")[: room.columns] for line in lines if line.strip()][: room.rows], room.columns)
     place = place_of("table", number=min(len(document.tables) + 1, MOST_TABLES))

@@ -1,7 +1,7 @@
 """One file -> the document in it, and its contents: tables on the assigned grid, equations, answers.
 
 Enters: bytes, an `Archive` or a decoded text.  Leaves: `Document`, and its `Table`s and `Lines`.  Raises `Refused`.
-Used by `read_submission.py`.
+Used by `read_submission.py` and `opened.py`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from coursework.grading.reading.documents.notebook import document_of_notebook, 
 from coursework.grading.reading.documents.office.docx import document_of_docx, main_part
 from coursework.grading.reading.documents.office.odt import document_of_odt, is_odt
 from coursework.grading.reading.documents.office.rtf import document_of_rtf, is_rtf
-from coursework.grading.reading.documents.page import document_of_latex, document_of_page, has_tables
+from coursework.grading.reading.documents.page import document_of_latex, document_of_page, has_latex_tables, has_tables
 from coursework.grading.reading.documents.pdf.pdf import document_of_pdf, is_pdf
 from coursework.grading.reading.equations.formulas.equations import Names, names_for, names_of
 from coursework.grading.reading.equations.formulas.names_in_text import BUILT_IN
@@ -74,7 +74,7 @@ def document_of_text(decoded: Decoded, grid: Grid) -> Document | None:
         return document_of_notebook(decoded.text, decoded.encoding)
     if is_json(decoded.text):
         return document_of_json(decoded.text, decoded.encoding, room_for(grid.rows))
-    if has_tables(decoded.text):
+    if has_latex_tables(decoded.text) or (is_html(decoded.text) and has_tables(decoded.text)):
         kind = document_of_page if is_html(decoded.text) else document_of_latex
         return kind(decoded.text, decoded.encoding, room_for(grid.rows))
     return document_of_markdown(decoded.text, decoded.encoding) if is_markdown(decoded.text) else None

@@ -68,6 +68,7 @@ _COMMENTED = re.compile(r"^[ \t]*(?:#+|//+|%+)[ \t]*(?=[^\s=])", re.MULTILINE)  
 # Limits on time: per equation that may be handed in, so many lines of a text are tried; in all, so many characters. A
 # line longer than a formula counts more than it has: its time grows with the square of its length.
 _TRIED, _CHARACTERS = 10, 60_000
+_MOST_TEXT = 1_000_000  # characters of a text that are looked through for such lines
 _MOST_LINES, _MOST_SIDES, _MOST_JOINED = 20_000, 3, 20
 
 
@@ -115,6 +116,8 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
     most = most_lines(expected)
     names = names_for(expected)
     passed = list[tuple[int, str]]()
+    beyond = sum("=" in line for line in text[_MOST_TEXT:].split("\n"))
+    text = text[:_MOST_TEXT]
     pieces = _pieces(text, names, passed) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
     names, lines = with_legend(list(islice(pieces, _MOST_LINES)), names)
     lines = _names_first(lines, names) if beside is None else lines
@@ -122,7 +125,7 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
     meanings = definitions_of(lines, names, sections) if beside is None else [{}]
     listed = sign_of_list([line for _, line in lines if relates_two_sides(line[:EQUATION_CHARACTERS])], names.spellings.canonical)
     reader = _Reader(name, text.split("\n"), sorted({number for number, _ in lines}), names, kept, passed)
-    found, answers, tried, characters = Lines(), dict[str, AnswerLine](), 0, 0
+    found, answers, tried, characters = Lines(unread=beyond), dict[str, AnswerLine](), 0, 0
     with_own, defined = names, set[str]()
     for place, (number, line) in enumerate(lines):
         if place in {0, *sections}:

@@ -23,9 +23,12 @@ _PACKED = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 class Archive:
     """A zip file; all bytes that are inflated from it count towards one limit."""
 
-    def __init__(self, content: bytes) -> None:
-        """Open an archive.  Raises `Refused` if it is damaged, or has too many parts or too large a directory."""
-        self.left = INFLATED_BYTES
+    def __init__(self, content: bytes, left: int = INFLATED_BYTES) -> None:
+        """Open an archive, of which `left` bytes may be inflated.
+
+        Raises `Refused` if it is damaged, or has too many parts or too large a directory.
+        """
+        self.left = left
         end = content.rfind(_END)
         if end < 0 or int.from_bytes(content[end + 12 : end + 16], "little") > _DIRECTORY_BYTES:
             raise unreadable("damaged" if end < 0 else "too_large_open")

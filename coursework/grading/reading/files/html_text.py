@@ -14,8 +14,9 @@ _SILENT = re.compile(r"<(script|style)\b[^<>]{0,500}>[^<]*+(?:<(?!/\1)[^<]*+)*+"
 _AS_TYPED = re.compile(r"<pre\b[^<>]{0,500}>[^<]*+(?:<(?!/pre)[^<]*+)*+", re.IGNORECASE)  # its lines are lines
 # The end tags of cells and rows may be left out.
 _CELL = re.compile(r"</t[dh]\s*>\s*|(?<=[^>\s])\s?(?=<t[dh]\b)", re.IGNORECASE)
-_ROW = re.compile(r"(?<=[^>\s])\s?(?=<tr\b)", re.IGNORECASE)
-_LINE = re.compile(r"<(?:br|/p|/div|/li|/tr|/h[1-6]|/pre)\b[^<>]{0,500}>", re.IGNORECASE)
+_ROW = re.compile(r"</tr\b[^<>]{0,500}>|(?<=[^>\s])\s?(?=<tr\b)", re.IGNORECASE)
+_ROW_END = "\v"
+_LINE = re.compile(r"<(?:br|/p|/div|/li|/h[1-6]|/pre)\b[^<>]{0,500}>", re.IGNORECASE)
 _BOLD = re.compile(r"<(b|strong)>([^<>]{1,300}+)</\1>(?=\s<\1>([^<>]{1,300}+)</\1>)", re.IGNORECASE)  # and the next one
 _TAG = re.compile(r"<[/!?a-zA-Z][^<>]{0,2000}>")
 
@@ -31,8 +32,9 @@ def text_of(page: str) -> str:
     page = _AS_TYPED.sub(lambda found: found[0].replace("\n", "<br>"), _SILENT.sub("", page))
     kept = " ".join(page.split())  # a tab that indents a line does not begin a new cell
     kept = _BOLD.sub(lambda found: f"{found[2]}<br>" if "=" in found[2] and "=" in found[3] else found[0], kept)
-    lined = _LINE.sub("\n", _ROW.sub("\n", _CELL.sub("\t", kept)))
+    lined = _LINE.sub("\n", _ROW.sub(_ROW_END, _CELL.sub("\t", kept)))
     plain = html.unescape(_TAG.sub("", lined)).replace("\u00a0", " ")
     # The end of a paragraph inside a cell does not end the row.
     rows = "\t".join(cell.rstrip("\n ") for cell in plain.split("\t"))
+    rows = rows.replace(f"\n{_ROW_END}", "\n").replace(_ROW_END, "\n")
     return "\n".join(line.strip(" ").rstrip("\t") for line in rows.split("\n"))

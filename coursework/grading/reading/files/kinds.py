@@ -1,7 +1,7 @@
 """The first bytes of a file -> its real kind, whatever its name says; also which file names are ignored.
 
 Enters: bytes and names.  Leaves: the name of a kind that is not read, "" for the other kinds.
-Used by `read_submission.py` and by whoever collects files.
+Used by `read_submission.py`, `opened.py` and whoever collects files.
 """
 
 from __future__ import annotations
@@ -25,7 +25,9 @@ _PARTS = (
     ("FixedDocSeq", "XPS"), ("FixedDocumentSequence", "XPS"),
 )  # fmt: skip
 _HTML = re.compile(
-    r"\s*<(?:!--|(?:!doctype html|html|head|body|meta|style|title|center|b|p|div|table|span|br|ul|ol|h[1-6])\b)", re.IGNORECASE
+    r"\s*(?:<\?xml\b[^<>]{0,200}>\s*)?"
+    r"<(?:!--|(?:!doctype html|html|head|body|meta|style|title|center|b|p|div|table|span|br|ul|ol|h[1-6])\b)",
+    re.IGNORECASE,
 )
 # How `run.json` and `accuracy.json` begin, which `coursework run` and `accuracy` write last, and how they end.
 _RECORD = re.compile(r'\s*\{\s*"variant": ".{0,9999}?"versions": \{"coursework": "', re.DOTALL)
@@ -37,6 +39,13 @@ _LINK = re.compile(
     r"|\{[^{}]{0,99}\"(?:url|doc_id)\": ?\"[^{}\[\]]*\}\s*\Z)",  # no work may stand in it
     re.DOTALL | re.IGNORECASE,
 )
+_PICTURED = re.compile(
+    r"^(?:word|xl)/(?:media|embeddings|drawings)/\w|^Pictures/|<img\b|!\[[^\]\n]{0,200}\]\(|\\includegraphics\b"
+    r'|"image/(?:png|jpeg|svg\+xml)"',
+    re.MULTILINE | re.IGNORECASE,
+)
+_ROOT_WITHIN = 8192  # bytes, in which the root of an XML file ends
+_FLAT = re.compile(rb"<office:document\s[^<>]*office:mimetype=\"(application/vnd\.oasis\.opendocument\.(?:text|spreadsheet))")
 OLD_EXCEL, OLD_WORD = "xls", "doc"
 ARCHIVES = {"RAR", "7z", "gzip"}
 PICTURES = {"JPEG", "PNG", "GIF", "TIFF", "BMP", "HEIC", "WebP", "DjVu"}
@@ -55,6 +64,22 @@ def real_kind(content: bytes) -> str:
     if head.startswith(b"RIFF") and head[8:12] == b"WEBP":
         return "WebP"
     return next((kind for magic, kind in _MAGIC if content.startswith(magic) and (magic != b"BM" or b"\0" in head)), "")
+
+
+def flat_open_document(content: bytes) -> bytes:
+    """Return the kind (a media type) of an OpenDocument file that is one file of XML, b"" for any other file."""
+    head = content[:_ROOT_WITHIN] if content.lstrip(b"\xef\xbb\xbf \r\n\t").startswith(b"<?xml") else b""
+    found = _FLAT.search(head)
+    return found[1] if found else b""
+
+
+def has_pictures(text: str) -> bool:
+    r"""Return whether a text shows pictures, or the names of an archive's parts have pictures, drawings or embedded objects.
+
+    >>> has_pictures("word/document.xml\nword/media/image1.png"), has_pictures("so ![](eq.png)"), has_pictures("word/media")
+    (True, True, False)
+    """
+    return _PICTURED.search(text) is not None
 
 
 def kind_of_parts(names: list[str]) -> str:

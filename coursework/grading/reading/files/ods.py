@@ -1,7 +1,7 @@
 """An ods file -> its sheets, read with `zipfile` and `expat`; repeated rows and cells are limited.
 
 Enters: an `Archive`.  Leaves: `Sheet`s.  Raises `Refused`.
-Used by `tables_of_file.py` and, for what is common to all OpenDocument files, `odt.py`.
+Used by `tables_of_file.py` and, for what is common to all OpenDocument files, `odt.py` and `read_submission.py`.
 """
 
 from __future__ import annotations

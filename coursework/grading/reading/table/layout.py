@@ -6,6 +6,7 @@ Used by `parts.py`, `columns.py`, `rows.py` and `table.py`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise, takewhile, zip_longest
@@ -21,6 +22,8 @@ _SEARCHED = 60  # number of rows that are searched for heads
 _FIRST = 6  # number of columns that are searched for the heads of a transposed table
 _FEWEST = 3  # least number of rows that show how the rows are counted
 _ROUNDED = 0.3  # of a step: the most that rounding changes it
+_MORE = re.compile(r"\b\d{1,6} more rows\b|\bomitted \d{1,6} rows\b")
+_DOTS = {"..", "...", "…", "⋮", "⋯"}  # of rows or columns that are left out
 Rows = list[list[PrintedNumber]]
 Columns = Sequence[tuple[str, str]]
 
@@ -38,6 +41,7 @@ class Layout:
     transposed: bool
     decimal: str
     above: tuple[str, ...] = ()
+    is_cut: bool = False  # dots stand for rows or columns that a program did not print
 
     @property
     def keys(self) -> dict[str, int]:
@@ -69,10 +73,17 @@ def _sections(rows: Rows, columns: Columns) -> list[Rows]:
     ends = [at for at in range(1, len(rows)) if is_body[at - 1] and not is_body[at]]
     starts = [0]
     for at in ends[:_SEARCHED]:
-        between = takewhile(lambda place: not is_body[place], range(at, min(at + _FIRST, len(rows))))
-        if _heads_in([rows[place] for place in between], columns)[1]:
+        between = [*takewhile(lambda row: not _is_body(row), rows[at : at + _FIRST])]
+        if _heads_in(between, columns)[1] or any(map(_begins_another, between)):
             starts.append(at)
     return [rows[start:end] for start, end in pairwise((*starts, len(rows)))]
+
+
+def _begins_another(row: Sequence[PrintedNumber]) -> bool:
+    """Return whether a row has a head of the time or the row number and others besides, perhaps none of the task."""
+    texts = [cell.text for cell in row if cell.flag == "text"]
+    is_keyed = len(texts) >= _FEWEST and read_head(texts[0], ()).candidates in {(TIME,), (INDEX,)}
+    return is_keyed and not _is_dots(row)
 
 
 def _standing(rows: Rows, mark: str, columns: Columns) -> list[Layout]:
@@ -188,8 +199,15 @@ def _block(rows: Rows, head: int, columns: Columns, transposed: bool, mark: str)
     heads += [Head("", (), "")] * (width - len(heads))
     units += [""] * (width - len(units))
     above = tuple(cell.text for cell in _padded(before, width))
+    is_cut = any(text.strip() in _DOTS for text in texts) or any(map(_is_dots, rows))
     merged = tuple(replace(read, unit=read.unit or below) for read, below in zip(heads, units, strict=False))
-    return Layout(merged, head >= 0, tuple(tuple(_padded(list(row), width)) for row in body), transposed, mark, above)
+    return Layout(merged, head >= 0, tuple(tuple(_padded(list(row), width)) for row in body), transposed, mark, above, is_cut)
+
+
+def _is_dots(row: Sequence[PrintedNumber]) -> bool:
+    """Return whether a row stands for rows that were not printed: nothing but dots, in two cells at least, or R's words."""
+    texts = [cell.text.strip() for cell in row if cell.text.strip()]
+    return (len(texts) > 1 and _DOTS.issuperset(texts)) or _MORE.search(" ".join(texts)) is not None
 
 
 def _is_body(row: Sequence[PrintedNumber]) -> bool:

@@ -120,6 +120,7 @@ def _placed(part: Part, grid: Grid, places: Places, rows: Rows) -> Table:
         origin.place,
         strange=sum(_strange(column, layout) for column in read),
         asked=places.asked,
+        is_cut=layout.is_cut and (None in rows.of_grid or len(read) < len(grid.columns)),
     )
 
 

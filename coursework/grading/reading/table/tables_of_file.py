@@ -1,7 +1,7 @@
 """One file -> the table in it, whatever program wrote the file; and whether two tables agree.
 
 Enters: the name of a file, an `Archive` or a decoded text, the `Grid`.  Leaves: `Part`s, `Table`.  Raises `Refused`.
-Used by `read_submission.py` and `read_document.py`.
+Used by `read_submission.py`, `read_document.py` and `opened.py`.
 """
 
 from __future__ import annotations
@@ -49,7 +49,12 @@ def read_spreadsheet(archive: Archive, name: str, grid: Grid) -> tuple[tuple[Par
         for sheet in given:
             sheets.append(sheet)
             try:
-                parts += parts_of(sheet, Origin(name, kind, "cells"), grid)
+                lines = [[cell.text for cell in row if cell.text] for row in sheet.rows]
+                if any(lines) and all(len(line) < 2 for line in lines):  # a CSV that was not taken apart when it was opened
+                    text = Decoded("\n".join(map("".join, lines)), kind, False)
+                    parts += [replace(part, sheet=sheet.name) for part in parts_of_text(text, name, grid)]
+                else:
+                    parts += parts_of(sheet, Origin(name, kind, "cells"), grid)
             except Refused as error:  # its decimal mark is ambiguous
                 refused.append(error)
     except Refused:  # a fault behind the table does no harm

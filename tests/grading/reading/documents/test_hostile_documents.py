@@ -29,6 +29,7 @@ from tests.grading.scenes import expected
 ODT = b"application/vnd.oasis.opendocument.text"
 SPACES = b"<!--" + b" " * (48 * 2**20) + b"-->"
 LAUGHS = b'<!DOCTYPE x [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;">]>'
+FLAT = b'<?xml version="1.0"?><office:document office:mimetype="%s">' % ODT
 GOOD = submitted_file("table.csv", csv(ROWS))
 
 
@@ -84,6 +85,8 @@ HOSTILE: dict[str, tuple[Callable[[], bytes], str]] = {  # made where they are r
         lambda: writer(b'<text:p><draw:object xlink:href="./A"/></text:p>', A=b"<math>" + SPACES + b"</math>"), "too_large_open",
     ),
     "odt deep": (lambda: writer(b"<text:p><text:span>" * DEEP), "damaged"),
+    "flat deep": (lambda: FLAT + b"<text:p>" * DEEP, "damaged"),
+    "flat laughs": (lambda: FLAT.replace(b"<office:doc", LAUGHS + b"<office:doc") + b"&b;</office:document>", "doctype"),
     "json deep": (lambda: b'{"a":' * DEEP, "json_deep"),
     "json lists": (lambda: b"[" * DEEP + b"]" * DEEP, "json_deep"),
     "json seven levels": (lambda: b'{"a":{"b":{"c":{"d":{"e":{"f":[1,2]}}}}}}', "json_deep"),

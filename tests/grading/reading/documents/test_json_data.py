@@ -28,14 +28,31 @@ def tables(text: str, rows: int = 600, columns: int = 40) -> list[list[list[str]
     ('{"columns": ["t", "w"], "data": [[0, 5], [0.1, 7]]}', COLUMNS),
     ('{"t": {"0": 0, "1": 0.1}, "w": {"0": 5, "1": 7}}', COLUMNS),
     ('{"0": {"t": 0, "w": 5}, "1": {"t": 0.1, "w": 7}}', COLUMNS), ('{"a": {"t": 0, "w": 5}, "b": {"t": 0.1, "w": 7}}', COLUMNS),
+    ('{"header": ["t", "w"], "by": "hand", "rows": [[0, 5], [0.1, 7]]}', COLUMNS),
+    ('{"t": [0, 0.1], "w": {"1": [5, 7], "2": [3, 4]}}', [["t", "w1", "w2"], ["0", "5", "3"], ["0.1", "7", "4"]]),
+    ('{"t": [0, 0.1], "rates": {"w": [5, 7]}}', COLUMNS),
     # several numbers under one name
     ('{"t": [0, 0.1], "q": [[1, 2], [3, 4]]}', [["t", "q1", "q2"], ["0", "1", "3"], ["0.1", "2", "4"]]),
     ('[{"t": 0, "q": [1, 2]}]', [["t", "q1", "q2"], ["0", "1", "2"]]),
     ('[{"t": 0, "q": {"a": 1, "b": 2}}]', [["t", "a", "b"], ["0", "1", "2"]]),
+    # a column in each record, as programs of graphs write them
+    ('[{"name": "w", "unit": "1/s", "values": [5, 7, 9]}, {"name": "q", "values": [1, 2, 3]}]',
+     [["w, 1/s", "q"], ["5", "1"], ["7", "2"], ["9", "3"]]),
+    ('[{"is": "line", "of": "w", "x": [0, 1, 2], "y": [5, 7, 9]}, {"is": "line", "of": "q", "x": [0, 1, 2], "y": [1, 2, 3]}]',
+     [["", "w", "q"], ["0", "5", "1"], ["1", "7", "2"], ["2", "9", "3"]]),
+    ('[{"n": "w", "y": [5, 7, 9]}, {"n": "w", "y": [1, 2, 3]}]',  # one name: rows
+     [["n", "y1", "y2", "y3"], ["w", "5", "7", "9"], ["w", "1", "2", "3"]]),
+    ('[{"n": "w", "y": [5, 7]}, {"n": "q", "y": [1, 2]}]', [["n", "y1", "y2"], ["w", "5", "7"], ["q", "1", "2"]]),  # not longer
     ('[{"t": 0, "t": 1}]', [["t", "t"], ["0", "1"]]), ('{"t": [0, NaN], "w": [5, 7]}', [["t", "w"], ["0", "5"], ["NaN", "7"]]),
 ])  # fmt: skip
 def test_columns_and_rows_and_records_are_one_table(text: str, table: list[list[str]]) -> None:
     assert tables(text) == [table]
+
+
+def test_two_schemes_under_names_of_their_own_are_two_tables() -> None:
+    assert tables('{"euler": {"t": [0, 0.1], "w": [5, 7]}, "rk4": {"t": [0, 0.1], "w": [5, 8]}}') == [
+        COLUMNS, [*COLUMNS[:2], ["0.1", "8"]],
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize("text", [

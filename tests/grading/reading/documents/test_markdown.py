@@ -19,6 +19,7 @@ def lines(document: Document) -> list[tuple[str, int, bool]]:
 @pytest.mark.parametrize(("text", "is_one"), [
     ("a|b\n-|-\n1|2", True), ("a|b\n--\n", False), ("a|b\n1|2", False), ("|:---:|:-|\n", True), ("a - b\n---", False),
     ("so $x = 1$ is", True), ("it costs 5$ or", False), ("$$\nx = 1\n$$", True), ("\\$x$", False), ("", False),
+    ("so\n<table><tr><td>1</table>", True), ("a <tablet>", False),
 ])  # fmt: skip
 def test_markdown_is_known_by_a_table_or_a_formula(text: str, is_one: bool) -> None:
     assert is_markdown(text) is is_one
@@ -41,6 +42,8 @@ def test_markdown_is_known_by_a_table_or_a_formula(text: str, is_one: bool) -> N
     ("$w1 = 2$\n- w2 = 3", [], [("w1 = 2", 1, True), ("- w2 = 3", 2, False)]),
     ("```\nw1 = r1 ...\n  + w2\n* w3 = 4\n```\n+ w4 = 5", [],
      [(text, place, False) for place, text in enumerate(("```", "w1 = r1 ...", "+ w2", "* w3 = 4", "```", "w4 = 5"), 1)]),
+    ("so\n<table>\n<tr><td>a<td>b\n<tr><td>1<td>2</table>\nw1 = 2\n\na|b\n-|-\n", [[["a", "b"], ["1", "2"]], [["a", "b"]]],
+     [("so", 1, False), ("w1 = 2", 5, False)]),
     ("with $a$ alone", [], [("with a alone", 1, False)]),
 ])  # fmt: skip
 def test_tables_formulas_and_lines_stand_at_their_lines(

@@ -57,10 +57,19 @@ def test_a_number_with_its_power_of_ten_is_one_in_latex_too() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "is_page"), [('<meta charset="utf-8"><div>', True), ("<!-- saved --><table>", True), ("<3 w1", False)]
-)
+    ("text", "is_page"),
+    [('<meta charset="utf-8"><div>', True), ("<!-- saved --><table>", True), ("<3 w1", False),
+     ('<?xml version="1.0"?><a>', False),
+     ('\ufeff<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE html PUBLIC "-//W3C//DTD XHTML 1.1//EN" "x"><html>', True)],
+)  # fmt: skip
 def test_a_page_begins_with_any_of_its_signs(text: str, is_page: bool) -> None:
     assert is_html(text) == is_page
+
+
+@pytest.mark.parametrize("row", ["<tr><td></td><td>2</td></tr>", "<tr><td><p></p></td><td><p>2</p></td></tr>"])
+def test_a_row_that_begins_with_an_empty_cell_is_a_row_of_its_own(row: str) -> None:
+    (table,) = document_of_page(f"<table><tr><td>a</td><td>b</td></tr>{row}{row}</table>", "html", Room(9, 9)).tables
+    assert cells(table.rows) == [["a", "b"], ["", "2"], ["", "2"]]
 
 
 def test_a_formula_that_a_script_draws_is_a_line() -> None:

@@ -38,6 +38,8 @@ def seen(layout: Layout) -> str:
     # another table, or the next page
     ("t phi1|0 1|1 2|t w1|0 5|1 6", ["t phi1|0 1|1 2", "t w1|0 5|1 6"]), ("t phi1|0 1|so far|1 2", ["t phi1|0 1|1 2"]),
     ("t phi1|0 1|1 2|a|b|c|t w1|0 5|1 6", ["t phi1|0 1|1 2", "t w1|0 5|1 6"]),
+    (f"t phi1 w1|{ROWS}|t x y|0 1 2", [f"t phi1 w1|{ROWS}", "(t x y)|0 1 2"]),  # of something else
+    (f"t phi1 w1|{ROWS}|t x|0 1 2", [f"t phi1 w1|{ROWS}|0 1 2"]), (f"t phi1 w1|{ROWS}|x y z|0 1 2", [f"t phi1 w1|{ROWS}|0 1 2"]),
     # side by side, where the second goes on
     ("t w1 t w1|0 1 0.2 3|0.1 2 0.3 4", ["t w1|0 1|0.1 2", "t w1|0.2 3|0.3 4"]),
     ("t w1 - t w1|0 1 - 0.2 3|0.1 2 - 0.3 4", ["t w1|0 1|0.1 2", "t w1|0.2 3|0.3 4"]),

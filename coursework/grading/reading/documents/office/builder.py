@@ -18,6 +18,7 @@ from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, 
 from coursework.words.sentence import Sentence
 
 _EXPONENT = re.compile(r"[-−–]?\d{1,3}")
+HIDDEN = "hidden"  # the position of text that nobody sees
 
 
 @dataclass(slots=True)
@@ -79,7 +80,9 @@ class DocumentBuilder:
             add_lines(self.document, pieces, table.place)
 
     def text(self, text: str, position: str = "") -> None:
-        """Add text; `position` is "sub" or "super" if it is set lower or higher."""
+        """Add text; `position` is "sub" or "super" if it is set lower or higher, `HIDDEN` if it is not shown."""
+        if position == HIDDEN:
+            return
         if not self._paragraphs:
             self.open_paragraph()
         paragraph = self._paragraphs[-1]

@@ -13,7 +13,7 @@ from functools import partial
 from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.formulas import omml
 from coursework.grading.reading.documents.formulas.formula_tree import FormulaTree
-from coursework.grading.reading.documents.office.builder import DocumentBuilder
+from coursework.grading.reading.documents.office.builder import HIDDEN, DocumentBuilder
 from coursework.grading.reading.documents.signs import symbol_font
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.xml_events import stream, whole
@@ -21,11 +21,13 @@ from coursework.grading.reading.limits import Room
 
 _MAIN = re.compile(r"word/document\d*\.xml")
 _SKIPPED = {"Fallback", "del", "moveFrom"}  # copies of other content, and deleted or moved text
-_WITH_ATTRIBUTES = {"tab", "br", "cr", "gridSpan", "vMerge", "gridBefore", "vertAlign", "sym", "begChr", "endChr", "chr", "type"}
+_WITH_ATTRIBUTES = {
+    "tab", "br", "cr", "gridSpan", "vMerge", "gridBefore", "vertAlign", "vanish", "sym", "begChr", "endChr", "chr", "type",
+}  # fmt: skip
 _WANTED = dict.fromkeys(omml.ELEMENTS | _SKIPPED | {"p", "tbl", "tr", "tc", "noBreakHyphen"}, False)
 _WANTED |= dict.fromkeys(_WITH_ATTRIBUTES, True)
 _ONE = (1, False)  # a cell that spans one column and does not continue the one above
-_POSITIONS = {"superscript": "super", "subscript": "sub"}
+_POSITIONS, _OFF = {"superscript": "super", "subscript": "sub"}, {"0", "false", "off"}
 
 
 def main_part(archive: Archive) -> str | None:
@@ -84,7 +86,9 @@ class _Reader:
 
     def _detail(self, name: str, attributes: dict[str, str]) -> None:
         value = attributes.get("val", "")
-        if name == "vertAlign":
+        if name == "vanish" and value not in _OFF:
+            self.position = HIDDEN
+        elif name == "vertAlign" and self.position != HIDDEN:
             self.position = _POSITIONS.get(value, "")
         elif name == "gridSpan" and self.cells:
             self.cells[-1] = whole(value, 1), self.cells[-1][1]

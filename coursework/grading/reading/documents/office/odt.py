@@ -11,7 +11,7 @@ import posixpath
 from coursework.grading.reading.documents.document import Document
 from coursework.grading.reading.documents.formulas import mathml
 from coursework.grading.reading.documents.formulas.formula_tree import FormulaTree
-from coursework.grading.reading.documents.office.builder import DocumentBuilder
+from coursework.grading.reading.documents.office.builder import HIDDEN, DocumentBuilder
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.files.ods import CONTENT, refuse_encrypted
 from coursework.grading.reading.files.xml_events import stream, whole
@@ -52,7 +52,7 @@ class _Reader:
         self.formula: FormulaTree | None = None
         self.skipping = self.paragraphs = self.formulas = self.covered = 0  # covered: following cells that the last one covers
         self.style = ""
-        self.positions: dict[str, str] = {}  # style name -> "sub" or "super"
+        self.positions: dict[str, str] = {}  # style name -> "sub", "super" or `HIDDEN`
         self.spans: list[str] = []
         self.cells: list[tuple[str, dict[str, str]]] = []
         self.rows: list[int] = []
@@ -85,9 +85,13 @@ class _Reader:
         if name == "style":
             self.style = attributes.get("name", "")
         elif name == "text-properties":
-            position = attributes.get("text-position", "").split(" ")[0]
-            if position.strip("0%") and len(self.positions) < 1000:  # "0%" is the usual height
-                self.positions[self.style] = "sub" if position.startswith(("sub", "-")) else "super"
+            height = attributes.get("text-position", "").split(" ")[0]
+            position = (
+                "sub" if height.startswith(("sub", "-")) else "super" if height.strip("0%") else ""
+            )  # "0%" is the usual one
+            position = HIDDEN if attributes.get("display") == "none" else position
+            if position and len(self.positions) < 1000:
+                self.positions[self.style] = position
         elif name == "object" and (href := attributes.get("href")):
             self._object(href)
         elif self.paragraphs and name in {"s", "tab", "line-break"}:

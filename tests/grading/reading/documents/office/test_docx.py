@@ -39,6 +39,8 @@ def formula(inside: str) -> str:
     (run("r = x") + run("2", '<w:vertAlign w:val="superscript"/>') + run(" 3"), ["r = x^2 3"]),
     (run("a = 1") + "<w:del><w:del>" + run("2") + "</w:del>" + run("3") + "</w:del>" + run(" b"), ["a = 1 b"]),
     (run("a = 1") + "<w:Fallback><w:p>" + run("2") + "</w:p></w:Fallback>" + run(" b"), ["a = 1 b"]),
+    (run("a = 1") + run(" + b", "<w:vanish/>") + run(" c"), ["a = 1 c"]), (run("a = 1", '<w:vanish w:val="0"/>'), ["a = 1"]),
+    (run("r = w") + run("3", '<w:vanish w:val="true"/><w:vertAlign w:val="subscript"/>'), ["r = w"]),
     (run("a = 1") + "<w:moveFrom>" + run("2") + "</w:moveFrom>" + run(" b"), ["a = 1 b"]),
     ("no<w:r> no <w:t>a = 1</w:t> no </w:r>no", ["a = 1"]), ('<w:vMerge/><w:gridSpan w:val="2"/>' + run("a = 1"), ["a = 1"]),
     (formula("<m:r>no<m:t>a=1</m:t> no </m:r>no"), ["a=1"]),
