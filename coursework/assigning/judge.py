@@ -131,8 +131,7 @@ def _movable(model: Model, data: Data, sure: Flags, horizons: Array) -> Flags:
 
 def _stops(model: Model, data: Data, place: int, start: list[float], end: float) -> bool:
     """Return whether the motion of one set surely stops, by the search alone, without a message."""
-    given = tuple(replace(one, value=float(data.given[one.name][place])) for one in model.variant.given)
-    variant = replace(model.variant, given=given)
+    variant = model.variant.with_values({one.name: float(data.given[one.name][place]) for one in model.variant.given})
     try:
         flow = compile_flow(replace(model.equations, variant=variant), model.reduction, start)
         return search_event(flow, start, end, breaks=model.breaks).event is not None

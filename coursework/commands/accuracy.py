@@ -43,12 +43,9 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
     with working_folder(folder) as hidden:
         written = write_set(results, wanted, folder, hidden)
     tell(say("screen.error_against_cost", title=title_of(run.variant), name=run.variant.name))
-    for sentence in (*study.sentences, *study.left_out):
-        tell(say("screen.note", sentence=sentence))
-    for name, order in study.orders.items():
-        tell(say("screen.measured_order", name=name, order=order))
-    for label, spent in study.overhead:
-        tell(say("screen.spent", label=label, seconds=spent))
+    tell(*(say("screen.note", sentence=sentence) for sentence in (*study.sentences, *study.left_out)))
+    tell(*(say("screen.measured_order", name=name, order=order) for name, order in study.orders.items()))
+    tell(*(say("screen.spent", label=label, seconds=spent) for label, spent in study.overhead))
     tell(say("screen.reference", label=study.reference_label))
     tell(say("screen.written_to", out=folder, files=", ".join(written)))
     return 0

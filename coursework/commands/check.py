@@ -49,11 +49,9 @@ def _tell(run: Run) -> int:
         tell(say("screen.counts", **size, unknowns=", ".join(chosen.sought)))
     if free:
         tell(say_count("dynamics.free", len(free), rates=", ".join(free)))
-    for line in of_mobility(run):
-        tell(line)
+    tell(*of_mobility(run))
     closure = scene.closure
-    for note in reduction.notes:
-        tell(note)
+    tell(*reduction.notes)
     _tell_blocks(scene)
     if closure is None:
         tell(say("screen.all_free" if free else "screen.no_positions"))
@@ -78,8 +76,7 @@ def _tell(run: Run) -> int:
         if begun.verdict == "FAIL":
             return 1  # links that do not close cannot move
         tell(say("screen.possible", end=chosen.time.end))
-        for note in scene.passed:
-            tell(note)
+        tell(*scene.passed)
         return 0
     tell(say("screen.not_possible", kind=stop.name, sentence=stop.sentence))
     if scene.phases:

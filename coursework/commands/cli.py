@@ -137,13 +137,11 @@ def variants_command(language: str) -> int:
 )
 @line.SET
 @line.spoken(passed_on=True)
-def new_command(
-    name: str, original: str | None, set_values: tuple[str, ...], kinds: str | None, language: str, more: str | None
-) -> int:
+def new_command(name: str, **options: Any) -> int:
     """Write NAME.toml, a commented variant file to fill in, a chain of groups, or a copy of another."""
     from coursework.commands.new import new_variant
 
-    return new_variant(name, original, set_values, kinds, language, more)
+    return new_variant(name, **options)
 
 
 @main.command("accuracy", cls=line.CommandWithTemplates, short_help="Show what accuracy costs in time.")

@@ -74,8 +74,7 @@ def grade_source(
         decided = _decided(overrides, listed, marking)
         setup = Setup(text, not no_pages, class_tables(listed.variants), memory, templates_in_use(), language)
         _prepare(out, source)
-        for remark in (*opened.remarks, *([say("screen.no_scheduler")] if scheduler == "" else [])):
-            tell(remark)
+        tell(*opened.remarks, *([say("screen.no_scheduler")] if scheduler == "" else []))
         with (
             held(out),
             Journal(out) as journal,

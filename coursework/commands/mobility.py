@@ -9,7 +9,8 @@ from coursework.mechanism.left_out import left_out
 from coursework.mechanism.structure import driven_freedoms
 from coursework.motion.geometry.judging.rigid import hinges_with_two_names
 from coursework.run import Run
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
+from coursework.variant.formula.tree import Formula, named, spelled
+from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -69,8 +70,7 @@ def _along_its_guide(variant: Variant) -> Sentence | None:
 
 def _multiple(function: str, angle: Formula) -> str | None:
     """Return a factor cos or sin of an angle as text after another factor, "" if it is 1, None if it is 0."""
-    try:
-        value = evaluate(Formula("call", (angle,), function), {})
-    except (FormulaFault, KeyError):
-        return f"*{function}({spelled(angle)})"
-    return None if abs(value) < 1e-12 else "" if value > 1 - 1e-12 else f"*{function}({spelled(angle)})"
+    value = known_value(Formula("call", (angle,), function), {})
+    if value is not None and (abs(value) < 1e-12 or value > 1 - 1e-12):
+        return "" if value > 0.5 else None
+    return f"*{function}({spelled(angle)})"

@@ -26,8 +26,7 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     tell_own_file(chosen)
     read = load(chosen)
     found = precheck(collect_files(files), read, before_a_person)
-    for sentence in found.sentences:
-        tell(sentence)
+    tell(*found.sentences)
     for note in found.notes:
         click.echo(f"  {before_a_person(in_language(note), read.columns)}")
     return 0 if found.fine and found.whole else 1

@@ -57,8 +57,7 @@ def run_variant(
             return tell_stop(found, say("screen.no_step"))
         with under_way("step_search"):
             choice = step_choice(found, error)
-        for sentence in choice.sentences:
-            tell(sentence)
+        tell(*choice.sentences)
         h, error = choice.step, None
     run = make_run(read, scheme, h, end, error=error, **{**options, "quantities": options["quantities"] or None})
     results = Results(run, language, live)
@@ -84,14 +83,12 @@ def run_variant(
 def tell_plan(results: Results, wanted: Sequence[Format]) -> None:
     """Print what would be computed and what left out, the cost of the forces, and what each row evaluates."""
     run = results.run
-    for line in results.plan(any(each.paged for each in wanted)).lines():
-        tell(line)
+    tell(*results.plan(any(each.paged for each in wanted)).lines())
     if run.variant.forces is not None:
         from coursework.effects.told import effect_lines
 
         needed = any(run.asks(one) for one in (FORCES, ENERGY, DYNAMICS))
-        for line in effect_lines(run.variant.forces, run.of(FORCES) if needed else None):
-            tell(line)
+        tell(*effect_lines(run.variant.forces, run.of(FORCES) if needed else None))
     title = run.scheme_title
     tell(say_count("screen.evaluations", run.tableau.slopes, title=title) if run.tableau else say("screen.scheme", title=title))
     evaluated = run.scene.rates.blocks

@@ -36,14 +36,9 @@ def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     if run.summary:
         tell(run.summary if speaks_english() else run.named_summary)
     tell(f"{title_of(run.variant)}  ({run.variant.name})")
-    for line in _set_values(run):
-        tell(line)
-    tell(_how_computed(run))
-    for line in (*_about_rows(run), *_first_and_last(run), *_why_stopped(run)):
-        tell(line)
+    tell(*_set_values(run), _how_computed(run), *_about_rows(run), *_first_and_last(run), *_why_stopped(run))
     tell_remarks(run)
-    for line in of_pairs_left_out(run):
-        tell(line)
+    tell(*of_pairs_left_out(run))
     if run.asks(CHECKS):
         tell_checks(run)
     tell(say("screen.written_to", out=folder, files=", ".join(written)))
@@ -60,15 +55,11 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     findings = run.checks if run.asks(CHECKS) else ()
     if findings:
         tell_wrapped(run.named_summary)
-    for line in (*_set_values(run), *_about_rows(run)):
-        tell_wrapped(line)
-    for line in _first_and_last(run):
-        tell_wrapped(line, hanging=INDENT)
-    for line in _why_stopped(run):
-        tell_wrapped(line)
+    tell_wrapped(*_set_values(run), *_about_rows(run))
+    tell_wrapped(*_first_and_last(run), hanging=INDENT)
+    tell_wrapped(*_why_stopped(run))
     tell_remarks(run, coded=False)
-    for line in of_pairs_left_out(run):
-        tell_wrapped(line)
+    tell_wrapped(*of_pairs_left_out(run))
     advice: dict[str, None] = {}  # in the order of the checks, without repetition
     for finding in findings:
         if finding.says_more:
@@ -76,8 +67,7 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
             advice |= dict.fromkeys(further)
             mark = say(f"checks.mark.{finding.verdict}")
             tell_wrapped(say("screen.not_passed", mark=mark, title=finding.title, sentence=fact), hanging=INDENT)
-    for line in advice:
-        tell_wrapped(line)
+    tell_wrapped(*advice)
     tell_wrapped(say("screen.written_to", out=folder, files=", ".join(by_folder(written))))
     if findings:
         tell_wrapped(say("screen.more_with_verbose"))

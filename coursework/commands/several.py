@@ -29,7 +29,7 @@ from coursework.scene.quantities import CHECKS
 from coursework.system.files.csv_text import csv_text
 from coursework.system.files.file_set import clear_leftovers, working_folder
 from coursework.system.files.links import led_to
-from coursework.system.files.whole_files import write_bytes
+from coursework.system.files.whole_files import free_name, write_bytes
 from coursework.system.frozen import frozen
 from coursework.system.processes.budget import Budget, watched
 from coursework.variant.catalogue import find
@@ -212,9 +212,7 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
     for outcome in ordered:
         if outcome.status >= WRONG_INPUT:
             tell(outcome.message.rstrip(), err=True)
-    for line in summary_lines(ordered):
-        tell(line)
-    tell(say("screen.written_folders", out=task.out, file=", ".join(written)))
+    tell(*summary_lines(ordered), say("screen.written_folders", out=task.out, file=", ".join(written)))
     return max(outcome.status for outcome in ordered)
 
 
@@ -247,30 +245,17 @@ def summary_lines(ordered: Sequence[Outcome]) -> Iterator[str]:
 
 def _items(variants: Sequence[str]) -> list[Item]:
     """Return the items to run, each file once, with folder names that differ even if case is ignored."""
-    items: list[Item] = []
-    seen: set[str] = set()
-    taken: set[str] = {SUMMARY, COMBINED}
+    items: dict[str, Item] = {}
     for variant in (found for word in variants for found in _expanded(word)):
         tell_own_file(variant)
         try:
             path = find(variant)
         except CourseworkError:
             path = Path(variant)
-        key = str(led_to(path))
-        if key in seen:
-            continue
-        seen.add(key)
-        items.append(Item(variant, _free(path.stem.strip(". ") or "variant", taken)))
-    return items
-
-
-def _free(stem: str, taken: set[str]) -> str:
-    """Return a folder name that is not taken, ignoring case, as some systems do not distinguish A and a."""
-    name, number = stem, 2
-    while name.casefold() in taken:
-        name, number = f"{stem}-{number}", number + 1
-    taken.add(name.casefold())
-    return name
+        if (key := str(led_to(path))) not in items:
+            taken = (SUMMARY, COMBINED, *(one.folder for one in items.values()))
+            items[key] = Item(variant, free_name(path.stem.strip(". ") or "variant", taken))
+    return [*items.values()]
 
 
 def _is_pattern(word: str) -> bool:

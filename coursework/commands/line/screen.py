@@ -52,14 +52,15 @@ def title_of(variant: Variant) -> str:
     return (texts and texts.title) or variant.title
 
 
-def tell(text: str, *, err: bool = False) -> None:
-    """Print a line; of a sentence before a person, several, broken between words."""
-    line = in_language(text)
-    if isinstance(text, Sentence) and not err and "\n" not in line and is_terminal():
-        indent = line[: len(line) - len(line.lstrip(" "))]
-        tell_wrapped(line, hanging=indent and f"{indent}  ")
-    else:
-        click.echo(line, err=err)
+def tell(*texts: str, err: bool = False) -> None:
+    """Print texts, a line each; of a sentence before a person, several, broken between words."""
+    for text in texts:
+        line = in_language(text)
+        if isinstance(text, Sentence) and not err and "\n" not in line and is_terminal():
+            indent = line[: len(line) - len(line.lstrip(" "))]
+            tell_wrapped(line, hanging=indent and f"{indent}  ")
+        else:
+            click.echo(line, err=err)
 
 
 def refuse_motor(variant: Variant) -> None:
@@ -88,21 +89,21 @@ def before_a_person(text: str, names: Iterable[str]) -> str:
     return with_symbols(text, names)
 
 
-def tell_wrapped(text: str, *, hanging: str = "") -> None:
-    """Print a paragraph broken between words to the width of the terminal; all lines but the first begin with `hanging`.
+def tell_wrapped(*texts: str, hanging: str = "") -> None:
+    """Print paragraphs broken between words to the width of the terminal; all lines but their first begin with `hanging`.
 
     Text without gaps between words, such as Chinese, is left for the terminal to break.
     """
     import shutil  # imported here, as output to a program does not need it
     import textwrap
 
-    line = in_language(text)
-    if not wide_letters(line):
-        width = shutil.get_terminal_size().columns - 1  # some terminals break a line that fills theirs
-        kept = _BESIDE_NUMBER.sub(_TIED, line)
-        lines = textwrap.wrap(kept, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)
-        line = "\n".join(lines).replace(_TIED, " ")
-    click.echo(line)
+    for line in map(in_language, texts):
+        if not wide_letters(line):
+            width = shutil.get_terminal_size().columns - 1  # some terminals break a line that fills theirs
+            kept = _BESIDE_NUMBER.sub(_TIED, line)
+            lines = textwrap.wrap(kept, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)
+            line = "\n".join(lines).replace(_TIED, " ")
+        click.echo(line)
 
 
 def tell_unprinted(letters: str) -> None:

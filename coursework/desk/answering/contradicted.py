@@ -139,14 +139,7 @@ def _edited(tree: Formula, edit: Edit) -> Formula:
         return tree
     if tree.op in {"+", "-"}:
         return tree.args[1]
-    return _unsigned(term)
-
-
-def _unsigned(term: Formula) -> Formula:
-    """Return a term without the minus before it, which may stand before its first factor."""
-    if term.op == "neg":
-        return _unsigned(term.args[0])
-    return replace(term, args=(_unsigned(term.args[0]), *term.args[1:])) if term.op in {"*", "/"} else term
+    return term
 
 
 def _entry(fault: Fault, slip: Slip, desk: Desk) -> dict[str, Any]:

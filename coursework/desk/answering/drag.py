@@ -111,13 +111,12 @@ def _sketched(variant: Variant, moving: Sequence[Written], values: Array, guess:
     now = {one.name: value for one, value in zip(moving, values.tolist(), strict=True)}
     if any(now.get(one.name, 1.0) <= 0 < one.value for one in variant.given):
         raise ArithmeticError  # a length would not be positive
-    given = tuple(replace(one, value=now[one.name]) if one.name in now else one for one in variant.given)
     follow = follow_from(variant, [one.path for one in moving])
     starts = tuple(
         replace(one, start=None, start_guess=one.start_or_guess) if one.name in follow
         else replace(one, start=now.get(one.name, one.start)) for one in variant.coordinates
     )  # fmt: skip
-    return _guessed(replace(variant, given=given, coordinates=starts, before=variant.before or variant), guess)
+    return _guessed(replace(variant.with_values(now), coordinates=starts, before=variant.before or variant), guess)
 
 
 def _places(variant: Variant) -> dict[str, complex]:

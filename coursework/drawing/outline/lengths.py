@@ -15,7 +15,7 @@ from string import ascii_uppercase
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, signed, terms
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named, signed, terms, with_points
 from coursework.variant.record.held import held_vectors, is_gap, is_origin
 from coursework.variant.record.variant import Variant
 
@@ -153,10 +153,7 @@ def _anywhere(mechanism: Mechanism, share: float) -> dict[str, complex]:
     """Return the points (x + iy) and all other names in a position that need not close, each coordinate another number."""
     pose: dict[str, complex] = {**mechanism.variant.values, "pi": math.pi}
     pose |= {one.name: 1 + share * place % 1 for place, one in enumerate(mechanism.variant.coordinates, start=1)}
-    with suppress(FormulaFault, KeyError):
-        for name, formula in mechanism.points:
-            pose[name] = evaluate_any(formula, pose)
-    return pose
+    return with_points(pose, mechanism.points)
 
 
 def stretching(mechanism: Mechanism) -> frozenset[frozenset[str]]:

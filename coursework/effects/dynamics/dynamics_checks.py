@@ -217,23 +217,23 @@ def stiffness(e: Evidence) -> tuple[float, float]:
 def _slopes(dynamics: EquationsOfMotion, t: float, q: list[float], v: list[float]) -> tuple[Array, Array]:
     """Return the derivatives (f, f) of the free accelerations by the free rates and by the free coordinates."""
     count = len(dynamics.free)
-    by_rates, by_places = np.zeros((count, count)), np.zeros((count, count))
-    for k, place in enumerate(dynamics.free):
-        moved = _TINY * (1 + abs(v[k]))
-        ends = [dynamics.slope(t, *q, *[x + s * moved * (k == i) for i, x in enumerate(v)])[:count] for s in (1, -1)]
-        by_rates[:, k] = (np.array(ends[0]) - np.array(ends[1])) / (2 * moved)
-        moved = _TINY * (1 + abs(q[place]))
-        ends = []
-        for s in (1, -1):
-            there = list(q)
-            there[place] += s * moved
-            for _ in range(4 if dynamics.others else 0):
-                step = dynamics.newton(t, *there, *dynamics.kept)
-                for other, value in zip(dynamics.others, step, strict=True):
-                    there[other] += value
-            ends.append(dynamics.slope(t, *there, *v)[:count])
-        by_places[:, k] = (np.array(ends[0]) - np.array(ends[1])) / (2 * moved)
-    return by_rates, by_places
+
+    def by_rate(k: int, off: float) -> Array:
+        return np.array(dynamics.slope(t, *q, *[x + off * (k == i) for i, x in enumerate(v)])[:count])
+
+    def by_place(k: int, off: float) -> Array:
+        there = list(q)
+        there[dynamics.free[k]] += off
+        for _ in range(4 if dynamics.others else 0):
+            for other, value in zip(dynamics.others, dynamics.newton(t, *there, *dynamics.kept), strict=True):
+                there[other] += value
+        return np.array(dynamics.slope(t, *there, *v)[:count])
+
+    def slopes(of: Callable[[int, float], Array], at: list[float]) -> Array:
+        moved = [_TINY * (1 + abs(x)) for x in at]
+        return np.column_stack([(of(k, by) - of(k, -by)) / (2 * by) for k, by in enumerate(moved)])
+
+    return slopes(by_rate, v), slopes(by_place, [q[place] for place in dynamics.free])
 
 
 def _step(e: Evidence) -> Finding:

@@ -16,7 +16,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.drives.drive import breaks
 from coursework.motion.singular.scaled_flow import compile_flow
 from coursework.motion.singular.search import search_event
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import terms
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say
 
@@ -34,8 +34,7 @@ def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: li
         return ""
 
     def possible(value: float) -> bool:
-        changed = replace(variant, given=tuple(replace(g, value=value) if g.name == name else g for g in variant.given))
-        flow = compile_flow(replace(equations, variant=changed), reduction, start)
+        flow = compile_flow(replace(equations, variant=variant.with_values({name: value})), reduction, start)
         return search_event(flow, start, variant.time.end, tolerance=TOLERANCE, breaks=breaks(variant)).event is None
 
     intervals = _intervals(possible)
@@ -51,12 +50,8 @@ def _phase_of(variant: Variant) -> str:
     angles = {g.name for g in variant.given if g.si in {"rad", ""}}
     nodes = [node for law in variant.drive for formula in law.formulas for node in formula.walk()]
     waves = [node for node in nodes if node.op == "call" and node.name in {"sin", "cos"} and "t" in node.names()]
-    names = (part.name for wave in waves for part in _terms(wave.args[0]) if part.op == "name")
+    names = (part.name for wave in waves for part in terms(wave.args[0]) if part.op == "name")
     return next((name for name in names if name in angles), "")
-
-
-def _terms(tree: Formula) -> list[Formula]:
-    return [leaf for arg in tree.args for leaf in _terms(arg)] if tree.op in {"+", "-"} else [tree]
 
 
 def _intervals(possible: Callable[[float], bool]) -> list[tuple[float, float]]:

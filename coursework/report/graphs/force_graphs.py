@@ -9,7 +9,7 @@ import numpy as np
 
 from coursework.effects.kinetostatics.analysis import ForceAnalysis
 from coursework.report.graphs import graph_paper
-from coursework.report.graphs.graph_paper import BOTTOM, EXACT_PEN, FAINT, INK, LEFT, RIGHT, SCHEME_INK, TOP, Field
+from coursework.report.graphs.graph_paper import BOTTOM, FAINT, INK, LEFT, RIGHT, SCHEME_INK, TOP, Field
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part, Runs
 from coursework.system.arrays import Array
@@ -55,10 +55,7 @@ def _over_time(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis 
     field = graph_paper.field_for(SIZE, [t, true_t], [values, true], context.numbers)
     symbol = context.symbol(name)
     inside = graph_paper.framed(context, field, symbol, unit)
-    if len(true):
-        inside += f'<path {EXACT_PEN} d="{field.curve(true_t, true)}"/>'
-    if dotted:
-        inside += graph_paper.line_of_rows(field, t, values)
+    inside += graph_paper.lines(field, (true_t, true), (t, values) if dotted else None)
     mean = float(np.nanmean(true if len(true) else values))
     inside += f'<path {MEAN_PEN} d="M{field.left:g} {field.y(mean):.2f}H{field.width - RIGHT:g}"/>'
     low, high = (context.quantity(float(end), unit, 4) for end in (np.nanmin(values), np.nanmax(values)))
@@ -83,10 +80,7 @@ def _polar(context: PageContext, found: ForceAnalysis, exact: ForceAnalysis | No
     for value, text in graph_paper.ticks(field.low, field.high, 5, context.numbers):
         if field.y(value) < field.height - BOTTOM - 1.5:  # one in the corner would touch the first number below
             inside += graph_paper.words(field.left - 0.8, field.y(value) + 1.0, text, "end")
-    if len(true_x):
-        inside += f'<path {EXACT_PEN} d="{field.curve(true_x, true_y)}"/>'
-    if dotted:
-        inside += graph_paper.line_of_rows(field, x, y)
+    inside += graph_paper.lines(field, (true_x, true_y), (x, y) if dotted else None)
     inside += f'<circle cx="{at_x[0]:.2f}" cy="{at_y[0]:.2f}" r="1.2" fill="{SCHEME_INK}"/>'
     inside += graph_paper.words(field.left + 1.2, TOP - 2.2, graph_paper.letters(symbol) + escaped(context.words.behind(unit)))
     largest = context.quantity(float(np.hypot(x, y).max()), "N", 4)

@@ -237,6 +237,12 @@ def line_of_rows(field: Field, t: Array, values: Array) -> str:
     return f'<path {SCHEME_PEN} d="{line}"/><path {DOT_PEN} d="{dots(field, t, values)}"/>'
 
 
+def lines(field: Field, exact: tuple[Array, Array], rows: tuple[Array, Array] | None) -> str:
+    """Return the line of the exact motion, and above it that of the rows with their dots; each only if it is known and shown."""
+    below = f'<path {EXACT_PEN} d="{field.curve(*exact)}"/>' if len(exact[0]) else ""
+    return below + line_of_rows(field, *rows) if rows is not None and len(rows[0]) else below
+
+
 def sheet(field: Field, inside: str) -> str:
     """Return the whole SVG of a graph over time; its ranges are attributes that the live part of a page reads."""
     ranges = (

@@ -52,13 +52,15 @@ class Scale:
         return self.begin + (max(power, self.low) - self.low) / (self.high - self.low) * (self.end - self.begin)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Return round values inside the axis with their words: "10⁻³", on a short axis also "2·10⁻³"."""
+        """Return the places (mm) of round values inside the axis with their words: "10⁻³", on a short axis also "2·10⁻³"."""
         first, last = math.ceil(self.low - 1e-9), math.floor(self.high + 1e-9)
         if last - first + 1 >= FEWEST_DECADES:
             pace = -(-(last - first + 1) // MOST_TICKS)
-            return [(10.0**k, _power(1, k)) for k in range(first, last + 1) if k % pace == 0]
-        between = ((n, k) for k in range(first - 1, last + 1) for n in (1, 2, 5))
-        return [(n * 10.0**k, _power(n, k)) for n, k in between if self.low <= math.log10(n * 10.0**k) <= self.high]
+            shown = [(1, k) for k in range(first, last + 1) if k % pace == 0]
+        else:
+            between = ((n, k) for k in range(first - 1, last + 1) for n in (1, 2, 5))
+            shown = [(n, k) for n, k in between if self.low <= math.log10(n * 10.0**k) <= self.high]
+        return [(round(self.at(n * 10.0**k), 2), _power(n, k)) for n, k in shown]
 
 
 def scale_for(values: Iterable[float], begin: float, end: float, room: tuple[float, float]) -> Scale:
@@ -75,7 +77,7 @@ def _power(times: int, exponent: int) -> str:
 
 def across(x: Scale, bottom: float, top: float, label: str) -> str:
     """Return the horizontal axis at height `bottom` (mm), its grid up to `top`, its ticks, and `label` below it."""
-    ticks = [(round(x.at(value), 2), text) for value, text in x.ticks()]
+    ticks = x.ticks()
     grid = "".join(f"M{at:g} {bottom:g}V{top:g}" for at, _ in ticks)
     axis = f"M{x.begin:g} {bottom:g}H{x.end:g}" + "".join(f"M{at:g} {bottom:g}v{TICK}" for at, _ in ticks)
     told = [words(at, bottom + TICK + 3.0, text, "middle") for at, text in ticks]
@@ -84,7 +86,7 @@ def across(x: Scale, bottom: float, top: float, label: str) -> str:
 
 def upward(y: Scale, left: float, right: float, label: str) -> str:
     """Return the vertical axis at `left` (mm), its grid up to `right`, its ticks, and `label` above it."""
-    ticks = [(round(y.at(value), 2), text) for value, text in y.ticks()]
+    ticks = y.ticks()
     grid = "".join(f"M{left:g} {at:g}H{right:g}" for at, _ in ticks)
     axis = f"M{left:g} {y.begin:g}V{y.end:g}" + "".join(f"M{left:g} {at:g}h{-TICK}" for at, _ in ticks)
     told = [words(left - TICK - APART, at + RISE * LETTERS, text, "end") for at, text in ticks]

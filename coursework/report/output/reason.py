@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from itertools import chain
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,7 +49,7 @@ class _Unknown(Exception):
 class _NotFinite(Exception):
     """The first node whose value, or its rate, is not finite."""
 
-    def __init__(self, node: Formula, numbers: list[float], of_slope: bool) -> None:
+    def __init__(self, node: Formula, numbers: list[complex], of_slope: bool) -> None:
         super().__init__()
         self.node, self.numbers, self.of_slope = node, numbers, of_slope
 
@@ -61,13 +61,13 @@ class Formulas:
         self.variant, self.t, self.rates = variant, motion.t, rates
         zero = np.zeros(len(self.t))
         known = {"pi": math.pi, **variant.values}
-        self.values: dict[str, Components] = {name: (Moving(zero + value, zero),) for name, value in known.items()}
+        self.values = {name: Moving(zero + value, zero) for name, value in known.items()}
         # The rate of an unknown velocity is sought, so it counts as 0: the other terms must be finite without it.
-        self.values |= {name: (Moving(motion.column(name), zero),) for name in motion.velocity_names}
+        self.values |= {name: Moving(motion.column(name), zero) for name in motion.velocity_names}
         moved = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
         for name in motion.coordinate_names:
-            self.values[name] = (Moving(motion.column(name), motion.column(moved[name])),)
-        self.values["t"] = (Moving(self.t, zero + 1),)
+            self.values[name] = Moving(motion.column(name), motion.column(moved[name]))
+        self.values["t"] = Moving(self.t, zero + 1)
 
     def of_motion(self) -> Reason | None:
         """Return the first law or constraint without a value in some row, as the reason why the table lacks one; else None."""
@@ -108,16 +108,16 @@ class Formulas:
                 return reason
             if law.name not in self.values:
                 return None
-            value[chosen], slope[chosen] = self.values.pop(law.name)[0]
-        self.values[law.name] = (Moving(value, slope),)
+            value[chosen], slope[chosen] = self.values.pop(law.name)
+        self.values[law.name] = Moving(value, slope)
         return None
 
     def _tabulate(self, law: Law) -> None:
         if law.of not in self.values:
             return
-        table, (argument, rate) = TableLaw(law.name, law.table, law.method), self.values[law.of][0]
+        table, (argument, rate) = TableLaw(law.name, law.table, law.method), self.values[law.of]
         try:
-            self.values[law.name] = (Moving(table.function(0)(argument), table.function(1)(argument) * rate),)
+            self.values[law.name] = Moving(table.function(0)(argument), table.function(1)(argument) * rate)
         except OutsideTable:  # reported elsewhere, long before a table is written
             self.values.pop(law.name, None)
 
@@ -144,45 +144,42 @@ class Formulas:
             kind = "triangle"
         return Reason(path, label, _shown(node, lost.numbers), kind, names, lost.of_slope)
 
-    def _value(self, node: Formula, rows: Rows) -> Components:
+    def _value(self, node: Formula, rows: Rows) -> Moving:
         if node.op == "number":
-            return (Moving(np.full(len(rows), float(node.value)), np.zeros(len(rows))),)
+            return Moving(np.full(len(rows), float(node.value)), np.zeros(len(rows)))
         if node.op == "name":
             if node.name not in self.values:
                 raise _Unknown
-            return tuple(Moving(part.value[rows], part.slope[rows]) for part in self.values[node.name])
+            return Moving(*(part[rows] for part in self.values[node.name]))
         args = [self._value(arg, rows) for arg in node.args]
         with np.errstate(all="ignore"):
             found = applied(node, args)
-        flat = [component.value for arg in args for component in arg]
+        known = np.logical_and.reduce([np.isfinite(arg.value) for arg in args])
         for of_slope in (False, True) if self.rates else (False,):
-            parts = [component.slope if of_slope else component.value for component in found]
-            lost = np.logical_and.reduce([np.isfinite(part) for part in flat]) & ~np.isfinite(parts).all(axis=0)
+            lost = known & ~np.isfinite(found.slope if of_slope else found.value)
             if lost.any():
-                row = int(np.argmax(lost))
-                raise _NotFinite(node, [float(part[row]) for part in flat], of_slope)
+                raise _NotFinite(node, [arg.value[np.argmax(lost)] for arg in args], of_slope)
         return found
 
 
-def _shown(node: Formula, args: list[float]) -> str:
+def _shown(node: Formula, args: list[complex]) -> str:
     """Return the node with the numbers it was given, such as acos(1.37)."""
     numbers = [f"{value:.3g}" for value in args]
     if node.op == "call":
         return f"{node.name}({', '.join(numbers)})"
-    if node.op in "+-*/^" and len(args) == 2:
+    if node.op in "+-*/^" and not np.iscomplexobj(args):
         left, right = (f"({text})" if text.startswith("-") else text for text in numbers)
         return f"{left}{node.op}{right}"
     return spelled(node)[:60]
 
 
 class Moving(NamedTuple):
-    """A quantity in some rows: its `value` and its time derivative `slope` (per second)."""
+    """A quantity in some rows: its `value` and its time derivative `slope` (per second); a vector is x + iy."""
 
-    value: Array
-    slope: Array
+    value: NDArray[Any]
+    slope: NDArray[Any]
 
 
-Components = tuple[Moving, ...]  # one of a scalar, two of a vector
 Rule = Callable[[Array], Array]
 _CALLS: dict[str, tuple[Rule, Rule]] = {
     "sin": (np.sin, np.cos),
@@ -198,23 +195,11 @@ _CALLS: dict[str, tuple[Rule, Rule]] = {
 }
 
 
-def applied(node: Formula, args: list[Components]) -> Components:
-    """Return the components of `node`; `args` are those of its arguments."""
-    if node.op == "pair":
-        return args[0][0], args[1][0]
-    if node.op == "@":
-        length, angle = args[0][0], args[1][0]
-        return _times(length, _called("cos", angle)), _times(length, _called("sin", angle))
-    if node.op == "part":
-        return (args[0]["xy".index(node.name.lstrip("."))],)
-    if node.op == "neg":
-        return tuple(Moving(-part.value, -part.slope) for part in args[0])
+def applied(node: Formula, args: list[Moving]) -> Moving:
+    """Return the quantity that a node makes of its arguments."""
     if node.op == "call":
-        single = [arg[0] for arg in args]
-        return (_turned(*single) if node.name == "atan2" else _called(node.name, single[0]),)
-    longest = max(len(arg) for arg in args)
-    broad = [arg if len(arg) == longest else arg * longest for arg in args]
-    return tuple(_ARITHMETIC[node.op](*parts) for parts in zip(*broad, strict=True))
+        return _turned(*args) if node.name == "atan2" else _called(node.name, args[0])
+    return _OPERATIONS[node.op](*args) if node.op != "part" else Moving(*(getattr(one, _SIDES[node.name]) for one in args[0]))
 
 
 def _called(name: str, arg: Moving) -> Moving:
@@ -245,7 +230,11 @@ def _power(a: Moving, b: Moving) -> Moving:
     return Moving(np.power(a.value, b.value), _moved(b.value * np.power(a.value, b.value - 1), a.slope))  # exponents are numbers
 
 
-_ARITHMETIC: dict[str, Callable[[Moving, Moving], Moving]] = {
+_SIDES = {"x": "real", "y": "imag"}
+_OPERATIONS: dict[str, Callable[..., Moving]] = {
+    "pair": lambda x, y: Moving(x.value + 1j * y.value, x.slope + 1j * y.slope),
+    "@": lambda length, angle: _times(length, _called("exp", Moving(1j * angle.value, 1j * angle.slope))),
+    "neg": lambda a: Moving(-a.value, -a.slope),
     "+": lambda a, b: Moving(a.value + b.value, a.slope + b.slope),
     "-": lambda a, b: Moving(a.value - b.value, a.slope - b.slope),
     "*": _times, "/": _over, "^": _power,

@@ -147,10 +147,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
         # The stop is named above the end of its line, on the side that has room.
         side = "end" if x > field.width / 2 else "start"
         inside += graph_paper.words(x, graph_paper.TOP - 2.2, escaped(context.event(run.stop.kind)), side, STOP_WORDS)
-    if len(rows.curve):
-        inside += f'<path {EXACT_PEN} d="{field.curve(rows.curve_t, rows.curve)}"/>'
-    if len(rows.t):
-        inside += graph_paper.line_of_rows(field, rows.t, rows.values)
+    inside += graph_paper.lines(field, (rows.curve_t, rows.curve), (rows.t, rows.values))
     is_known = rows.curve.any() and rows.name in (extremes := run.scene.extremes)
     ends = extremes[rows.name] if is_known else (float(rows.values.min()), float(rows.values.max()))
     low, high = (context.quantity(value, unit, 4) for value in ends)

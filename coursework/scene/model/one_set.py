@@ -26,8 +26,7 @@ def horizons(template: Variant, data: Data) -> Array:
 
 def with_numbers(template: Variant, data: Data, index: int) -> Variant:
     """Return the template with the numbers of one set and the times that follow from them; nothing else is read again."""
-    given = tuple(replace(one, value=float(data.given[one.name][index])) for one in template.given)
-    values = {one.name: one.value for one in given}
+    values = {one.name: float(data.given[one.name][index]) for one in template.given}
     try:
         times = {str(path[1]): evaluate(formula, values) for path, formula in template.times.items() if path[0] == "time"}
     except FormulaFault:
@@ -38,4 +37,4 @@ def with_numbers(template: Variant, data: Data, index: int) -> Variant:
         replace(c, start=guess if c.start is not None else None, start_guess=None if c.start is not None else guess)
         for c, guess in zip(template.coordinates, guesses, strict=True)
     )
-    return replace(template, given=given, coordinates=coordinates, time=replace(template.time, **times))  # type: ignore[arg-type]
+    return replace(template.with_values(values), coordinates=coordinates, time=replace(template.time, **times))  # type: ignore[arg-type]

@@ -9,7 +9,7 @@ from __future__ import annotations
 import errno
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import IO
@@ -37,6 +37,18 @@ def refused(target: Path) -> Iterator[None]:
         raise OutputError([Fault(say("fault.W008", reason=reason_of(error)), str(target))]) from error
     except ValueError as error:  # an impossible file name, for instance with a zero byte
         raise OutputError([Fault(say("fault.W009", reason=str(error)), str(target))]) from error
+
+
+def free_name(stem: str, taken: Iterable[str]) -> str:
+    """Return a name that is not taken, ignoring case, as some systems do not distinguish A and a.
+
+    >>> free_name("A", ["a", "b"])
+    'A-2'
+    """
+    name, number, known = stem, 2, {one.casefold() for one in taken}
+    while name.casefold() in known:
+        name, number = f"{stem}-{number}", number + 1
+    return name
 
 
 def wrong_ending(path: Path, endings: str) -> OutputError:

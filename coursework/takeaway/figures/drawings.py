@@ -19,6 +19,7 @@ from coursework.report.output.results import Results
 from coursework.report.pages.model import ReportModel
 from coursework.report.pages.pdf import pdf_of
 from coursework.report.text.parts import Figure, Panels
+from coursework.system.files.whole_files import free_name
 from coursework.system.frozen import frozen
 from coursework.words.errors import NotToBeHad
 from coursework.words.sentences import say
@@ -72,10 +73,7 @@ def pictures_of(model: ReportModel) -> dict[str, Picture]:
 
 
 def _add(found: dict[str, Picture], name: str, svg: str, width: float, height: float, alt: str) -> None:
-    stem = _UNSAFE.sub("-", name).strip("-.") or "drawing"
-    free, number = stem, 2
-    while free.casefold() in {one.casefold() for one in found}:
-        free, number = f"{stem}-{number}", number + 1
+    free = free_name(_UNSAFE.sub("-", name).strip("-.") or "drawing", found)
     found[free] = Picture(free, svg, width, height, alt)
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 
 from coursework.variant.formula.tree import Formula, named, spelled
 from coursework.variant.record.no_value import known_value
@@ -68,7 +67,7 @@ def refused_length(reason: str) -> Sentence:
 
 def is_refused(variant: Variant, name: str, value: float) -> bool:
     """Return whether the variant would be refused with another value (SI) of a datum, as a length would be zero or negative."""
-    other = replace(variant, given=tuple(replace(one, value=value) if one.name == name else one for one in variant.given))
+    other = variant.with_values({name: value})
     return bool(_below(other)) or any(_value(length, other) == 0 for _, length, _ in _lengths(other))
 
 

@@ -19,6 +19,7 @@ from coursework.variant.formula.made import part_of_pi
 from coursework.variant.formula.motion_units import UNITS, advised_unit
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, spelled
 from coursework.variant.reading.names import Names
+from coursework.variant.record.no_value import known_value
 from coursework.variant.record.vocabulary import FORCE_SECTIONS
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
@@ -260,7 +261,7 @@ def _without_unit(text: str, wanted: str = "") -> Sentence | None:
     tree, formula, unit = _split(text)
     if tree is None or not unit:
         return None
-    value = _value(tree)
+    value = known_value(tree, {})
     if value is None and _ENDS_IN_NUMBER.search(formula) and units.size_of(unit) != 1:
         return None
     unit = unit if wanted in {"", UNITS[unit][1]} else wanted
@@ -273,7 +274,7 @@ def _without_unit(text: str, wanted: str = "") -> Sentence | None:
 def _written_out(text: str, wanted: str) -> Sentence | None:
     """Return the message about a formula of numbers in place of a number, such as "pi/6" or "3/2"; None for any other text."""
     tree, _, unit = _split(text)
-    value = None if tree is None else _value(tree)
+    value = None if tree is None else known_value(tree, {})
     if tree is None or value is None or (tree.args[0] if tree.op == "neg" else tree).op == "number":
         return None
     meant = unit or advised_unit(wanted) or ("rad" if "pi" in tree.names() else "")
@@ -290,11 +291,3 @@ def _split(text: str) -> tuple[Formula | None, str, str]:
         return reader.parse(formula, vectors=False), formula, unit
     except FormulaFault:
         return None, formula, unit
-
-
-def _value(tree: Formula) -> float | None:
-    """Return the value of a formula of numbers and pi only, None for any other."""
-    try:
-        return evaluate(tree, {})
-    except (FormulaFault, KeyError):
-        return None

@@ -21,15 +21,14 @@ def stand_in(data: dict[str, Any], path: KeyPath, entry: Entry) -> None:
     if path[-1] == "[key]":
         path = path[:-1]
     section, *inner = path
-    depth = 1 if len(inner) < 1 else 2
-    owner = at(data, path[: depth - 1])
+    owner = at(data, path[:1] if inner else ())
     if entry["type"] == "extra_forbidden":
         owner, key = at(data, path[:-1]), path[-1]
         if isinstance(owner, dict):
             owner.pop(key, None)
     elif section == "unknowns" and len(inner) > 1 and inner[1] != "unit" and isinstance(owner, dict):
         owner[inner[0]].pop(inner[1], None)
-    elif section in _STAND_INS and depth == 2 and isinstance(owner, dict):
+    elif section in _STAND_INS and inner and isinstance(owner, dict):
         owner[inner[0]] = _STAND_INS[section]
     elif section == "coordinates":
         _repair_coordinates(data, inner)
@@ -37,7 +36,7 @@ def stand_in(data: dict[str, Any], path: KeyPath, entry: Entry) -> None:
         _repair_time(data, inner)
     elif section == "group" and len(inner) > 1 and isinstance(group := at(data, path[:2]), dict):
         _repair_group(group, str(inner[1]), entry)
-    elif section == "constraint" and depth == 2 and isinstance(owner, list):
+    elif section == "constraint" and inner and isinstance(owner, list):
         owner[int(inner[0])] = {"equation": "0 = 0"}
     elif section in {"frame", "closure", "ask", "links"} and isinstance(owner, dict):
         owner.pop(inner[0] if inner else section, None)

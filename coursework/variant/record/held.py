@@ -16,13 +16,13 @@ from coursework.variant.formula.tree import (
     Formula,
     FormulaFault,
     constant,
-    evaluate,
     evaluate_any,
     named,
     on_axes,
     signed,
     terms,
 )
+from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
 
 MOST_PAIRED = 40  # scalars among which components of one vector are looked for; every pair is tried
@@ -72,10 +72,9 @@ def _is_across_its_guide(variant: Variant, point: str, axis: str) -> bool:
 
 def axis_of(angle: Formula, values: Mapping[str, float]) -> str:
     """Return the axis, "x" or "y", along which a direction at an angle lies, "" if it lies along none or that is not known."""
-    with suppress(FormulaFault, KeyError):
-        turned = evaluate(angle, values)
-        return next((axis for axis, across in (("x", math.sin), ("y", math.cos)) if abs(across(turned)) < _ALONG), "")
-    return ""
+    turned = known_value(angle, values)
+    sides = () if turned is None else (("x", math.sin(turned)), ("y", math.cos(turned)))
+    return next((axis for axis, across in sides if abs(across) < _ALONG), "")
 
 
 def _along_axes(variant: Variant, points: Iterable[str]) -> dict[str, tuple[str, str]]:

@@ -245,6 +245,10 @@ class Variant:
         rows = [(one.name, one.means, f"{one.value:g}", one.si) for one in self.given]
         return html_table(f"{self.name}: {self.title}", ("", "", "", ""), rows)
 
+    def with_values(self, values: Mapping[str, float]) -> Variant:
+        """Return the variant with other values (SI) of some data; nothing is read anew or follows, unlike `with_data`."""
+        return replace(self, given=tuple(replace(one, value=values.get(one.name, one.value)) for one in self.given))
+
     def in_language(self, language: str) -> Variant:
         """Return the variant with its texts in a language, as far as its file has them."""
         texts = self.texts.get(language)

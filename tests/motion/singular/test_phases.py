@@ -6,12 +6,20 @@ import pytest
 
 import coursework
 from coursework.motion.singular.explain import explain
-from coursework.motion.singular.phases import _intervals
+from coursework.motion.singular.phases import _intervals, _phase_of
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.variant.reading.set_values import with_set
 
 TURN = 2 * math.pi
 PART = TURN / 24
+
+
+@pytest.mark.parametrize(
+    "law, phase", [("sin(p*t + alpha)", "alpha"), ("sin(p*t - alpha)", "alpha"), ("sin(-alpha + p*t)", "alpha"), ("sin(p*t)", "")]
+)
+def test_the_phase_is_the_angle_that_a_wave_of_the_drive_adds_or_takes_away(law, phase):
+    text = coursework.load("31").path.read_text(encoding="utf-8").replace("sin(p*t + alpha)", law)
+    assert _phase_of(coursework.parse_variant(text)) == phase
 
 
 def test_phases_are_looked_at_in_the_middles_of_24_equal_parts_of_a_turn():

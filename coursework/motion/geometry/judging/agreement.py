@@ -89,12 +89,9 @@ def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreem
     variant = equations.variant
     if variant.functions or not _is_smooth(equations):
         return None
-    given = tuple(
-        replace(datum, value=datum.value * (1 + _SPREAD * (_GOLDEN * place % 1 - 0.5)))
-        for place, datum in enumerate(variant.given, start=1)
-    )
+    values = {one.name: one.value * (1 + _SPREAD * (_GOLDEN * k % 1 - 0.5)) for k, one in enumerate(variant.given, start=1)}
     with suppress(InputError):
-        others = replace(equations, variant=replace(variant, given=given))
+        others = replace(equations, variant=variant.with_values(values))
         near = compile_closure(others, closure.start.tolist())
         if near is not None and len(near.configurations[0]) == CONFIGURATIONS:
             looked = looked_at(others, near)

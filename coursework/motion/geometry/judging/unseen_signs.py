@@ -80,12 +80,9 @@ def _agrees_otherwise(one: VelocityEquation, zero: list[Formula], equations: Vel
     """Return whether an equation still agrees with the geometry after the data in its zero terms have been changed."""
     moved = {name for term in zero for name in term.names()}
     variant = equations.variant
-    given = tuple(
-        replace(datum, value=datum.value * (1 + _MOVED) if datum.value else _MOVED) if datum.name in moved else datum
-        for datum in variant.given
-    )
+    values = {datum.name: datum.value * (1 + _MOVED) or _MOVED for datum in variant.given if datum.name in moved}
     others = [each for each in equations.equations if not each.written]
-    own = replace(equations, variant=replace(variant, given=given), equations=(*others, one))
+    own = replace(equations, variant=variant.with_values(values), equations=(*others, one))
     try:
         near = compile_closure(own, closure.start.tolist())
         return near is not None and agrees(own, near)
