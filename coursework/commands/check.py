@@ -16,7 +16,7 @@ from coursework.motion.singular.lines import always_told
 from coursework.results.checks.computed_right.beginning import start_of
 from coursework.results.checks.computed_right.equations import open_to_doubt, proposed_ties, unlike_links
 from coursework.run import Run
-from coursework.scene.quantities import ENERGY, FORCES
+from coursework.scene.quantities import ANALOGS, ENERGY, FORCES, GRAPH_CHECK, INVARIANTS
 from coursework.scene.scene import Scene
 from coursework.variant.formula.made import as_read
 from coursework.variant.record.held import followed
@@ -38,8 +38,10 @@ def _tell(run: Run) -> int:
     tell_remarks(run)
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
-    if (chosen.motor is not None or {FORCES.name, ENERGY.name} & {*run.asked}) and len(scene.motion.t):
-        run.of(FORCES)  # raises what `run` would find wrong with masses and forces
+    wanted = {*run.asked} | ({FORCES.name} if chosen.motor is not None or ENERGY.name in run.asked else set())
+    for one in (FORCES, ANALOGS, INVARIANTS, GRAPH_CHECK):
+        if one.name in wanted and len(scene.motion.t):
+            run.of(one)  # raises what `run` would find wrong with masses and forces, or with what it draws or tables
     free = chosen.motor.rates if chosen.motor is not None else ()
     if chosen.sought:  # if forces move each link by itself, nothing is left to solve
         helping = {name for law in chosen.drive for formula in law.formulas for name in formula.names()}

@@ -156,11 +156,12 @@ class MotorScene(Scene):
 
     @cached_property
     def _true(self) -> FreeMotion:
-        time = self.variant.time
+        time, motion = self.variant.time, self.free_equations
         pace = max(1, time.steps // LOOKS)
-        fine, coarser = (Dynamics(self.free_equations, list(self.closed_start), size) for size in (TOLERANCE, COARSER))
+        fine, coarser = (Dynamics(motion, list(self.closed_start), size) for size in (TOLERANCE, COARSER))
         found = up_to_values(self.variant, fine.exact(self._begin, time.step, time.steps), self._table)
-        known = known_rows(found, coarser.exact(self._begin, pace * time.step, time.steps // pace), pace)
+        rough = coarser.exact(self._begin, pace * time.step, time.steps // pace)
+        known = known_rows(found, rough, pace, [*motion.sizes, *motion.sizes_of_state[len(motion.free) :]])
         if known.ended != CHANGE:
             return known
 

@@ -186,3 +186,29 @@ def test_a_drawing_without_links_is_refused_by_check_as_by_run():
         told = call(command, "saw")
         assert (told.exit_code, told.stdout) == (2, "")
         assert "saw.toml:38  ask.quantities: the graph-analytical check needs [links]; this variant has none." in told.stderr
+
+
+TURNED = """[drive]
+w = "3 rad/s"
+[coordinates]
+q = { start = "0.5 rad", rate = "w" }
+f = { start = "0.5 rad", rate = "wf" }
+[time]
+step = "0.02 s"
+end = "0.2 s"
+[[constraint]]
+equation = "wf = 2*w"
+[ask]
+quantities = ["table", "analogs"]
+"""
+
+
+@pytest.mark.parametrize(("slip", "code"), [
+    (("", ""), ""), (('"analogs"', '"invariants"'), "V518"), (('"3 rad/s"', '"30*t"'), "V521"),
+    (('"3 rad/s"', '"30*t + 1"'), ""),
+])  # fmt: skip
+def test_tables_that_a_run_refuses_are_refused_before_it(slip, code):
+    Path("own.toml").write_text(TURNED.replace(*slip), encoding="utf-8")
+    for command in (("check",), ("run", "--format", "csv", "--out", "own")):
+        done = call(*command, "own.toml")
+        assert (done.exit_code == 2, code in done.stderr) == (bool(code), True), done.output

@@ -32,6 +32,9 @@ FARTHEST = 1.0  # relative, or rad: a larger correction leads to another assembl
 TOLERANCE = 1e-13
 Take = Callable[[float, list[float]], list[float]]  # time and state of a row -> state of the next row
 MOST_STEPS = 3000  # largest number of steps between two rows; only very steep forces need more
+# Beside a change point of the links round-off is more than the tolerance, and shorter steps do not help: after `_TRIED` tries it
+# is ten times as large.  At a limit, where free coordinates turn back and the links may go on, their rates are first `_SLOW`.
+_TRIED, _SLOW = 750, 0.01  # share of the fastest
 _LEAST = 1e-11  # share of the whole time: smaller steps are not taken
 _ALONE = ((0, 1),)  # the first slope alone
 _LOOKS = 1000  # number of times at which it is tested whether friction still holds
@@ -64,9 +67,9 @@ class Dynamics:
         for _ in range(MOST_NEWTON):
             step = motion.newton(t, *q, *motion.kept)
             size = 0.0
-            for place, value, large in zip(motion.others, step, motion.sizes, strict=True):
+            for place, value in zip(motion.others, step, strict=True):
                 q[place] += value
-                size = max(size, abs(value) / large)
+                size = max(size, abs(value) / motion.sizes[place])
             if size < CLOSED:
                 return q
             if not size < FARTHEST:
@@ -187,6 +190,7 @@ class Dynamics:
             rubbing.begin(moving, self._where, state)
         begin, tries = (list(self.q), list(self._rates)), 0
         passed, rates = list[tuple[float, ...]](), slice(len(self.motion.free), -1)
+        sizes = np.array(self.motion.sizes_of_state)
         while goal - at > _LEAST * whole:
             taken, tries = min(length[0], goal - at), tries + 1
             if tries > MOST_STEPS:
@@ -197,8 +201,10 @@ class Dynamics:
                 slope = np.array(moving(*state.tolist()))
                 passed.append((at, *self.q, *state[rates].tolist()))
                 after, error = dormand_prince_8(moving, state, slope, taken)
-                sizes = self.tolerance * (1.0 + np.abs(state[:-1]))
-                ratio = float(np.max(np.abs(np.array(error[:-1])) / sizes))
+                most = self._allowed(tries, [self._first, passed[0], passed[-1]]) * (
+                    sizes + np.maximum(np.abs(state[:-1]), np.abs(slope[:-1] * taken))
+                )
+                ratio = float(np.max(np.abs(np.array(error[:-1])) / most))
             except (Open, Held, ZeroDivisionError, OverflowError) as stopped:
                 ratio, why = math.inf, stopped
             if ratio <= 1.0:
@@ -217,6 +223,13 @@ class Dynamics:
                 raise why_ended(self.motion, at, [self._first, *passed])
         return [float(value) for value in state[:-1]]
 
+    def _allowed(self, tries: int, some: Sequence[tuple[float, ...]]) -> float:
+        """Return the largest error of a step (share) after so many tries since the last row; the last of `some` states is now."""
+        if tries < _TRIED or not self.motion.others:
+            return self.tolerance
+        rates = np.abs(np.array(some)[:, -len(self.motion.free) :]).max(axis=1)
+        return max(self.tolerance, TOLERANCE * 10.0 ** (tries // _TRIED)) if rates[-1] > _SLOW * rates.max() else self.tolerance
+
     def _where(self, *state: float) -> tuple[float, ...]:
         """Return time, closed position and free rates from a state that has its time at the end."""
         self.slope(state[-1], state[:-1])
@@ -224,7 +237,7 @@ class Dynamics:
 
     def _march(self, state: Sequence[float], step: float, steps: int, take: Take) -> FreeMotion:
         count, now, self.count, self._lost = len(self.motion.free), list(state), 0, ()
-        positions, rates, ended, at, by, most = [], [], "", 0.0, "", _RUNAWAY * self.motion.size
+        positions, rates, ended, at, by, most = [], [], "", 0.0, "", _RUNAWAY * max(1.0, *self.motion.sizes_of_state)
         for row in range(steps + 1):
             t = row * step
             try:

@@ -21,10 +21,9 @@ class EquationsOfMotion:
 
     `slope(t, *q, *v)` -> free accelerations, then the rates of the others; `newton(t, *q, *kept)` -> corrections of the others,
     with `kept` the values that positions keep; `table(t, *q, *v)` over arrays -> velocities, their derivatives, kinetic and
-    potential energy, determinants (`determinants` of them).  `rubbing` is the friction contained in both.  `sizes` are large
-    corrections of the others (1 rad, m of the mechanism), `size` what large numbers are large beside: 1, or a larger length (m)
-    where lengths are free.  `breaks` are the times (s) at which a force changes its formula;
-    `acting` the edges (s) of stretches of time in each of which the forces vary little.
+    potential energy, determinants (`determinants` of them).  `rubbing` is the friction contained in both.  `sizes` are what
+    counts as 1 of each coordinate: 1 rad, or the size of the mechanism (m).  `breaks` are the times (s) at which a force changes
+    its formula; `acting` the edges (s) of stretches of time in each of which the forces vary little.
     """
 
     free: tuple[int, ...]
@@ -34,11 +33,15 @@ class EquationsOfMotion:
     kept: tuple[float, ...]
     table: Callable[..., Any]
     determinants: int
+    sizes: tuple[float, ...]
     rubbing: Rubbing | None = None
-    sizes: tuple[float, ...] = ()
-    size: float = 1.0
     breaks: tuple[float, ...] = ()
     acting: Array | None = None
+
+    @property
+    def sizes_of_state(self) -> list[float]:
+        """Return what counts as 1 of each free coordinate and, a second, of its rate."""
+        return [self.sizes[place] for place in (*self.free, *self.free)]
 
     @property
     def dear(self) -> int:

@@ -6,7 +6,7 @@ Used by `scene/motor_scene.py`.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -22,17 +22,22 @@ from coursework.words.sentences import say
 # itself is off by a millionth of the range, and soon by all of it.
 COARSER, LOST = 1e-9, 0.01
 LOOKS = 40  # number of rows that are followed again
-_LEAST = 1e-6  # rad, m, rad/s or m/s: the smallest range used as a scale
+_LEAST = 1e-6  # rad or sizes of the mechanism, and that a second: the smallest range used as a scale
 UNDEFINED = "no value"
 
 
-def known_rows(found: FreeMotion, coarser: FreeMotion, pace: int) -> FreeMotion:
-    """Return the rows up to the last one that agrees with those of the coarser tolerance, which are `pace` rows apart."""
+def known_rows(found: FreeMotion, coarser: FreeMotion, pace: int, sizes: Sequence[float]) -> FreeMotion:
+    """Return the rows up to the last one that agrees with those of the coarser tolerance, which are `pace` rows apart.
+
+    `sizes` are what counts as 1 of each coordinate and free rate.
+    """
     count = min(len(coarser.t), (len(found.t) - 1) // pace + 1)
     own, other = (np.concatenate([one.coordinates, one.rates], axis=1) for one in (found, coarser))
     if count < 2:
         return found
-    gaps = np.abs(own[: (count - 1) * pace + 1 : pace] - other[:count]) / np.maximum(np.ptp(own, axis=0), _LEAST)
+    gaps = np.abs(own[: (count - 1) * pace + 1 : pace] - other[:count]) / np.maximum(
+        np.ptp(own, axis=0), _LEAST * np.array(sizes)
+    )
     lost = np.flatnonzero(~(gaps <= LOST).all(axis=1))
     if not len(lost):
         return found

@@ -31,7 +31,6 @@ from coursework.mechanism.joints import FRAME
 from coursework.motion.geometry.drives.drive import breaks, resolution
 from coursework.motion.geometry.time_derivatives import derivative, second_rate
 from coursework.variant.record.forces import Load
-from coursework.variant.record.held import largest_length
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -96,10 +95,9 @@ class MotionWriter:
         newton = self.compiled(
             "newton", [*blocks], deltas, [*self.arguments[: -len(free)], *(f"_kept{k}" for k in range(len(kept)))]
         )
-        units = [1.0 if one.unit == "rad" else largest_length(variant) for one in variant.coordinates]
-        sizes, size = tuple(units[place] for place in others), max(1.0, *(units[place] for place in free))
+        sizes = self.equations.units([one.name for one in variant.coordinates])
         return EquationsOfMotion(
-            free, others, slope, newton, kept, self._table(common), len(self.reduction.blocks), sizes=sizes, size=size,
+            free, others, slope, newton, kept, self._table(common), len(self.reduction.blocks), tuple(sizes.tolist()),
             breaks=breaks(variant), acting=resolution(self.equations).edges,
         )  # fmt: skip
 

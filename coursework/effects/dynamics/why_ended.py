@@ -71,7 +71,8 @@ def _vanishes(t: Array, sizes: Array) -> float:
     """Return when (s) decreasing sizes vanish: the time is a polynomial in them, by Neville's rule.
 
     It is smooth there, whether links pass their limit, so that the determinant falls evenly, or stop, so that its square does.
-    The last states are left out: their positions hardly close, so that their determinants are not exact.
+    The last states are left out: their positions hardly close, so that their determinants are not exact.  It lies
+    nearer to the last state than the first of those looked at does.
     """
     nodes = list[int]()
     for place in range(len(t) - 1, 0, -1):
@@ -80,7 +81,7 @@ def _vanishes(t: Array, sizes: Array) -> float:
     at, found = sizes[nodes], t[nodes]
     for order in range(1, len(nodes)):
         found = (at[:-order] * found[1:] - at[order:] * found[:-1]) / (at[:-order] - at[order:])
-    return float(found[0])
+    return float(np.clip(found[0], t[nodes[-1]], 2 * t[-1] - t[nodes[-1]]))
 
 
 def laws_of_forces(variant: Variant) -> list[Formula]:

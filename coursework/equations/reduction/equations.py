@@ -7,7 +7,7 @@ Used by `reduction/`, `way_to_motion.py`, `accuracy/`, `checks/`, `drawing/` and
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar, cast
 
@@ -104,8 +104,12 @@ class VelocityEquations:
     @property
     def speed_units(self) -> Array:
         """Return what counts as 1 of each unknown (k,): 1 rad/s, or the size of the mechanism in a second."""
+        return self.units(self.unknowns)
+
+    def units(self, names: Sequence[str]) -> Array:
+        """Return what counts as 1 of each named coordinate or velocity (k,): 1 rad, or the size of the mechanism; a second."""
         size = largest_length(self.variant)
-        return np.array([size if self.variant.unit_of(name).startswith("m") else 1.0 for name in self.unknowns])
+        return np.array([size if self.variant.unit_of(name).startswith("m") else 1.0 for name in names])
 
     def once(self, key: Hashable, find: Callable[[], Fact]) -> Fact:
         """Return a fact that does not depend on the data; it is computed at the first call."""

@@ -59,14 +59,17 @@ def next_length(length: float, ratio: float, order: int = 5) -> float:
     return float(length * min(4.0, max(0.2, 0.85 * max(ratio, 1e-10) ** (-1 / order))))
 
 
-def integrate_adaptive(field: Field, state: Array, times: Array, tolerance: float) -> tuple[Array, int]:
+def integrate_adaptive(
+    field: Field, state: Array, times: Array, tolerance: float, sizes: Sequence[float] = ()
+) -> tuple[Array, int]:
     """Return the states at `times` (n, m) and the number of slopes; each time is the end of a step, without interpolation.
 
-    `field(t, *state)` gives the slopes (m,); further values after them are ignored.
+    `field(t, *state)` gives the slopes (m,); further values after them are ignored.  `sizes` (m,) are what counts as 1 of each
+    part of the state, else 1.  Raises `ArithmeticError` if the state grows beyond all bounds.
     """
     goals, now = times.tolist(), state.tolist()
     step, (*slope,) = _written_out(len(now)), field(goals[0], *now)[: len(now)]
-    count = 1
+    count, units = 1, sizes or [1.0] * len(now)
     at, length = goals[0], (goals[-1] - goals[0]) / 100
     rows = [now]
     for goal in goals[1:]:
@@ -75,11 +78,13 @@ def integrate_adaptive(field: Field, state: Array, times: Array, tolerance: floa
             taken = goal - at if last else length
             after, error, following = step(field, at, taken, *now, *slope)
             count += SLOPES
-            shares = [abs(off) / (tolerance * (1.0 + abs(value))) for off, value in zip(error, now, strict=True)]
+            shares = [abs(off) / (tolerance * (one + abs(y))) for off, y, one in zip(error, now, units, strict=True)]
             ratio = math.inf if math.isnan(sum(shares)) else max(shares)
             if ratio <= 1.0:
                 at, now, slope = (goal if last else at + taken), after, following
             if not last or ratio > 1.0:
                 length = next_length(taken, ratio)
+            if at + length == at:
+                raise ArithmeticError
         rows.append(now)
     return np.array(rows), count

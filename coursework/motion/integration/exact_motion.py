@@ -27,7 +27,8 @@ from coursework.system.frozen import changing
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import say
 
-# Without closed positions, two results of one interval must agree to this (rad or m); the extrapolated value is used.
+# Without closed positions, two results of one interval must agree to this (rad or sizes of the mechanism), and the extrapolated
+# value is used.
 AGREEMENT = 1e-13
 # An angle of many turns has fewer than thirteen digits after its point: there two results can agree only to round-off.
 _EPS = float(np.finfo(float).eps)
@@ -39,9 +40,9 @@ _JUMP = 1e-9  # share of an interval
 # Steps a refined motion may take (some two seconds), besides twelve a row; rows of a table over `_LONG` start with fewer parts.
 MOST_STEPS, _LONG = 100_000, 2_000
 _COUNT, _FEW = 8, 2
-# If the summed differences exceed this (rad or m, relative for coordinates beyond 1), the result is not the motion.
+# If the summed differences exceed this (rad or sizes, relative for coordinates beyond 1), the result is not the motion.
 _LOST = 1e-6
-# Start offset (rad, m) of a neighbouring motion, which shows how errors grow until the end.
+# Start offset (rad or sizes) of a neighbouring motion, which shows how errors grow until the end.
 _BESIDE = 1e-6
 
 
@@ -59,19 +60,20 @@ class OutOfReach(ArithmeticError):
 
 @changing
 class Growth:
-    """The growth of errors: `off` (rad or m), the error of a refined motion, grows as the offset `beside` of a neighbour."""
+    """The growth of errors: `off` (rad or `sizes`), that of a refined motion, grows as the offset `beside` of a neighbour."""
 
     beside: Array
     off: float = 0.0
+    sizes: Array | float = 1.0
 
     def go_on(self, follow: Callable[[Array], Array], begin: Array, end: Array, left: float) -> None:
         """Add the error `left` of an interval from `begin` to `end`; `follow` maps a start to the end of the interval."""
         with suppress(ArithmeticError, ValueError):  # a neighbouring motion need not exist
             beside = follow(begin + self.beside) - end
-            before, after = (float(np.max(np.abs(way), initial=0.0)) for way in (self.beside, beside))
+            before, after = (float(np.max(np.abs(way) / self.sizes, initial=0.0)) for way in (self.beside, beside))
             if 0 < after < np.inf:
                 self.off, self.beside = self.off * after / before, beside * (before / after)
-        self.off += left + _EPS * float(np.max(np.abs(end), initial=0.0))
+        self.off += left + _EPS * float(np.max(np.abs(end) / self.sizes, initial=0.0))
 
 
 def refine(
@@ -79,7 +81,7 @@ def refine(
 ) -> tuple[Array, float, int]:
     """Return positions (n, m) by the precise scheme, the sum of the remaining differences, and the number of steps.
 
-    `growth` collects how these differences grow.
+    `growth` collects how these differences (rad or sizes of the mechanism) grow.
 
     If eight and sixteen steps of an interval disagree (in a long table two and four), it is halved, so that a dead point ahead
     costs only its own interval.  No step crosses a time at which the drive changes its formula, no interval a faster change of
@@ -88,14 +90,14 @@ def refine(
     count = _COUNT if len(times) <= _LONG else _FEW
     most += 12 * len(times)
     loop = generate_loop(PRECISE, rates)
-    cells = resolution(rates.equations, float(times[-1])).edges
+    cells, sizes = resolution(rates.equations, float(times[-1])).edges, rates.sizes.tolist()
     rows = [[*map(float, start)]]
     gap, steps = 0.0, 0
     for begin, end in itertools.pairwise(times.tolist()):
         edges = [begin, *sorted({*[b for b in rates.breaks if begin < b < end], *quick_times(cells, begin, end)}), end]
         q = rows[-1]
         for a, b in itertools.pairwise(edges):
-            q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q, count, most - steps, growth)
+            q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q, sizes, count, most - steps, growth)
             gap, steps = gap + left, steps + taken
         rows.append(q)
     return np.array(rows), gap, steps
@@ -118,6 +120,7 @@ def _halved(
     begin: float,
     end: float,
     q: list[float],
+    sizes: list[float],
     count: int,
     left: int,
     growth: Growth | None,
@@ -127,10 +130,10 @@ def _halved(
     try:
         coarse, fine = (loop(begin, parts, (end - begin) / parts, *q) for parts in (count, 2 * count))
         apart = [b - a for a, b in zip(coarse, fine, strict=True)]
-        gap = max(map(abs, apart), default=0.0) / _GAIN if math.isfinite(sum(apart)) else math.inf
+        gap = _largest(apart, sizes) / _GAIN if math.isfinite(sum(apart)) else math.inf
     except (ArithmeticError, ValueError):
         gap = math.inf
-    if gap < max(AGREEMENT, _ROUND_OFF * max(map(abs, q), default=0.0)) or depth >= _MOST_HALVINGS:
+    if gap < max(AGREEMENT, _ROUND_OFF * _largest(q, sizes)) or depth >= _MOST_HALVINGS:
         if not math.isfinite(gap):
             raise NoVelocities((begin, end), q)
         if growth is not None:
@@ -140,9 +143,13 @@ def _halved(
     if left <= 0:
         raise OutOfReach
     middle = (begin + end) / 2
-    q, open_, steps = _halved(loop, begin, middle, q, count, left - 3 * count, growth, depth + 1)
-    after, more, further = _halved(loop, middle, end, q, count, left - 3 * count - steps, growth, depth + 1)
+    q, open_, steps = _halved(loop, begin, middle, q, sizes, count, left - 3 * count, growth, depth + 1)
+    after, more, further = _halved(loop, middle, end, q, sizes, count, left - 3 * count - steps, growth, depth + 1)
     return after, open_ + more, steps + further + 3 * count
+
+
+def _largest(values: Sequence[float], sizes: Sequence[float]) -> float:
+    return max((abs(value) / size for value, size in zip(values, sizes, strict=True)), default=0.0)
 
 
 def passing_motion(
@@ -189,9 +196,9 @@ def exact_motion(
     elif closure is not None and closure.complete:
         positions, label = follow_closure(closure, rates, times), say("exact.closure")
     else:
-        growth = Growth(np.full(len(start), _BESIDE))
+        growth = Growth(_BESIDE * rates.sizes, sizes=rates.sizes)
         positions, gap, steps = refine(rates, start, times, growth=growth)
-        if max(gap, growth.off) > _LOST * max(1.0, float(np.max(np.abs(positions), initial=0.0))):
+        if max(gap, growth.off) > _LOST * max(1.0, float(np.max(np.abs(positions) / rates.sizes, initial=0.0))):
             raise OutOfReach
         return _refined(rates, times, positions, gap, steps)
     return rates.motion(times, positions, EXACT, _step(times), label=label)

@@ -27,7 +27,7 @@ _FEWEST = 2
 # Largest error of Runge-Kutta at the end of an interval, as a share of the coordinate's range; the limit of a check is 0.05.
 _GAP = 1e-5
 _SUDDEN = 2  # a stretch of the drive shorter than 1/_SUDDEN of a step is refined
-# Largest error of the precise scheme after the last row (rad or m): with more the motion meets something it cannot pass.
+# Largest error of the precise scheme after the last row (rad or sizes): with more the motion meets something it cannot pass.
 _LOST = 1e-7
 
 

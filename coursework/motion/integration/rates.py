@@ -53,6 +53,11 @@ class Rates:
         """Return the cache of compiled loops; a page follows hundreds of intervals with the same one."""
         return {}
 
+    @cached_property
+    def sizes(self) -> Array:
+        """Return what counts as 1 of each coordinate (m,): 1 rad, or the size of the mechanism."""
+        return self.equations.units(self.coordinates)
+
     def may_look_until(self, end: float) -> float:
         """Return the last time (s) at which a step ending at `end` may evaluate slopes: just before a break there, else any."""
         return may_look_until(self.breaks, end)

@@ -80,7 +80,7 @@ def trials(problem: Problem, bounds: Bounds) -> Iterator[Trial]:
             say("study.adaptive"),
             say("study.tolerance", value=tolerance),
             0,
-            partial(integrate_adaptive, field, start, problem.times, tolerance),
+            partial(integrate_adaptive, field, start, problem.times, tolerance, problem.rates.sizes.tolist()),
         )
     if problem.is_closed:
         yield Trial(say("study.closed"), f"{rows}", 0, partial(_closed, problem), closed=True)

@@ -30,7 +30,7 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import caching
 from coursework.words.sentences import say
 
-# If closed positions and a refined run differ by more (rad or m), they are two motions, not two roundings of one.
+# If closed positions and a refined run differ by more (rad or sizes), they are two motions, not two roundings of one.
 SAME = 1e-9
 _NO_ORDER = 0.5  # a lower order means that the error does not fall with the step, or not yet
 
@@ -95,12 +95,12 @@ class _Reference:
     @property
     def is_same(self) -> bool:
         """Return whether the two are one motion."""
-        return self.agreement < SAME
+        return bool(np.all(np.abs(self.refined - self.exact) < SAME * self.problem.rates.sizes))
 
     @property
     def floor(self) -> float:
         """Return the smallest error that can be measured: none below the difference of two references."""
-        size = max(1.0, float(np.max(np.abs(self.rows[0]))))
+        size = max(float(np.max(self.problem.rates.sizes)), float(np.max(np.abs(self.rows[0]))))
         return max(ROUNDINGS * float(np.finfo(float).eps) * size, self.agreement if self.is_same else 0.0)
 
     @cached_property

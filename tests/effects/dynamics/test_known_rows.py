@@ -16,13 +16,14 @@ def test_a_motion_that_forgets_its_start_is_told_as_far_as_it_is_known():
     assert coursework.solve("falling-arm", "exact", end=8, step=0.5, quantities=["table"]).stop is None
 
 
+@pytest.mark.parametrize("size", [1.0, 1e-9, 1e6])
 @pytest.mark.parametrize(("gap", "rows"), [(0.99 * LOST, 9), (1.01 * LOST, 5)])
-def test_rows_are_known_up_to_the_last_that_agrees(gap, rows):
+def test_rows_are_known_up_to_the_last_that_agrees(gap, rows, size):
     """Every second of nine rows is looked at; the fourth of these is off by a part of the range of 8."""
-    q, still = np.arange(9.0)[:, None], np.zeros((9, 1))
+    q, still = size * np.arange(9.0)[:, None], np.zeros((9, 1))
     other = q[::2].copy()
-    other[3] += gap * 8
+    other[3] += gap * 8 * size
     found = FreeMotion(np.arange(9) * 0.1, q, still, 8)
-    known = known_rows(found, FreeMotion(np.arange(5) * 0.2, other, still[::2], 4), 2)
+    known = known_rows(found, FreeMotion(np.arange(5) * 0.2, other, still[::2], 4), 2, [size, size])
     assert (len(known.t), len(known.coordinates), len(known.rates)) == (rows, rows, rows)
     assert (known.ended, known.at) == (("", 0.0) if rows == 9 else ("sensitive", pytest.approx(0.6)))

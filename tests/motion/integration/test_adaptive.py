@@ -32,11 +32,22 @@ def test_each_component_is_as_accurate_as_asked_for():
     assert found == pytest.approx(np.column_stack([times, np.sin(60 * times)]), abs=1e-8)
 
 
+@pytest.mark.parametrize("unit", [1.0, 1e-6, 1e6])
 @pytest.mark.parametrize("size", [0.004, 250.0])
 @pytest.mark.parametrize(("part", "lost"), [(0.98e-6, False), (1.02e-6, True)])
-def test_a_motion_is_lost_with_a_gap_of_a_millionth_of_a_radian_or_of_its_largest_position(size, part, lost, monkeypatch):
+def test_a_motion_is_lost_with_a_gap_of_a_millionth_of_a_radian_or_of_its_largest_position(size, part, lost, unit, monkeypatch):
+    """Positions are as large beside the `unit` in every world."""
     gap = part * max(size, 1.0)
-    monkeypatch.setattr(exact_motion, "refine", lambda *_, **__: (np.array([[-size], [0.0]]), gap, 3))
-    rates = SimpleNamespace(motion=lambda *_, **__: "followed")
+    monkeypatch.setattr(exact_motion, "refine", lambda *_, **__: (np.array([[-size * unit], [0.0]]), gap, 3))
+    rates = SimpleNamespace(sizes=np.array([unit]), motion=lambda *_, **__: "followed")
     with pytest.raises(OutOfReach) if lost else nullcontext():
         assert exact_motion.exact_motion(rates, None, [0.0], np.arange(2.0)) == "followed"
+
+
+def test_a_state_without_bound_ends_instead_of_being_followed_for_ever():
+    """x' = x^2 from 1 is 1/(1 - t): it is known until just before t = 1."""
+    assert integrate_adaptive(lambda t, x: [x * x], np.ones(1), np.array([0.0, 0.99]), 1e-9)[0][-1] == pytest.approx(
+        100, rel=1e-5
+    )
+    with pytest.raises(ArithmeticError):
+        integrate_adaptive(lambda t, x: [x * x], np.ones(1), np.array([0.0, 1.01]), 1e-9)

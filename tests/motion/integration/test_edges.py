@@ -36,7 +36,7 @@ def test_an_interval_is_halved_until_it_agrees_while_steps_are_left(left):
         return (q + parts * (parts * step > 0.3),)
 
     if left > 48:
-        assert _halved(loop, 0.0, 1.0, [2.0], 4, left, None) == ([2.0], 0.0, 84)
+        assert _halved(loop, 0.0, 1.0, [2.0], [1.0], 4, left, None) == ([2.0], 0.0, 84)
     else:
         with pytest.raises(OutOfReach):
-            _halved(loop, 0.0, 1.0, [2.0], 4, left, None)
+            _halved(loop, 0.0, 1.0, [2.0], [1.0], 4, left, None)

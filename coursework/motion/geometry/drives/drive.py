@@ -18,7 +18,7 @@ from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_values
-from coursework.motion.geometry.drives.enclosures import Laws
+from coursework.motion.geometry.drives.enclosures import Enclosure, Laws
 from coursework.motion.geometry.drives.quadrature import POINTS, WANTED, Resolution, left_open, resolve
 from coursework.system.arrays import Array, Flags, as_columns, distinct
 from coursework.variant.record.held import largest_length, velocities_of_points
@@ -128,7 +128,21 @@ def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     edges = distinct(np.array([0.0, end]), inner[(inner > 0) & (inner < end)])
     if not moving or end <= 0:
         return Resolution(edges, 0.0, True)
-    return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges)
+    units = _units(equations.variant)
+    sizes = [units[name] if name in units else _least(laws.over(name, edges[:1], edges[-1:]), end) for name in moving]
+    return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges, sizes)
+
+
+def _units(variant: Variant) -> dict[str, float]:
+    """Return what counts as 1 of the integral of each drive: 1 rad, or the size of the mechanism (m)."""
+    straight = {one.rate for one in variant.coordinates if one.unit == "m"} | velocities_of_points(variant).keys()
+    return {law.name: largest_length(variant) if law.name in straight else 1.0 for law in variant.drive}
+
+
+def _least(law: Enclosure, end: float) -> float:
+    """Return what counts as 1 of the integral up to `end` (s) of a law of any unit: 1, or the most it can be if that is less."""
+    most = float(law.size[0]) * end
+    return most if 0 < most < 1 else 1.0
 
 
 def resolved(
@@ -140,10 +154,10 @@ def resolved(
     of `points` between two times.
     """
     variant = equations.variant
-    straight = {one.rate for one in variant.coordinates if one.unit == "m"} | velocities_of_points(variant).keys()
+    units = _units(variant)
     seen = np.ones(max(map(len, data.values()), default=1), dtype=bool)
     moving = _moving(equations, _laws(equations, variant.values))
-    allowed = {name: wanted * (largest_length(variant) if name in straight else 1.0) for name in moving}
+    allowed = {name: wanted * units.get(name, 1.0) for name in moving}
     inner = _joints(equations)
     edges = distinct(times, inner[(inner > times[0]) & (inner < times[-1])])
     for first in range(0, len(seen) if moving else 0, some := max(1, _MOST_CELLS // len(edges))):

@@ -7,7 +7,7 @@ prove that the rule misses nothing.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
 
 POINTS = 12
-# Error allowed for an integral (rad or m), and relative to the whole distance that the drive moves.
+# Error allowed for the integral of a law (rad or sizes of the mechanism), and relative to the whole distance that it moves.
 WANTED = 1e-11
 # Largest number of stretches examined; a drive of a hundred thousand oscillations takes about as many.
 MOST = 1_000_000
@@ -45,8 +45,11 @@ class Resolution:
         return self.edges[:-1][short], self.edges[1:][short]
 
 
-def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -> Resolution:
-    """Return stretches between `edges` (s) on which the rule gives the integrals of all laws to the accuracy wanted."""
+def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array, sizes: Sequence[float]) -> Resolution:
+    """Return stretches between `edges` (s) on which the rule gives the integrals of all laws to the accuracy wanted.
+
+    `sizes` are what counts as 1 of each law's integral.
+    """
     longest = (edges[-1] - edges[0]) / _FIRST
     counts = np.maximum(1, np.ceil(np.diff(edges) / longest)).astype(int)
     begin = np.concatenate([np.linspace(a, b, n + 1)[:-1] for a, b, n in zip(edges[:-1], edges[1:], counts, strict=True)])
@@ -57,9 +60,9 @@ def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -
     looked = count = 0
     while len(begin):
         looked, half = looked + len(begin), (end - begin) / 2
-        laws = enclosed(begin, end)
-        open_ = np.max([left_open(law, half) for law in laws], axis=0)
-        moved = 2 * half * np.max([np.abs(law.middle) for law in laws], axis=0)
+        laws = list(zip(enclosed(begin, end), sizes, strict=True))
+        open_ = np.max([left_open(law, half) / size for law, size in laws], axis=0)
+        moved = 2 * half * np.max([np.abs(law.middle) / size for law, size in laws], axis=0)
         allowed = WANTED * max(1.0, way + float(moved.sum())) / max(_FIRST, 2 * (len(begin) + count))
         done = (open_ <= allowed) | (half <= _SMALLEST * np.abs(end)) | (looked > MOST)
         if done.any():

@@ -9,6 +9,7 @@ no offset contradict it.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -24,10 +25,11 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 
-def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None:
+def require_loops_closed(equations: VelocityEquations, closure: Closure, accused: Sequence[Fault]) -> None:
     """Raise `InputError` if the equations agree with the geometry once its loops are closed at the start.
 
-    Closed means that everything held is zero, except single components of points.
+    Of several `accused` those that still disagree then are named alone: the others are right.  Closed means that everything held
+    is zero, except single components of points.
     """
     if not closure.names:
         return
@@ -37,7 +39,9 @@ def require_loops_closed(equations: VelocityEquations, closure: Closure) -> None
         return
     try:
         agrees(equations, near)
-    except InputError:
+    except InputError as closed:
+        if {one.line for one in closed.faults} < {one.line for one in accused}:
+            raise
         return
     variant, held = equations.variant, equations.positions[worst]
     known = {

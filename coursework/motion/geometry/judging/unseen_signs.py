@@ -34,9 +34,9 @@ def judged(equations: VelocityEquations, closure: Closure | None) -> Closure | N
         return None
     try:
         found = require_agreement(equations, closure)
-    except InputError:
+    except InputError as error:
         require_hinges_at_rest(equations, closure)
-        require_loops_closed(equations, closure)
+        require_loops_closed(equations, closure, error.faults)
         require_rigid(equations, closure)
         raise
     rigid = require_rigid(equations, closure)

@@ -91,7 +91,7 @@ def test_a_bound_on_looks_ends_what_has_none():
         every = np.full(len(begin), np.inf)
         return [Enclosure(-every, every, 0 * begin, every)]
 
-    found = resolve(nothing_known, np.array([0.0, 1.0]))
+    found = resolve(nothing_known, np.array([0.0, 1.0]), [1.0])
     assert not found.met
     assert MOST <= looked <= 4 * MOST
 
@@ -108,7 +108,7 @@ def test_what_moves_far_may_be_off_by_more(way, stretches):
         laws = [16.0 * way * (begin < 1 / 16), 0 * begin]
         return [Enclosure(law, law + slope, law, np.full(len(begin), np.inf)) for law in laws]
 
-    found = resolve(enclosed, np.array([0.0, 1.0]))
+    found = resolve(enclosed, np.array([0.0, 1.0]), [1.0, 1.0])
     assert (len(found.edges) - 1, found.met) == (stretches, True)
 
 

@@ -48,3 +48,58 @@ def test_a_likelier_slip_is_told_beside_the_start_that_would_close():
     """With 20 m for 2 m the start is wrong only because the length is."""
     with pytest.raises(coursework.InputError, match=r"V310 .* A likelier slip: L = 20 m beside 0.5 m: 20 cm\?"):
         assert coursework.solve(coursework.parse_variant(mechanism("scissor", L="20 m"))).scene.closure
+
+
+SLOTTED = """[given]
+a = "64 mm"
+c = "150 mm"
+L = "0.41 m"
+[drive]
+w = "96 rpm"
+[coordinates]
+q = { start = "40 deg", rate = "w" }
+b = { start = "START deg", rate = "wb" }
+[unknowns]
+vr = { unit = "m/s", of = "P", along = "b", relative = "lever" }
+vE = { unit = "m/s", of = "E", along = "90 deg" }
+[time]
+step = "5 ms"
+end = "0.1 s"
+[[constraint]]
+name = "along"
+equation = "a*w*sin(b - q) = vr"
+[[constraint]]
+name = "across"
+equation = "a*w*cos(b - q) = wb*(a*cos(q)*cos(b) + (c + a*sin(q))*sin(b))"
+[[constraint]]
+name = "tip"
+equation = "vE = L*wb*cos(b)"
+[points]
+O = "(0, 0)"
+Q = "(0, -c)"
+P = "O + a @ q"
+E = "Q + L @ b"
+[links]
+crank = { points = ["O", "P"], rate = "w" }
+lever = { points = ["Q", "E"], rate = "wb" }
+[frame]
+hinges = ["O", "Q"]
+[closure]
+holds = ["(P.y - Q.y)*cos(b) - (P.x - Q.x)*sin(b)"]
+"""
+CLOSED = "75.6138249601392"  # atan2(c + a sin 40 deg, a cos 40 deg)
+
+
+@pytest.mark.parametrize(("start", "slip", "told"), [
+    (CLOSED, ("", ""), []), ("76", ("", ""), [("V310", "")]),
+    ("76", ("vE = L", "vE = -L"), [("V302", "tip")]), ("76", ("(c + a", "(c - a"), [("V302", "across")]),
+    ("76", ("sin(b - q) = vr", "sin(q - b) = vr"), [("V302", "along")]),
+])  # fmt: skip
+def test_beside_a_wrong_equation_a_start_that_closes_nothing_makes_no_right_one_wrong(start, slip, told):
+    """With its pin beside the slot, "along" contradicts the geometry too: the lever's velocity at the pin has a part along it."""
+    text, found = SLOTTED.replace("START", start).replace(*slip), []
+    try:
+        assert coursework.solve(coursework.parse_variant(text)).scene.closure
+    except coursework.InputError as error:
+        found = [(one.code, str(one.message.values.get("name", ""))) for one in error.faults]
+    assert found == told
