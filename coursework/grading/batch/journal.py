@@ -61,9 +61,10 @@ def _read(line: bytes) -> Entry | None:
 class Journal:
     """The journal of one OUT folder; a context manager that holds the file open."""
 
+    _file: IO[bytes]
+
     def __init__(self, folder: Path) -> None:
         self.path = folder / NAME
-        self._file: IO[bytes] | None = None
 
     def __enter__(self) -> Journal:
         """Open the file.  Raises `OutputError` if the name belongs to a link, a folder or a pipe instead of a file."""
@@ -79,16 +80,14 @@ class Journal:
         return self
 
     def __exit__(self, *_: object) -> None:
-        if self._file is not None:
-            self._file.close()
+        self._file.close()
 
     def places(self) -> tuple[dict[str, int], dict[str, int]]:
         """Return the places of finished work by key, and of the last grade by id; torn lines are skipped."""
-        file = self._open()
         by_key: dict[str, int] = {}
         by_id: dict[str, int] = {}
-        place = file.seek(0)
-        for line in file:
+        place = self._file.seek(0)
+        for line in self._file:
             entry = _read(line)
             if entry is not None:
                 by_id[entry.id] = place
@@ -105,19 +104,17 @@ class Journal:
         return entry
 
     def _line(self, place: int) -> bytes:
-        file = self._open()
-        file.seek(place)
-        return file.readline()
+        self._file.seek(place)
+        return self._file.readline()
 
     def add(self, entry: Entry) -> int:
         """Append one entry without buffering, so that it is there even if the program ends now; return its place."""
-        file = self._open()
         line = _written(entry)
         with refused(self.path):
             left = line  # written in one piece at the end of the file, wherever that is now; on a full disk only its beginning
             while left:
-                left = left[file.write(left) :]
-        return file.tell() - len(line)
+                left = left[self._file.write(left) :]
+        return self._file.tell() - len(line)
 
     def rewrite(self, places: Iterable[int]) -> None:
         """Keep only the entries at `places`, in that order, so that the file does not grow from run to run.
@@ -130,12 +127,8 @@ class Journal:
                 with part.open("wb") as file:
                     for place in places:
                         file.write(self._line(place))
-                self._open().close()
+                self._file.close()
                 part.replace(self.path)
             except BaseException:
                 part.unlink(missing_ok=True)
                 raise
-
-    def _open(self) -> IO[bytes]:
-        assert self._file is not None
-        return self._file

@@ -92,17 +92,12 @@ def of_nobody(platform: str, names: Names) -> list[str]:
 
 def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[FileList]:
     """Return one file list for each owner that a platform's names give; other names belong to nobody."""
-    owners: dict[str, list[Owner]] = {}
-    files: dict[str, list[tuple[str, str]]] = {}
-    notes: dict[str, list[Note]] = {}
-    for top in sorted(names.tops | names.notes.keys()):
-        if owner := owner_of(top):
-            owners.setdefault(owner.key, []).append(owner)
-            notes.setdefault(owner.key, []).extend(names.notes.get(top, ()))
-    for name, place in names.files:
-        top, _, rest = name.partition("/")
-        if (owner := owner_of(top)) and not is_ignored(owner.file):
-            files.setdefault(owner.key, []).append((rest or owner.file or top, place))
+    owned = {top: owner for top in sorted(names.tops | names.notes.keys()) if (owner := owner_of(top))}
+    owners = grouped((owner.key, owner) for owner in owned.values())
+    notes = grouped((owner.key, one) for top, owner in owned.items() for one in names.notes.get(top, ()))
+    parts = ((name.partition("/"), place) for name, place in names.files)
+    of_files = ((owned[top], rest or owned[top].file or top, place) for (top, _, rest), place in parts if top in owned)
+    files = grouped((owner.key, (name, place)) for owner, name, place in of_files if not is_ignored(owner.file))
     file_lists = []
     for key, found in owners.items():
         first = found[0]
@@ -114,7 +109,7 @@ def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[Fil
         older = (note("ignored_file", name=name, why=say("reading.why.older", name=newer[name])) for name in sorted(newer))
         file_lists.append(FileList(
             student, first.name, tuple(file for file in handed_in if file[0] not in newer), first.number, first.folder,
-            (*notes[key], *older), review, late=any(owner.late for owner in found),
+            (*notes.get(key, ()), *older), review, late=any(owner.late for owner in found),
         ))  # fmt: skip
     return file_lists
 

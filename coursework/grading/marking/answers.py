@@ -68,10 +68,9 @@ def mark_answers(key: Key, asked: Sequence[Answer], lines: Sequence[AnswerLine])
 def _mark(key: Key, answer: Answer, row: int, line: AnswerLine | None) -> AnswerMark:
     expected, table, largest = _expected(key, answer.of, row)
     tolerance = answer.tolerance * largest
-    if line is None or line.state == "blank":
-        return AnswerMark(answer.name, None, expected, tolerance, "blank")
-    if line.value is None:
-        return AnswerMark(answer.name, None, expected, tolerance, "unreadable")
+    if line is None or line.value is None:
+        unread = line is not None and line.state == "unreadable"
+        return AnswerMark(answer.name, None, expected, tolerance, "unreadable" if unread else "blank")
     # A drawing gives sizes: a size without its sign is accepted, a wrong sign is not.
     off = min(abs(line.value - right) for one in (expected, table) for right in (one, abs(one)))
     verdict: Literal["right", "half", "wrong"] = "wrong"

@@ -128,22 +128,16 @@ class ClassFacts:
         """Return for each group of ids the names of the files that they share, except those that are simply right."""
         return _shared(file for file in self.files.values() if file.is_chosen)
 
-    @property
-    def hardest_column(self) -> str | None:
-        """Return the column with the most first wrong cells, by name if several have as many; None if no cell is wrong."""
-        counts = self.first_columns
-        return min(counts, key=lambda name: (-counts[name], name), default=None)
-
     def plain(self) -> dict[str, Any]:
-        """Return the facts as grades.json writes them under `class`."""
-        scores = self.scores
+        """Return the facts as grades.json writes them under `class`; the hardest column has most of the first wrong cells."""
+        scores, columns = self.scores, self.first_columns
         return {
             "graded": len(scores),
             "mean": round(statistics.fmean(scores), 2) if scores else None,
             "median": round(statistics.median(scores), 2) if scores else None,
             "misconceptions": {code: len(ids) for code, ids in sorted(self.misconceptions.items())},
             "first_wrong_rows": {str(row): number for row, number in sorted(self.first_rows.items())},
-            "hardest_column": self.hardest_column,
+            "hardest_column": min(columns, key=lambda name: (-columns[name], name), default=None),
             "same_files": self.same_files,
         }
 

@@ -58,7 +58,8 @@ def gradescope(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
         }
         for part, score, total in _parts(outcome)
     ]
-    lines = [_not_marked(outcome, language), outcome.output, *_unsaid(outcome)] if unmarked else [outcome.output]
+    unsaid = [text for text in outcome.problems if text not in outcome.output]
+    lines = [_not_marked(outcome, language), outcome.output, *unsaid] if unmarked else [outcome.output]
     return {
         "score": 0.0 if unmarked else round(outcome.score or 0.0, 2),
         "output": _text("\n".join(lines)),
@@ -114,10 +115,6 @@ def _not_marked(outcome: Outcome, language: str) -> str:
     if outcome.status in _NOT_GRADABLE:
         return load_phrases(language).said("platform.not_marked", status=say(f"feedback.state.{status}"))
     return load_phrases(language).said(f"feedback.status.{status}")
-
-
-def _unsaid(outcome: Outcome) -> list[str]:
-    return [text for text in outcome.problems if text not in outcome.output]
 
 
 def _parts(outcome: Outcome) -> Iterator[tuple[PartOutcome, float, float]]:

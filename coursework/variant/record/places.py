@@ -1,6 +1,7 @@
 """Every place of a variant whose dimension is known or must agree with others, in the order of checking.
 
-Enters: a `Variant` as read.  Leaves: the dimensions of its names, and `Place`s.  Used by `dimension_check.py` only.
+Enters: a `Variant` as read.  Leaves: the dimensions of its names, and `Place`s.  Used by `dimension_check.py`, and where
+lines of students are read and judged.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 from coursework.system.frozen import frozen
 from coursework.variant.dimensions.exponents import LENGTH, NUMBER, TIME, Dimension, added, dimension_of
+from coursework.variant.dimensions.formulas import Clash, Measurer
 from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.variant import Constraint, Group, Variant
 from coursework.variant.record.vocabulary import GROUP_KINDS
@@ -53,6 +55,16 @@ def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dime
         names |= {f"V{variant.driven}{part}": _SPEED for part in "xy"}
     points = [name for name, _ in variant.points] + [group.meets for group in variant.groups if group.meets]
     return names | dict.fromkeys(points, _LENGTH)
+
+
+def has_one_dimension(tree: Formula, variant: Variant, *, plainly: bool = False) -> bool:
+    """Return whether all terms of a formula may have one dimension; with `plainly`, a number beside any name has none itself."""
+    names = measures(variant)
+    try:
+        Measurer(names, frozenset(names if plainly else (one.name for one in variant.given if one.si))).measure(tree)
+    except Clash:
+        return False
+    return True
 
 
 def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyPath, Formula]) -> Iterator[Place]:

@@ -12,11 +12,10 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from coursework.grading.reading.student_work import EquationLine
-from coursework.variant.dimensions.formulas import Clash, Measurer
 from coursework.variant.formula.alphabet import greek
 from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.formula.tree import Formula, constant, spelled, terms
-from coursework.variant.record.places import measures
+from coursework.variant.record.places import has_one_dimension
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
@@ -41,11 +40,6 @@ def question_of(line: EquationLine, variant: Variant, tells: Callable[[Formula],
     return asked(line, say("fault.G071", text=line.repaired or " = ".join(map(spelled, line.difference.args))))
 
 
-def part_of_chain(line: EquationLine) -> EquationLine:
-    """Return the question about a side of a chain a = b = c that could not be read."""
-    return asked(line, say("fault.G073", text=line.repaired))
-
-
 def asked(line: EquationLine, question: Sentence, column: int = 1) -> EquationLine:
     """Return a line as one that could not be read, with the question to a person as its fault."""
     fault = Fault(question, line.file, line.line, column)
@@ -64,10 +58,5 @@ def _is_rewritten(line: EquationLine, variant: Variant) -> bool:
         return True
     if {*typed} <= {*read}:
         return False
-    if any(constant(term) not in {None, 0} for side in line.difference.args for term in terms(side)):
-        return True
-    try:
-        Measurer(measures(variant), frozenset(one.name for one in variant.given if one.si)).measure(line.difference)
-    except Clash:
-        return True
-    return False
+    has_number = any(constant(term) not in {None, 0} for side in line.difference.args for term in terms(side))
+    return has_number or not has_one_dimension(line.difference, variant)

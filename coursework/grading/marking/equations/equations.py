@@ -15,9 +15,8 @@ from itertools import chain
 import numpy as np
 
 from coursework.grading.marking.equations.columns import column_in_source, has_sign
-from coursework.grading.marking.equations.doubts import part_of_chain, question_of
+from coursework.grading.marking.equations.doubts import asked, question_of
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness, written
-from coursework.grading.marking.equations.hints import Hint
 from coursework.grading.marking.equations.lacks import lack_of, law_of
 from coursework.grading.marking.equations.linear import (
     Linear,
@@ -29,7 +28,7 @@ from coursework.grading.marking.equations.linear import (
     says_more,
     usual_size,
 )
-from coursework.grading.marking.equations.marks import COUNTED, JUDGED, EquationMark, EquationMarks, Verdict
+from coursework.grading.marking.equations.marks import COUNTED, JUDGED, EquationMark, EquationMarks, Hint, Verdict
 from coursework.grading.marking.equations.meant_together import as_lists_or_minus, as_others_of_their_kind
 from coursework.grading.marking.equations.numbers import NoValue
 from coursework.grading.marking.equations.other_forms import with_other_sign, without_ratios
@@ -97,16 +96,16 @@ class Judge:
         if different:  # what is missing is wrong
             marks = tuple(mark for mark in marks if not (mark.line.passed_over and mark.line.is_partial))
         elif independent < len(variant.sought):  # another side of a chain may be the equation that is missing
-            marks += tuple(self._mark(part_of_chain(mark.line)) for mark in counted if mark.line.is_partial)
-        numbers = tuple(sorted(mark.line.line for mark in dependent))
-        return EquationMarks(marks, independent, len(variant.sought), numbers, different, turned=turned)
+            chains = (mark.line for mark in counted if mark.line.is_partial)
+            marks += tuple(self._mark(asked(line, say("fault.G073", text=line.repaired))) for line in chains)
+        return EquationMarks(marks, independent, len(variant.sought), different, turned=turned)
 
     def _asked(self, mark: EquationMark) -> EquationMark:
         """Return the mark of a wrong line that may have been misread as that of a question; any other mark as it is."""
         if mark.verdict != "wrong" or not self._names_any(mark):
             return mark
-        asked = question_of(mark.line, self.key.variant, self._tells, is_named=mark.hint is not None)
-        return self._mark(asked) if asked else mark
+        question = question_of(mark.line, self.key.variant, self._tells, is_named=mark.hint is not None)
+        return self._mark(question) if question else mark
 
     def _names_any(self, mark: EquationMark) -> bool:
         """Return whether a line names a sought velocity; one that does not, as T = 2*pi/p, is none of the equations needed."""
@@ -122,7 +121,7 @@ class Judge:
 
     def _with_lack(self, mark: EquationMark, counted: Sequence[EquationMark], is_dependent: bool) -> EquationMark:
         """Return the mark with what the line lacks, if it is right and adds nothing, or is wrong by no single slip."""
-        if mark.verdict == "unreadable" or mark.hint_of_slip or (mark.verdict in COUNTED and not is_dependent):
+        if mark.verdict == "unreadable" or (mark.hint if mark.verdict == "wrong" else not is_dependent):
             return mark
         others = [(other.line.where, other.line.difference) for other in counted if other is not mark]
         return replace(mark, lack=lack_of(mark.line.difference, mark.verdict, others, self.key.variant, self.off_closure))

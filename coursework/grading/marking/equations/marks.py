@@ -1,6 +1,6 @@
 """The marks of equations: each line with its verdict, how many are independent, and which are questions to a person.
 
-Enters: nothing.  Leaves: `EquationMark`, `EquationMarks`.
+Enters: nothing.  Leaves: `Hint`, `EquationMark`, `EquationMarks`.
 Used by `equations.py`, `grade.py`, `verdicts.py`, `questions.py`, `misconceptions.py`, `hypotheses.py`, `own_equations.py` and
 the reasons for points in `table.py` and `equations.py`.
 """
@@ -9,16 +9,36 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from coursework.grading.marking.equations.hints import Hint
 from coursework.grading.reading.student_work import EquationLine
 from coursework.grading.reading.submission import Note, note
 from coursework.system.frozen import frozen
+from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined
 
 Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
 COUNTED = ("right", "rounded", "closure")
 JUDGED = (*COUNTED, "wrong")
+
+
+@frozen
+class Hint:
+    """What would make a wrong line right: `text` is the corrected line; `others` counts further single edits that also do.
+
+    `column` is that of the line as handed in, which a document or a cell may show otherwise; `term` is what stands there.
+    """
+
+    kind: Literal["sign", "function", "name", "factor", "datum", "repaired", "reader"]
+    column: int
+    text: str
+    others: int = 0
+    fault: Fault | None = None
+    term: str = ""
+
+    def plain(self) -> dict[str, Any]:
+        """Return the record as grades.json writes it; for a line that could not be read, with the code of the fault."""
+        told = {"kind": self.kind, "column": self.column, "text": self.text, "others": self.others}
+        return told if self.fault is None else told | {"code": self.fault.code, "values": self.fault.message.plain()}
 
 
 @frozen
@@ -30,11 +50,6 @@ class EquationMark:
     hint: Hint | None = None
     lack: Sentence | str = ""
 
-    @property
-    def hint_of_slip(self) -> Hint | None:
-        """Return the hint of a wrong line; None for any other line."""
-        return self.hint if self.verdict == "wrong" else None
-
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
         hint = self.hint.plain() if self.hint else None
@@ -43,16 +58,15 @@ class EquationMark:
 
 @frozen
 class EquationMarks:
-    """The marks of all lines: `independent` of `needed` equations; `dependent` are numbers of lines that add nothing new.
+    """The marks of all lines: `independent` of `needed` equations; `different` counts the wrong lines.
 
-    `different` counts the wrong lines; the same wrong line written twice is one fault. `turned` says that lines were marked
-    with the opposite sign of all angular velocities, because they hold so.
+    The same wrong line written twice is one fault. `turned` says that lines were marked with the opposite sign of all angular
+    velocities, because they hold so.
     """
 
     marks: tuple[EquationMark, ...]
     independent: int
     needed: int
-    dependent: tuple[int, ...]
     different: int
     turned: bool = False
 

@@ -34,7 +34,8 @@ def misread(variant: Variant, equations: VelocityEquations, code: str) -> Varian
     if code == "sign_drive":
         return _with_drive_turned(variant)
     if code in {"cosine_drive", "pi_rounded"}:
-        changed = _with_sines_exchanged(variant) if code == "cosine_drive" else _with_pi_rounded(variant)
+        exchanged = replace(variant, drive=tuple(law.rewritten(_exchanged) for law in variant.drive))
+        changed = exchanged if code == "cosine_drive" else _with_pi_rounded(variant)
         return None if changed == variant else changed
     if code == "degree_geometry" and _in_degrees(variant, drive=True, geometry=False) == variant:
         return None  # without a sine in the drive this is the same as "degree_mode"
@@ -55,10 +56,6 @@ def _written_out(variant: Variant, equations: VelocityEquations) -> Variant | No
     return replace(
         variant, constraints=lines, coordinates=begun, groups=(), points=(), links=(), holds=(), driven=None, bindings=()
     )
-
-
-def _with_sines_exchanged(variant: Variant) -> Variant:
-    return replace(variant, drive=tuple(law.rewritten(_exchanged) for law in variant.drive))
 
 
 def _exchanged(tree: Formula) -> Formula:

@@ -106,7 +106,9 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, fits: Sequenc
         if fit.beyond_euler and fit.code in _OTHER_RULES:
             worth += max(rubric.steps_floor - worth, 0.0) * ramp(fit.share, _PARTLY, NAMED)
         if fit.beyond_euler and (fit.share >= least or is_near) and fit.share > copied and is_number:
-            worth = max(worth, _of_data(rubric, fit))
+            # A number copied wrongly is as a start copied wrongly, if it explains nearly all: some value undoes many a slip.
+            whole = rubric.start_floor_several if fit.code.startswith(_SWAPPED) else rubric.start_floor
+            worth = max(worth, _nearly_all(rubric, fit, whole))
         if fit.share < copied or not (fit.beyond_euler or worth <= rubric.misconception_floor):
             continue
         if fit.code == OWN:
@@ -131,14 +133,6 @@ def _is_slip(key: Key, fit: Fit) -> bool:
         ratio = _ratio(key, fit)
         return ratio is not None and not ratio > 0
     return len(fit.names) < 2 and not fit.code.startswith(_NO_SLIPS)
-
-
-def _of_data(rubric: Rubric, fit: Fit) -> float:
-    """Return the worth of a cell of a table made from a number copied wrongly: that of a start copied wrongly.
-
-    It must explain nearly all of the table and more than a slip does, as some value of a datum undoes many a slip.
-    """
-    return _nearly_all(rubric, fit, rubric.start_floor_several if fit.code.startswith(_SWAPPED) else rubric.start_floor)
 
 
 def _nearly_all(rubric: Rubric, fit: Fit, whole: float) -> float:

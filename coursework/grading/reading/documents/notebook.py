@@ -38,20 +38,14 @@ def document_of_notebook(text: str, kind: str) -> Document:
         if _text(cell, "cell_type") in {"markdown", "raw"}:
             place = place_of("cell", number=number)
             add_markdown(document, _joined(_value(cell, "source")), lambda line, place=place: place)  # type: ignore[misc]
-    shown = [
-        (output, place_of("cell", number=number))
-        for number, cell in enumerate(cells, start=1)
-        if _text(cell, "cell_type") == "code"
-        for output in _outputs(cell)
-    ]
+    of_code = [(number, cell) for number, cell in enumerate(cells, start=1) if _text(cell, "cell_type") == "code"]
+    shown = [(output, place_of("cell", number=number)) for number, cell in of_code for output in _outputs(cell)]
     for output, place in reversed(shown[-_MOST_OUTPUTS:]):
         document.texts.append((output, place))
         for line in output.split("\n"):
             if relates_two_sides(line) and "\t" not in line:
                 document.add_line(line, place)
-    code = [
-        (number, _joined(_value(cell, "source"))) for number, cell in enumerate(cells, 1) if _text(cell, "cell_type") == "code"
-    ]
+    code = [(number, _joined(_value(cell, "source"))) for number, cell in of_code]
     if any(TURNED.search(text) for _, text in code) and not any(TURNED.search(line.text) for line in document.lines):
         document.is_code = True
         for number, text in code:

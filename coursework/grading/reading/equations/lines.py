@@ -88,11 +88,7 @@ class Lines:
 _Kept = Callable[[EquationLine], EquationLine | None]
 
 
-def _as_it_is(line: EquationLine) -> EquationLine:
-    return line
-
-
-def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None, kept: _Kept = _as_it_is) -> Lines:
+def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None, kept: _Kept = lambda line: line) -> Lines:
     """Return the equations and answers in a text; `#` begins a comment, prose without "=" is skipped.
 
     `beside` is the table in the same text, None if it has none.  Its rows are skipped and do not count as lines that were tried.
@@ -211,7 +207,7 @@ def _pieces(text: str, names: Names, passed: list[tuple[int, str]]) -> Iterator[
     """Yield the equations and answers; one line may contain several.  What is none is added to `passed`."""
     for number, line in text_lines(text, names, passed):
         for part in parts_of(line):
-            yield from ((number, one) for one in _in_parts(part, names) or _sides_apart(part, names))
+            yield from ((number, one) for one in _apart(part, names))
 
 
 def _names_first(lines: Sequence[tuple[int, str]], names: Names) -> list[tuple[int, str]]:
@@ -229,16 +225,12 @@ def _names_first(lines: Sequence[tuple[int, str]], names: Names) -> list[tuple[i
     return found
 
 
-def _in_parts(line: str, names: Names) -> list[str]:
-    """Return the two parts of an equation of complex numbers, [] for any other line."""
-    return real_and_imaginary(line) or by_parts(line, names.spellings)
-
-
-def _sides_apart(line: str, names: Names) -> list[str]:
-    """Return vP = … = … as two equations, if they give one velocity by different others and so are no steps of one.
-
-    The name may stand last.
+def _apart(line: str, names: Names) -> list[str]:
+    """Return the two parts of an equation of complex numbers; else vP = … = … as two equations, if they give one velocity by
+    different others and so are no steps of one; else the line. The name may stand last.
     """
+    if parts := real_and_imaginary(line) or by_parts(line, names.spellings):
+        return parts
     sought = {*names.expected.variant.sought}
     name, *sides = line.split("=") if 2 <= line.count("=") <= _MOST_SIDES else [line]
     if is_behind := bool(sides) and OWN_NAME.fullmatch(sides[-1].strip(" .;,")) is not None and TURNED.search(plain_signs(name)):

@@ -26,22 +26,15 @@ _KINDS: dict[str, Literal["number", "error", "date"]] = {"n": "number", "e": "er
 
 def sheets_of(archive: Archive, room: Room) -> Iterator[Sheet]:
     """Yield the sheets of a workbook, at most `SHEETS`; cells beyond the `room` are left out."""
-    targets = _targets(archive)
+    related = _attributes(archive, "xl/_rels/workbook.xml.rels", {"Relationship"})
+    targets = {found.get("Id", ""): posixpath.join("/xl", found.get("Target", "")) for _, found in related}
     for _, found in _attributes(archive, WORKBOOK, {"sheet"})[:SHEETS]:
-        part = targets.get(found.get("id", ""), "")
+        part = posixpath.normpath(targets.get(found.get("id", ""), "")).lstrip("/")
         if part not in archive.parts:
             continue
         reader = _SheetReader(room)
         stream(archive.chunks(part), reader)
         yield Sheet(found.get("name", ""), _resolved(archive, reader))
-
-
-def _targets(archive: Archive) -> dict[str, str]:
-    """Return the name of the part for each relationship id of the workbook."""
-    return {
-        found.get("Id", ""): posixpath.normpath(posixpath.join("/xl", found.get("Target", ""))).lstrip("/")
-        for _, found in _attributes(archive, "xl/_rels/workbook.xml.rels", {"Relationship"})
-    }
 
 
 def _resolved(archive: Archive, reader: _SheetReader) -> tuple[tuple[Cell, ...], ...]:

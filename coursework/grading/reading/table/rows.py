@@ -63,7 +63,8 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
         unit = _time_unit(layout.heads[at].unit, cells, grid)
         times, recovered = _times(cells, PRINTED["s"][unit])
         own, step = _own_step(times, grid)
-        targets = _by_time(times, _coarse(cells) * PRINTED["s"][unit], grid, step)
+        finest = min((cell.last_place for cell in cells if cell.is_number), default=0.0)
+        targets = _by_time(times, finest * PRINTED["s"][unit], grid, step)
         order = _order(times, targets, grid)
     elif INDEX in places.places and (numbers := _row_numbers(layout, places.places[INDEX].at)):
         targets = [number if 0 <= number < grid.rows else None for number in numbers]
@@ -154,11 +155,6 @@ def _own_step(times: Sequence[float], grid: Grid) -> tuple[tuple[int, ...], floa
         rows, left = _put_in_places(by_step, _by_time(times, 0.0, grid, step))
         even = bool(rows) and not left
     return (tuple(rows), step) if even and step > 0 and abs(step / grid.step - 1) >= _OTHER else ((), 0.0)
-
-
-def _coarse(cells: Sequence[PrintedNumber]) -> float:
-    """Return the finest unit of the last place with which the times are printed."""
-    return min((cell.last_place for cell in cells if cell.is_number), default=0.0)
 
 
 def _time_unit(head: str, cells: Sequence[PrintedNumber], grid: Grid) -> str:

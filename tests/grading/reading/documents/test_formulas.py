@@ -95,7 +95,7 @@ def read(file: str, parts: dict[str, str]) -> StudentWork:
 
 def verdicts(work: StudentWork) -> list[str]:
     marks = JUDGE.mark(work.equations or ())
-    assert marks.independent == len([mark for mark in marks.marks if mark.verdict in {"right", "rounded"}]), marks.dependent
+    assert marks.independent == len([mark for mark in marks.marks if mark.verdict in {"right", "rounded"}])
     return [mark.verdict for mark in marks.marks]
 
 

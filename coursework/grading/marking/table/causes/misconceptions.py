@@ -28,7 +28,7 @@ from coursework.grading.marking.table.explained import Explained, Fit, euler_cel
 from coursework.grading.marking.table.points import stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
 from coursework.grading.marking.table.untold import FINEST, untold_cells
-from coursework.grading.marking.table.ways import KEY, OwnRows, StudentTable, near
+from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Flags
 from coursework.system.frozen import caching, frozen
 
@@ -117,50 +117,34 @@ def explanations(
             weighed.hear(claim)
     untold = _untold(key, cells, *weighed.teller) if weighed.teller else np.zeros_like(cells.wrong)
     further: list[Fit] = []
-    if (own := cells.student.own) and (fitting := _other_step(key, cells, own)):
+    if (own := cells.student.own) and (fitting := on_own_rows(key, cells, own)):
         share, fit = fitting
         if share >= NAMED:
             weighed.name_step(share, told_step(own.step))
             untold[:, : key.m] = cells.counted[:, : key.m]
         if fit > weighed.euler_fit + BETTER:
             further.append(Fit(OTHER_STEP, fit, in_print=True))  # beside what the rows as handed in say of it
-    if began and (share := share_of(*euler_cells(began.cells))) >= NAMED and share > weighed.rivals.key + BETTER:
-        weighed.named[began.cause] = Misconception(began.cause, share, weighed.rivals.key, (), began.names)
+    if began and (share := share_of(*euler_cells(began.cells))) >= NAMED and share > weighed.of_whole + BETTER:
+        weighed.named[began.cause] = Misconception(began.cause, share, weighed.of_whole, (), began.names)
     at_best = (*weighed.at_best(), *further)
     return Found(weighed.likeliest(equations), at_best, lambda: (*weighed.better_fits(), *further), began, untold)
 
 
-@frozen
-class _Rivals:
-    """The shares that a claim must exceed: of Euler's rules, and of the key, alone or where Euler's rules do not hold.
-
-    `key` stands for what a claim about the whole table is compared with: Euler's rules, unless the table begins elsewhere.
-    """
-
-    euler: float
-    key: float
-    stands: float
-    as_handed_in: float
-
-    def against(self, claim: Claim) -> float:
-        """Return the share that a claim must exceed."""
-        usual = self.key if claim.is_whole else self.euler
-        if claim.student is None or claim.code.startswith(ORIGIN):
-            return usual
-        # In a steady drive, rows in wrong places still follow Euler's rules; in a table made anew, what stood right stays right.
-        return self.stands if claim.code == ROWS_SHIFTED else max(usual, self.as_handed_in)
-
-
 class _Weighed:
-    """What claims explain of a table, weighed against what Euler's rules and the key do; it may begin `elsewhere`."""
+    """What claims explain of a table, weighed against what Euler's rules and the key do; it may begin `elsewhere`.
+
+    `euler` and `by_key` are the shares of Euler's rules and of the key, `as_handed_in` that of either; `of_whole` is what a claim
+    about the whole table is compared with: Euler's rules, unless the table begins elsewhere.
+    """
 
     def __init__(self, gates: Explained, hidden: Container[str], *, elsewhere: bool) -> None:
         self.gates, self.hidden = gates, hidden
         self.explained, spoken = euler_cells(gates.cells)
         self.euler_fit = gates.share(self.explained, as_it_is=True)
         right = self.explained | gates.by_key
-        euler, stands, handed_in = (share_of(one & spoken, spoken) for one in (self.explained, gates.by_key, right))
-        self.rivals = _Rivals(euler, stands if elsewhere else euler, stands, handed_in)
+        shares = (share_of(one & spoken, spoken) for one in (self.explained, gates.by_key, right))
+        self.euler, self.by_key, self.as_handed_in = shares
+        self.of_whole = self.by_key if elsewhere else self.euler
         self.named: dict[str, Misconception] = {}
         self.read_off: set[str] = set()
         self.fits: dict[tuple[str, bool], Fit] = {}
@@ -172,7 +156,7 @@ class _Weighed:
         """Keep what a claim explains."""
         code = claim.code
         put_right, holds, says = self._claimed(claim)
-        share, against = share_of(holds, says), self.rivals.against(claim)
+        share, against = share_of(holds, says), self._against(claim)
         is_better = share >= NAMED and share > against + BETTER and (code not in self.named or share > self.named[code].share)
         if is_better and code != OWN and code not in self.hidden:
             self.named[code] = Misconception(code, share, against, (), claim.names)
@@ -187,6 +171,14 @@ class _Weighed:
         # Causes that leave something unexplained are examined again.
         if claim.student is None and count < self.gates.spoken.sum() and (code not in self.held or count > self.held[code][0]):
             self.held[code] = count, claim, holds
+
+    def _against(self, claim: Claim) -> float:
+        """Return the share that a claim must exceed."""
+        usual = self.of_whole if claim.is_whole else self.euler
+        if claim.student is None or claim.code.startswith(ORIGIN):
+            return usual
+        # In a steady drive, rows in wrong places still follow Euler's rules; in a table made anew, what stood right stays right.
+        return self.by_key if claim.code == ROWS_SHIFTED else max(usual, self.as_handed_in)
 
     def _gains(self, claim: Claim, holds: Flags) -> bool:
         """Return whether a claim about cells as they stand explains any that neither Euler's rules nor the key do.
@@ -225,7 +217,7 @@ class _Weighed:
         """
         self.named = {code: one for code, one in self.named.items() if one.share > share + TIE or code == OTHER_STEP}
         share = max(share, self.named[OTHER_STEP].share) if OTHER_STEP in self.named else share
-        self.named[OTHER_STEP] = Misconception(OTHER_STEP, share, self.rivals.euler, (), (step,))
+        self.named[OTHER_STEP] = Misconception(OTHER_STEP, share, self.euler, (), (step,))
 
     def likeliest(self, equations: EquationMarks | None) -> Misconception | None:
         """Return the cause that explains most, with its ties; None if there is none."""
@@ -277,13 +269,3 @@ def _untold(key: Key, cells: Cells, claim: Claim, holds: Flags) -> Flags:
     points = table_points(key, made)
     nothing = made.wrong | (made.missing if points.uncounted is None else made.missing | points.uncounted)
     return np.asarray(found | ((cells.marks == KEY) & nothing & cells.counted & alike(key, cells.student, table)))
-
-
-def _other_step(key: Key, cells: Cells, own: OwnRows) -> tuple[float, float] | None:
-    """Return two shares that are right on the table's own times: of cells, behind the gates; None if no motion has these."""
-    found = on_own_rows(key, cells, own)
-    if found is None:
-        return None
-    right, says = euler_cells(found.cells)
-    right |= found.put_right & says
-    return share_of(right, says), found.filled * Explained(found.key, found.cells).share(right)

@@ -40,10 +40,8 @@ _NUMBER = re.compile(r"[-+]?\s*(?:\d++\.?\d*+|\.\d++)(?:[eE][-+]?\d+)?")
 DASH = re.compile(r"^\s*[-–—]\s*")  # the mark of an item, as a hyphen is; − is a minus
 # A name and the formula of a residual, as in F(2) = r1*w1…, which is handed to a root finder.
 _FUNCTION_OF_ROOTS = re.compile(r"\s*[^\W\d]\w{0,20}\s*(?:[(\[][\w\s,]{1,40}[)\]])?\s*=([^=]+)")
-_NATURAL, _SEVERAL = (
-    re.compile(r"[一-鿿]{2}|[^\W\d_]{3,}"),
-    3,
-)  # words of a sentence, two signs each in Chinese; how many make one
+_NATURAL = re.compile(r"[一-鿿]{2}|[^\W\d_]{3,}")  # words of a sentence, two signs each in Chinese
+_SEVERAL = 3  # so many of them make one
 _SINES = re.compile(r"sin|cos|sen", re.IGNORECASE)
 DRAWN = re.compile(r"=[^=]{0,80}(?:-{3}|[─―]{2})")  # a quotient drawn over several lines
 TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # a mark of an equation even if its names are unknown

@@ -16,10 +16,9 @@ from coursework.grading.reading.equations.formulas.names_in_text import plain_na
 from coursework.grading.reading.expected import Expected
 from coursework.mechanism.mechanism import build
 from coursework.variant.dimensions.exponents import LENGTH
-from coursework.variant.dimensions.formulas import Clash, Measurer
 from coursework.variant.formula.reader import MAX_NODES
 from coursework.variant.formula.tree import Formula, constant, mapped, named, number, terms, with_names, with_points
-from coursework.variant.record.places import measures
+from coursework.variant.record.places import has_one_dimension, measures
 from coursework.variant.record.variant import Variant
 
 Meanings = Mapping[str, Formula]
@@ -45,16 +44,12 @@ def meaning_of(name: str, expected: Expected, own: Meanings) -> Formula | None:
 
 def _of_index(name: str, variant: Variant) -> Formula | None:
     """Return cos φ₃ for c3, sin φ₃ for s3, φ₃ for θ₃, r₃ for l₃ if only one angle or length has this index; else None."""
-    kind, index = name.rstrip("0123456789"), name[len(name.rstrip("0123456789")) :]
-    if index and (unit := _KINDS.get(kind)):
-        alike = _with_index(variant, unit, index)
-        return named(alike[0]) if len(alike) == 1 else None
-    for short, function in sorted(_SHORT.items(), reverse=True):
-        index = name.removeprefix(short)
-        if index and index != name and index.isdigit():
-            angles = _with_index(variant, "rad", index)
-            return Formula("call", (named(angles[0]),), name=function) if len(angles) == 1 else None
-    return None
+    kind = name.rstrip("0123456789")
+    unit, function, index = _KINDS.get(kind), _SHORT.get(kind), name[len(kind) :]
+    alike = _with_index(variant, unit or "rad", index) if index and (unit or function) else []
+    if len(alike) != 1:
+        return None
+    return Formula("call", (named(alike[0]),), name=function) if function else named(alike[0])
 
 
 def _with_index(variant: Variant, unit: str, index: str) -> list[str]:
@@ -142,11 +137,7 @@ def _has_a_length_in_each_term(tree: Formula, variant: Variant, factor: int) -> 
             return node
         return replace(node, si="rad") if node.op == "number" and 0 < node.value <= least else mapped(node, told)
 
-    try:
-        Measurer(measures(variant), frozenset(one.name for one in variant.given if one.si)).measure(told(tree))
-    except Clash:
-        return False
-    return True
+    return has_one_dimension(told(tree), variant)
 
 
 @lru_cache(maxsize=16)

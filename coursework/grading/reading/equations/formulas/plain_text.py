@@ -45,13 +45,11 @@ _DERIVATIVES = (
     re.compile(rf"\bD_?{_NAME}"),
 )
 _GLUED = re.compile(r"(|.*[\w}])((?:[φϕθ]|phi|theta)\u0307?_?\d{1,2}|[^\W\d]\u0307_?\d{0,2})(|sin|cos|tg|tan)")
-_DIFFERENTIAL, _DT = (
-    re.compile(r"\bd_?([^\W\d]\w{0,40})\b"),
-    re.compile(r"(?<=[\w)\]}])\s*\*?\s*\bdt\b(?!\s*=)|(?<![/\w])(?<!/ )dt\b\s*(?:\*|(?=[\w(]))\s*()|\bdt\b(?=\s*=)"),
-)
+_DIFFERENTIAL = re.compile(r"\bd_?([^\W\d]\w{0,40})\b")
+_DT = re.compile(r"(?<=[\w)\]}])\s*\*?\s*\bdt\b(?!\s*=)|(?<![/\w])(?<!/ )dt\b\s*(?:\*|(?=[\w(]))\s*()|\bdt\b(?=\s*=)")
 # As programs name derivatives, unless it is a name of the variant: dphi3, phi3p, thd3, phi3_t.
 _SHORT_DERIVATIVES = (
-    re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dpt]\b"),
+    _DIFFERENTIAL, re.compile(r"\b([^\W\d]\w{0,40}?)_?[dpt]\b"),
     re.compile(r"\b([^\W\d]{1,9}(?=_?[dp]_?\d{1,3}\b))_?[dp]_?(\d{1,3})\b"),
 )  # fmt: skip
 _AT_TIME = re.compile(r"\b(?:sin|cos|tan|tg)\s*[({]?\s*[^\W\d]\w{0,40}?\d?_t\b")  # sin(phi3_t): all names are those at a time

@@ -10,9 +10,8 @@ from dataclasses import replace
 
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
 from coursework.grading.reading.student_work import EquationReading
-from coursework.variant.dimensions.formulas import Clash, Measurer
-from coursework.variant.formula.tree import Formula
-from coursework.variant.record.places import measures
+from coursework.variant.formula.tree import Formula, named
+from coursework.variant.record.places import has_one_dimension
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault
 
@@ -36,16 +35,8 @@ def _values_of(formula: Formula, variant: Variant) -> tuple[str, ...]:
 
     A formula without any sought velocity is no residual, whatever its dimension.
     """
-    named = {*formula.names()}
-    if named.isdisjoint(variant.sought):
+    names = {*formula.names()}
+    if names.isdisjoint(variant.sought):
         return variant.sought
-    return tuple(name for name in variant.sought if name not in named and _may_equal(name, formula, variant))
-
-
-def _may_equal(name: str, formula: Formula, variant: Variant) -> bool:
-    measured = frozenset(one.name for one in variant.given if one.si)
-    try:
-        Measurer(measures(variant), measured).measure(Formula("-", (Formula("name", name=name), formula)))
-    except Clash:
-        return False
-    return True
+    others = (name for name in variant.sought if name not in names)
+    return tuple(name for name in others if has_one_dimension(Formula("-", (named(name), formula)), variant))

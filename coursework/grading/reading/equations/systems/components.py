@@ -7,8 +7,7 @@ Nothing is computed.  Used by `matrices.py` and `text_lines.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
-from functools import partial
+from collections.abc import Callable
 from itertools import islice
 
 from coursework.grading.reading.equations.notation.signs import closing, depths
@@ -76,7 +75,7 @@ def with_entries_apart(text: str) -> str:
         if not is_formula or not used or max(used) - first >= len(cells):
             continue
         names = {place: f"{found[1]}{axis}" for place, axis in enumerate("xyz_"[: len(cells)], first)}
-        behind = entry.sub(partial(_named_entry, names), behind)
+        behind = entry.sub(lambda one, names=names: names[int(one[1])], behind)  # type: ignore[misc]
         is_whole = re.search(rf"{said}(?!\w)", behind) is not None  # it is used as a whole, too
         told = zip(names.items(), cells, strict=True)
         apart = "; ".join(f"{name} = {cell}" for (place, name), cell in told if place in used or not is_whole)
@@ -86,10 +85,6 @@ def with_entries_apart(text: str) -> str:
             lines = "\n" * text.count("\n", found.start(), begun)
             text = text[: found.start()] + apart + lines + behind
     return text
-
-
-def _named_entry(names: Mapping[int, str], entry: re.Match[str]) -> str:
-    return names[int(entry[1])]
 
 
 def _around(text: str, vector_: re.Match[str]) -> tuple[int, int]:

@@ -99,11 +99,9 @@ def _defined(
                     continue
                 if found[0] in met:
                     labels |= {found[0]} if VANISHED.search(line) else set()
-                    if (
-                        _is_ratio(own.get(found[0], found[1]), names)
-                        and not _has_velocity(names, found[1])
-                        and found[1].op != "number"
-                    ):
+                    first = own.get(found[0], found[1])
+                    is_ratio = first.op == "/" and all(_has_velocity(names, one) for one in first.args)
+                    if is_ratio and not _has_velocity(names, found[1]) and found[1].op != "number":
                         own[found[0]] = found[1]  # i = w2/w1, i = 1 + R/r: what i is without velocities stays linear
                 else:
                     own.setdefault(*found)
@@ -166,10 +164,6 @@ def _otherwise(line: str, names: Names) -> tuple[str, Formula] | None:
     """Return the name and formula of a line that defines a name anew, None if it is no such line or says the same."""
     found = definition(line, names)
     return found if found and found[0] in names.own and not are_equal(names.own[found[0]], found[1]) else None
-
-
-def _is_ratio(tree: Formula, names: Names) -> bool:
-    return tree.op == "/" and all(_has_velocity(names, one) for one in tree.args)
 
 
 def _has_velocity(names: Names, *formulas: Formula) -> bool:

@@ -31,10 +31,8 @@ _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//|!|/\*|\(\*|--|[Cc](?=\s{2}))++\s*+([^=
 _LISTS = re.compile(r"(\w{1,20}(?:,\s?\w{1,20}){1,9})\s?=\s?(\w{1,20}(?:,\s?\w{1,20}){1,9})\.?")  # q1, q2 = phi1, phi2
 _ALIAS = re.compile(r"\s*([^\W\d]\w{0,20})\s*=\s*([^\W\d]\w{0,20})\s*[.]?\s*")
 _STAYS = r"=\s*(?:const\w*|konst\w*|cte|пост\w*)\b\.?"  # as x_P = const, …
-_CONSTANT, _CONSTANT_TOO = (
-    re.compile(rf"\b\w{{1,12}}\s*{_STAYS},?"),
-    re.compile(rf"(=\s*\w{{1,12}}|=[^=]{{1,200}}?(?=\s*=[^=]*$))\s*{_STAYS}(?:,\s*[^\W\d_]{{2,12}}\s*$)?"),
-)
+_CONSTANT = re.compile(rf"\b\w{{1,12}}\s*{_STAYS},?")
+_CONSTANT_TOO = re.compile(rf"(=\s*\w{{1,12}}|=[^=]{{1,200}}?(?=\s*=[^=]*$))\s*{_STAYS}(?:,\s*[^\W\d_]{{2,12}}\s*$)?")
 _SAME_AS = re.compile(r"(?<==)([^=]{3,200})\s\(\s*=\s*([\w\s*/+^·-]{1,20})\)\s*[.;]?$")  # D = … (= s)
 _BLOCK, _STARRED = re.compile(r"/\*((?:[^*]|\*(?!/))*+)(\*/|\Z)"), re.compile(r"^[ \t]*\*(?=\s)", re.MULTILINE)
 

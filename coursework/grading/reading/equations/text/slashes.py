@@ -10,8 +10,7 @@ import re
 from coursework.grading.reading.equations.formulas.equations import Names, names_in, read_as_one
 from coursework.grading.reading.equations.notation.signs import depths, relates_two_sides, relations
 from coursework.grading.reading.limits import EQUATION_CHARACTERS
-from coursework.variant.dimensions.formulas import Clash, Measurer
-from coursework.variant.record.places import measures
+from coursework.variant.record.places import has_one_dimension
 from coursework.words.errors import Fault
 
 # Slashes and dots between the equations of one line, a = b / c = d.
@@ -66,11 +65,4 @@ def _at_slashes(text: str, names: Names) -> list[str]:
 def _has_one_unit(text: str, names: Names) -> bool:
     """Return whether a text can be read as an equation whose terms all have one unit."""
     read = read_as_one(text.rstrip(" :<"), names)
-    if isinstance(read, Fault):
-        return False
-    units = measures(names.expected.variant)
-    try:
-        Measurer(units, frozenset(units)).measure(read.tree)  # beside any name a number is a plain one
-    except Clash:
-        return False
-    return True
+    return not isinstance(read, Fault) and has_one_dimension(read.tree, names.expected.variant, plainly=True)

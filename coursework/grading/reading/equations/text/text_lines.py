@@ -58,10 +58,8 @@ _OF_PLACE = re.compile(
     r"|([xy]\u0307|[ẋẏ])_?(\{?[A-Z]\d?\}?)(?!\w))|\\dot\s?\{?\s?([xy])\s?\}?_(\{?[A-Z]\d?\}?)(?!\w)"
 )
 # The derivative by an angle that a stroke means if the text says so: ' = d/dphi1
-_STROKE, _STROKED = (
-    re.compile(r"['’′]\s*(?:=|means|denotes|:)\s*d\s*/\s*d\s?([^\W\d]\w{0,8})"),
-    r"(?<![\w'])([^\W\d]\w{0,8})['’′](?!['’′\w])",
-)
+_STROKE = re.compile(r"['’′]\s*(?:=|means|denotes|:)\s*d\s*/\s*d\s?([^\W\d]\w{0,8})")
+_STROKED = re.compile(r"(?<![\w'])([^\W\d]\w{0,8})['’′](?!['’′\w])")
 _PROMPT = re.compile(r"(?m)^[ \t]*>>>?[ \t]+")  # of MATLAB and Python
 _OF_RATES = re.compile(r"(?<!\w)([A-Za-z])(['’′\u0307])(?=\s*=\s*[\[(][\w\s,;{}]{3,80}[\])])")
 _SQUARED = re.compile(
@@ -143,7 +141,7 @@ def _by_names(text: str, names: Names) -> str:
     for letter, sign in {found.groups() for found in _OF_RATES.finditer(text)}:  # J·q' = B, where q' = [w2; w3]
         text = re.sub(rf"(?<!\w){letter}{sign}", f"{letter}dotted", text)
     if (stroke := _STROKE.search(text)) and stroke[1] != "t":
-        text = re.sub(_STROKED, rf"d\1/d{stroke[1]}", _STROKE.sub("", text))
+        text = _STROKED.sub(rf"d\1/d{stroke[1]}", _STROKE.sub("", text))
     text = _OF_PLACE.sub(lambda found: _velocity(found, names.spellings), _PROMPT.sub("", text))
     text = with_cells_named(text, names.spellings.angle, names.spellings.data)
     text = without_pointers(text, names.spellings)
