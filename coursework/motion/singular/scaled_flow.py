@@ -23,7 +23,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.statements import clock_statements
 from coursework.equations.reduction.symbolic import constants
 from coursework.equations.reduction.system import LinearSystem, compile_system, scene_program
-from coursework.motion.integration.order_eight import dormand_prince_8
+from coursework.motion.integration.order_eight import SLOPES, dormand_prince_8
 from coursework.system.arrays import Array
 from coursework.system.frozen import changing, frozen
 from coursework.variant.record.held import largest_length
@@ -58,8 +58,8 @@ class Flow:
     among the driven or the unknown rates.  `compile_clock(block)` gives (pace, *q, t) -> the flow whose clock is the determinant
     of a block times a pace.  `units` (m,) of the coordinates are 1 rad for angles, for lengths the size of the mechanism; they
     and `unknown_units` (k,) measure steps, in micrometres as in kilometres.  `noise` is the share of itself by which round-off
-    changes the flow: large where equations nearly depend on each other everywhere.  The flow was made from `equations` and
-    `begin` (m,).
+    changes the flow: large where equations nearly depend on each other everywhere.  `evaluations` counts right-hand sides; the
+    flow was made from `equations` and `begin` (m,).
     """
 
     equations: VelocityEquations
@@ -73,6 +73,7 @@ class Flow:
     noise: float
     begin: Sequence[float]
     clocks: dict[int, Callable[..., tuple[float, ...]]] = field(default_factory=dict)
+    evaluations: int = field(default=0)
 
     def _values(self, t: float, q: Sequence[float]) -> tuple[float, ...]:
         return (*self.system.scalar(t, *q), 0.0)
@@ -88,11 +89,12 @@ class Flow:
 
     def slopes(self, t: float, q: Sequence[float], block: int) -> tuple[float, ...]:
         """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` if another block is singular."""
+        self.evaluations += 1
         return self._field(block, 1)(*q, t)
 
     def clock(self, block: int, sign: int) -> Clock:
         """Return the flow with the clock of `block`; a `sign` of -1 reverses it."""
-        return Clock(self._field(block, sign))
+        return Clock(self, self._field(block, sign))
 
     def _field(self, block: int, sign: int) -> Callable[..., tuple[float, ...]]:
         if block not in self.clocks:
@@ -143,14 +145,17 @@ class Flow:
 class Clock:
     """The flow with one clock: `field`(*state) -> d(state)/ds, where a state is a position followed by t."""
 
+    flow: Flow
     field: Callable[..., tuple[float, ...]]
 
     def slope(self, state: Array) -> Array:
         """Return d(state)/ds.  Raises `ArithmeticError` if a block other than that of the clock is singular."""
+        self.flow.evaluations += 1
         return np.array(self.field(*state.tolist()))
 
     def step(self, state: Array, slope: Array, length: float) -> tuple[Array, list[float]]:
         """Return the state after a `length` of the clock (s), starting with the known `slope`, and its estimated error."""
+        self.flow.evaluations += SLOPES
         return dormand_prince_8(self.field, state, slope, length)
 
 

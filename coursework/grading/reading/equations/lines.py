@@ -33,7 +33,7 @@ from coursework.grading.reading.equations.notation.signs import VANISHED, depths
 from coursework.grading.reading.equations.systems.complex_factors import by_parts
 from coursework.grading.reading.equations.systems.complex_lines import real_and_imaginary
 from coursework.grading.reading.equations.systems.parts import parts_of
-from coursework.grading.reading.equations.text.legends import with_legend
+from coursework.grading.reading.equations.text.legends import with_each_index, with_legend
 from coursework.grading.reading.equations.text.line_kinds import (
     definition,
     is_datum,
@@ -206,7 +206,7 @@ class _Reader:
 def _pieces(text: str, names: Names, passed: list[tuple[int, str]]) -> Iterator[tuple[int, str]]:
     """Yield the equations and answers; one line may contain several.  What is none is added to `passed`."""
     for number, line in text_lines(text, names, passed):
-        for part in parts_of(line):
+        for part in (one for piece in parts_of(line) for one in with_each_index(piece, names)):
             yield from ((number, one) for one in _apart(part, names))
 
 

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from coursework.grading.marking.equations.hints import Hint
+from coursework.grading.marking.equations.marks import Hint
 from coursework.grading.marking.reasons import equations
 from coursework.variant.formula.reader import parse_equation
 from coursework.variant.formula.tree import FormulaFault

@@ -36,6 +36,11 @@ def test_a_chain_with_a_wrong_side_is_wrong(chain):
     assert len(marked(TURN + chain).wrong) == 1
 
 
+def test_of_two_sought_velocities_at_once_both_are_said():
+    both = marked(TURN + "w3 = u = r*w1*sin(phi3 - phi1)")
+    assert both.independent == 3 and (both.wrong or both.unread)
+
+
 def test_the_line_of_a_hint_is_that_of_the_wrong_term():
     found = marked(BLOCK + "w4 = -L*w3*cos(phi3)/(b*cos(phi4))\nv = -L*w3*sin(phi3)\n  + b*w4*sin(phi4)\n")
     assert [(mark.line.line, mark.hint.column, mark.hint.kind) for mark in found.wrong] == [(5, 3, "sign")]

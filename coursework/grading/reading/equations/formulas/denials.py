@@ -25,7 +25,7 @@ _JUDGED = re.compile(
     r"|falsch\w*|fehlerhaft\w*|fehler|ungültig\w*|неверн\w*|неправильн\w*|ошиб\w+|зачеркнуто|неправд\w*|ложь|невірн\w*|хибн\w*|помилк\w*"
     r"|faux|fausse|erroné\w*|źle|błędn\w*|sbagliat\w*|errat[oa]|incorrect[oa]|erróne\w*|yanlış)\b"
     rf"|\b(?:{_NEVER})\s+(?:true|right|correct|so|richtig|wahr|так|верно|правильно|вірно|vrai)\b"
-    r"|(?<!交)[错誤]误?(?!差)|划掉|不(?:对(?![称心])|正确|成立)|[✗✘❌]",
+    r"|=\s*0\s*(?:≠|!=|\\neq?\b)|(?<!交)[错誤]误?(?!差)|划掉|不(?:对(?![称心])|正确|成立)|[✗✘❌]",
     re.IGNORECASE,
 )
 # That its sign is another one, unless all of it was moved or multiplied, or the sign is that of another book.

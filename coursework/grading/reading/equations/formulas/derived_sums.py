@@ -65,7 +65,8 @@ def _one_derived(text: str, spellings: Spellings) -> str:
         else:
             continue
         if _SUM.search(content.strip()):  # a name alone is read as its rate
-            return f"{text[:begin]}{derived(_read(content, spellings), spellings)}{text[after:]}"
+            sides = (derived(_read(side, spellings), spellings) for side in content.split("="))  # D[a == b, t]
+            return f"{text[:begin]}{' = '.join(sides)}{text[after:]}"
     return text
 
 

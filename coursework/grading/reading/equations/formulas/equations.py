@@ -18,7 +18,7 @@ from coursework.grading.reading.equations.formulas.meanings import Meanings, in_
 from coursework.grading.reading.equations.formulas.names_in_text import BUILT_IN, Spellings, place_of_name, spellings_of
 from coursework.grading.reading.equations.formulas.plain_text import of_one_component, of_products, of_units, plain
 from coursework.grading.reading.equations.formulas.repair import Sides, is_name, is_value, sides_of
-from coursework.grading.reading.equations.formulas.unnamed import without_a_name
+from coursework.grading.reading.equations.formulas.unnamed import called_otherwise, without_a_name
 from coursework.grading.reading.equations.notation.degrees import with_angles_in_degrees
 from coursework.grading.reading.equations.notation.signs import depths, plain_signs, relates_two_sides
 from coursework.grading.reading.expected import Expected
@@ -75,8 +75,10 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
         is_loose = meant is not in_si or any(not one.is_loose for one in found)  # 0.4 m may also be a product with a datum m
         read = _readings(meant, names)[0] if meant != text else []
         found += [replace(one, text=one.text or meant, is_loose=is_loose) for one in read]
-    unnamed = () if found else without_a_name(without_labels(text), variant, partial(read_as_one, names=names))
-    found += unnamed
+    called = called_otherwise(bare, fault) if fault and all(one.is_loose for one in found) else ""
+    formula = called or without_labels(text)
+    unnamed = without_a_name(formula, variant, partial(read_as_one, names=names)) if called or not found else ()
+    found += [one for one in unnamed if one.is_loose or not called]
     found += [_loosely(tree) for one in found if (tree := with_angles_in_degrees(one.tree, variant)) is not None]
     shorter = [
         replace(one, text=one.text or meant, is_loose=True, asks=asks)
@@ -93,7 +95,7 @@ def read_line(text: str, file: str, line: int, names: Names) -> EquationLine:
         others = tuple(one for one in found if one is not first)
         return EquationLine(file, line, text, others=others).read_as(first)
     assert fault is not None  # without a firm reading, the strict reader refused the line
-    if unnamed:
+    if unnamed and not called:
         fault = Fault(say("fault.G063", names=variant.sought, formula=without_labels(text).strip(" =")[:80]), column=1)
     short = text[: reader.MAX_CHARACTERS]
     told = Fault(fault.message, file, line, fault.column)
@@ -217,7 +219,9 @@ def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
         read = strictly(f"{text} = {kept[-1]}", names)
         if not isinstance(read, Fault):
             found.append(EquationReading(read, f"{text} = {kept[-1]}", is_loose=is_loose, is_partial=is_partial))
-    formulas = tuple(one for one in found if one.tree.args[0].op != "name")  # f1 = … = 0 and V_C = 0 are labels
+    # f1 = … = 0 and V_C = 0 are labels; in w2 = w3 = … both are sought
+    sought = {*names.expected.variant.sought} if kept[-1] != "0" else set[str]()
+    formulas = tuple(one for one in found if one.tree.args[0].op != "name" or one.tree.args[0].name in sought)
     return [replace(one, sides=tuple(other for other in formulas if other is not one)) for one in found]
 
 

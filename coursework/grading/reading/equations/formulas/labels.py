@@ -41,13 +41,15 @@ _WORDS = re.compile(r"[\s:,.–-]*([^\W\d_]+(?:\.[^\W\d_]+)*)\.?(?=[\s:,.(]|-[^\
 _SENTENCE = re.compile(r"[^=]*[^\W\d_][\w)]{0,40}[.:!]\s+(?=[A-ZА-ЯІЇЄ][^\W\d_]+\s)")  # one before that with the equation
 _ASIDE = re.compile(r"[\s,.:–-]*\(([^()=]{1,40})\)[\s,.:]*(?=[^\s*/^)=])")
 _COUNTED = re.compile(
-    r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
+    r"(?:link|bar|point|step|schritt|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
 )
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
 _SAID_IN_WORDS = re.compile(r"(?:\s(?:--?|[–—!'\"])|\s?;)\s*((?:[^\W\d_]+[\s,.]+)+[^\W\d_]+)[.;]?\s*$")
 _SAID = re.compile(
     r"[,;.](?:\s+|(?=[\u3400-\u9fff]))([^\W\d_]{2,}|(?:[^\W\d_]\.){2})|(?<=[\w)])\s+(for|at|when|if|because|since|and|und|et|which|где|при|для|если|когда|якщо|коли|бо|für|bei|wenn|weil|pour)\s"
 )
+# "= r*w1 along and across the lever:"
+_WORDS_BEHIND = re.compile(r"(?:(?<=\))|(?<=[^\w.])(\w+))\s((?:[^\W\d_]{2,}[\s,]+){2,}[^\W\d_]{2,})[.:;]?\s*$")
 _VERB = re.compile(r"(?<=\))\s([^\W\d_]{4,20})\.\s*$")  # "= a*w1*cos(phi) olur."
 _NOTED = re.compile(r"\s\[([^\W\d_]{2,20})[.\s][^\[\]=*/+]{1,40}\]\s*$")  # "= u   [eq. of x]"
 _ONLY_WORDS = re.compile(r"[^=*/+()]{0,60}")  # behind an arrow: "= u → x axis"
@@ -252,6 +254,9 @@ def _cut(text: str, is_name: Callable[[str], bool]) -> str:
         return _ended(text[: aside.start()], is_name)
     if (behind := _SAID_IN_WORDS.search(text, text.rfind("=") + 1)) and _is_said_in_words(behind[1], is_name):
         return text[: behind.start()]
+    words = _WORDS_BEHIND.search(text, text.rfind("=") + 1)
+    if words and (not words[1] or is_name(words[1])) and not any(map(is_name, re.findall(r"\w+", words[2]))):
+        return text[: words.start(2)].rstrip()
     for said_after in _SAID.finditer(text, text.rfind("=") + 1):
         if not is_name(said_after[1] or said_after[2]):
             return text[: said_after.start()]

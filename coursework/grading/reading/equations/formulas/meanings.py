@@ -44,12 +44,18 @@ def meaning_of(name: str, expected: Expected, own: Meanings) -> Formula | None:
 
 def _of_index(name: str, variant: Variant) -> Formula | None:
     """Return cos φ₃ for c3, sin φ₃ for s3, φ₃ for θ₃, r₃ for l₃ if only one angle or length has this index; else None."""
-    kind = name.rstrip("0123456789")
-    unit, function, index = _KINDS.get(kind), _SHORT.get(kind), name[len(kind) :]
-    alike = _with_index(variant, unit or "rad", index) if index and (unit or function) else []
-    if len(alike) != 1:
-        return None
-    return Formula("call", (named(alike[0]),), name=function) if function else named(alike[0])
+    kind, index = name.rstrip("0123456789"), name[len(name.rstrip("0123456789")) :]
+    if index and (unit := _KINDS.get(kind)):
+        alike = _with_index(variant, unit, index)
+        return named(alike[0]) if len(alike) == 1 else None
+    for short, function in sorted(_SHORT.items(), reverse=True):
+        index = name.removeprefix(short)
+        if index != name and index in {one.name for one in variant.coordinates if one.unit == "rad"}:  # s_{φ3}
+            return Formula("call", (named(index),), name=function)
+        if index and index != name and index.isdigit():
+            angles = _with_index(variant, "rad", index)
+            return Formula("call", (named(angles[0]),), name=function) if len(angles) == 1 else None
+    return None
 
 
 def _with_index(variant: Variant, unit: str, index: str) -> list[str]:

@@ -13,13 +13,14 @@ from coursework.grading.reading.equations.formulas.derived_sums import derived, 
 from coursework.grading.reading.equations.formulas.names_in_text import BUILT_IN, Spellings, plain_name
 from coursework.grading.reading.equations.notation.degrees import with_factors
 from coursework.grading.reading.equations.notation.latex import without_latex
-from coursework.grading.reading.equations.notation.signs import closing, depths, plain_signs
+from coursework.grading.reading.equations.notation.quotients import with_fractions, with_secants
+from coursework.grading.reading.equations.notation.signs import plain_signs
 from coursework.grading.reading.table.headers import FACTORS
 from coursework.grading.reading.unit_names import unit_of
 from coursework.variant.formula.tree import constant, named
 from coursework.variant.record.variant import Variant
 
-_PREFIX = re.compile(r"\b(?:[A-Za-z]\w{0,8}::(?=[A-Za-z])|(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z]))")
+_PREFIX = re.compile(r"\b(?:\w{1,9}::(?=[A-Za-z])|(?:j?np|numpy|c?math|Math|sp|sympy|tf)\.(?=[A-Za-z]))|\((?:double|float)\)")
 # A point between names multiplies (as in France) if the line has no other product sign; else a field follows it, par.r1.
 _POINT = re.compile(r"((?<![^\W\d])[^\W\d]\w{0,40}|[\d)])\.(?=([^\W\d]\w{0,40}|\())")
 _BY_POINT = re.compile(r"(?<![\w.])([^\W\d]{1,7})\.(\w{1,4})(?![\w.]|\((?!\s*t\s*\)))")  # an index in Mathcad: ω.3, V.My
@@ -58,7 +59,6 @@ _DOTTED = re.compile(r"\bdot\s*\(\s*([^\W\d]+)\s*\)_?(\d{1,3})")
 _STAR_MATH = re.compile(r"%(?=[a-z]{3,8}(?:_|\b))|\b(?:left|right)\s*(?=[()\[\]])")
 _TYPST = re.compile(r"(?<=[\w)])\s+dot\s+(?=(\w+)|\()|(?<=\bphi)\.alt(?![a-z])")
 _TYPST_SPACE = re.compile(r"(?<=[\w)])\s+(?:thin|med|thick|wide)\s+(?=[\w(])")
-_FRACTION = re.compile(r"\bfrac\s*(?=\()")  # frac(a, b) in Typst, frac(a)(b) in AsciiMath
 # A double of Fortran, 2.D0 or 2d0, the kind behind its numbers, 2.0_dp, and its functions such as DSIN; a datum d multiplies.
 _DOUBLE = re.compile(r"(?<![\w.])(\d++\.?+\d*+|\.\d++)[dD](?=([-+]?\d{1,2})(?!\w))")
 _OF_KIND = re.compile(r"(?<![\w.])(\d++\.?+\d*+|\.\d++)_(?:[dwsq]p|r?k?(?:4|8|16)|rk|real(?:32|64)|double)\b", re.IGNORECASE)
@@ -103,11 +103,12 @@ def plain(text: str, spellings: Spellings) -> str:
     text = _METHOD.sub(r"\2(\1)", text)
     text = with_factors(_DEGREES.sub(r"\1(\2*pi/180)", of_minutes(text)))
     text = _LAMBDA.sub(r"\1\2 ", _ROOT.sub(r"sqrt(\1)", text).replace("√", "sqrt"))
+    text = with_secants(text, lambda word: spellings.angle(word) is not None)
     text = _OF_ROW.sub(lambda found: _of_row(found, spellings), text)
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\b(?:cdot|times)\b", "*", text))
-    text = _fractions(_TYPST_SPACE.sub(" ", text))
+    text = with_fractions(_TYPST_SPACE.sub(" ", text))
     text = _TYPST.sub(lambda found: _dot_or_product(found, spellings), text)
     text = _BEHIND_PRIME.sub(" ", _KEYED.sub(r"\1", text))
     is_field = "*" in text
@@ -145,6 +146,7 @@ def _pointed(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
         behind != "("
         and not behind.lower().startswith(("sin", "sen", "cos", "tan", "sqrt"))
         and spellings.canonical(behind) is None
+        and not spellings.is_own(behind)
     ):
         return found[0]
     if is_field or (len(before) > 1 and before.isalpha() and spellings.canonical(before) is None):
@@ -157,19 +159,6 @@ def _dot_or_product(found: re.Match[str], spellings: Spellings) -> str:
     if found[0].strip() != "dot":
         return ""
     return found[0] if found[1] and spellings.angle(found[1]) in spellings.rates else " * "
-
-
-def _fractions(text: str) -> str:
-    """Return a line with a/b for frac(a, b) and frac(a)(b)."""
-    while found := _FRACTION.search(text):
-        end = closing(text, found.end())
-        above = text[found.end() + 1 : end]
-        cut = next((place for place, depth in enumerate(depths(above)) if depth == 0 and above[place] == ","), len(above))
-        if cut == len(above) and not text[end + 1 :].startswith("("):
-            return text
-        below = f"({above[cut + 1 :]})" if cut < len(above) else ""
-        text = f"{text[: found.start()]}({above[:cut]})/{below}{text[end + 1 :]}"
-    return text
 
 
 def _with_index(found: re.Match[str], spellings: Spellings, is_field: bool) -> str:
@@ -266,15 +255,15 @@ def _of_time(found: re.Match[str], spellings: Spellings) -> str:
 def _rate(found: re.Match[str], spellings: Spellings) -> str:
     """Return the name of a coordinate's rate for a derivative; leave it unchanged if it is not of a coordinate."""
     name = spellings.angle(re.sub("[{}\u0307]|_?dot", "", "".join(found.groups())))
+    called = re.sub("[\u0307']", "", found[1])
+    own = spellings.own.get(plain_name(called)) if spellings.is_own(called) else None
+    is_angle = own is not None and own.op == "name" and own.name in spellings.rates  # θ1, where the text says that it is φ1
+    if is_angle or (spellings.is_own(called) and ("/" in found[0] or ".diff" in found[0])):
+        return derived(own, spellings)
     if name in spellings.rates:
         return f" {spellings.rates[name]} "
-    own = spellings.own.get(plain_name(re.sub("[\u0307']", "", found[1])))
-    if own is not None and own.op == "name" and own.name in spellings.rates:  # of the θ1 that the text says is φ1
-        return f" {spellings.rates[own.name]} "
     if (point := _OF_POINT.fullmatch(found[1])) and (rate := spellings.rates.get("".join(point.groups()).lower())):
         return f" {rate} "  # x_E', where x_E = … stands before
-    if "/" in found[0] and spellings.is_own(found[1]):
-        return derived(spellings.own[plain_name(found[1])], spellings)
     if "/" in found[0] and name and name not in spellings.data:
         return derived(named(name), spellings)
     glued = _GLUED.fullmatch(found[1]) if len(found.groups()) == 1 else None  # r2φ2' and, before a function, φ̇2sin

@@ -126,7 +126,12 @@ def _split(text: str, spellings: Spellings) -> tuple[_Token, ...] | None:
     """
     if found := _chain(text, spellings.known_as, spellings.angles):
         return found
-    found = _chain(text, spellings.canonical, spellings.angles)
+    # c_3 that the text itself defines is one, too, in ac_3
+    found = _chain(text, spellings.canonical, spellings.angles) or _chain(
+        text,
+        lambda piece: spellings.canonical(piece) or (piece * (piece[-1].isdigit() and spellings.is_own(piece))),
+        spellings.angles,
+    )
     # VB is the velocity of B and Vr a relative one, not v*b and v*r
     letters = text.replace("_", "")
     is_word = letters.isascii() and letters.isalpha() and not letters.islower()

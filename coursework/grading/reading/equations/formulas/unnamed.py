@@ -5,6 +5,7 @@ Enters: the text of a line, a variant, a reader of equations.  Leaves: `Equation
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -14,6 +15,14 @@ from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.places import has_one_dimension
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault
+
+_NAMED = re.compile(r"\s*([^\W\d]\w{0,9})\s*:?(=[^=]+)")
+
+
+def called_otherwise(text: str, fault: Fault) -> str:
+    """Return "= formula" of a line "v = formula" whose fault is that nothing says what v is, "" for any other line."""
+    found = _NAMED.fullmatch(text)
+    return found[2] if found and found[1] == fault.place else ""
 
 
 def without_a_name(text: str, variant: Variant, read: Callable[[str], EquationReading | Fault]) -> tuple[EquationReading, ...]:

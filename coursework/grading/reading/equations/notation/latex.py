@@ -38,6 +38,7 @@ _DROPPED = re.compile(
 )
 _ALIGNED = re.compile(r"&\s*=|=\s*&")
 _BOXED = re.compile(r"^\s*\\(?:boxed|fbox)\s*\{(.*)\}([^{}]*)$")
+_INDEX = re.compile(r"(?<=_\d)(?=[A-Za-z])")  # \omega_3s_3 is a product: without braces an index is one sign
 _PRIME, _POWER = re.compile(r"\^\s*\{?\s*(?:\\prime(?![A-Za-z])|')\s*\}?"), re.compile(r"\^\s*\{\s*(-?\d)\s*\}")
 _EMPTY = re.compile(r"\{\s*\}")  # {} around a sign or behind a command
 _COLOUR = re.compile(r"\\(?:text|row|cell)?color(?:box)?\s*(?:\[[^\[\]]{0,20}\])?\s*\{[^{}]{0,40}\}(?=\s*(\{)?)")
@@ -159,7 +160,7 @@ def without_latex(text: str) -> str:
     """
     if "\\" not in text:
         return text.replace("&", " ") if _ALIGNED.search(text) else text
-    text = _SET_OVER.sub(r" \1 ", text) if "{=}" in text else text
+    text = _INDEX.sub(" ", _SET_OVER.sub(r" \1 ", text) if "{=}" in text else text)
     text = _OVER.sub(r"((\1)/(\2))", _IN_BRACES.sub(r" \1 ", text))
     text = _OF_ONE_LETTER.sub(
         r" \1 ", _COLOUR.sub(lambda found: "\\boxed" if found[1] else "", _EMPTY.sub(" ", _UNIT.sub(_unit, text)))

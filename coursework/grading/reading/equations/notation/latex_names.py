@@ -32,6 +32,7 @@ _OF_PACKAGES = (
     ),
 )
 _ARGUMENT, _LONGEST = r"\s*(?:\{([^{}]{0,80})\}|([^\s\\{}]))", 80
+_ELL = re.compile(r"\\ell(?![A-Za-z])")  # is typed for a length l
 _LETTER = re.compile(r"\\\[(?:Curly|Capital|Script)?([A-Z][a-z]{1,10})\]")  # a Greek letter in Mathematica: \[CurlyPhi]
 _MOST_NAMES, _MOST_CHARACTERS, _WITHIN = 40, 200_000, 3  # the last limits how deeply names are nested
 
@@ -42,7 +43,7 @@ def with_own_commands(text: str) -> str:
     >>> with_own_commands(r"\newcommand{\om}[1]{\omega_{#1}}\def\p{\varphi} \om3 \sin\p_3, \om{2} \[Omega]4")
     ' \\omega_{3} \\sin\\varphi _3, \\omega_{2} Omega4'
     """
-    text = _LETTER.sub(lambda found: found[1], text)
+    text = _ELL.sub(" l ", _LETTER.sub(lambda found: found[1], text))
     for pattern, meant in _OF_PACKAGES:
         text = pattern.sub(meant, text)
     names = {found[1] or found[4]: found for found in _COMMAND.finditer(text)}

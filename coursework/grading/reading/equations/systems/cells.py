@@ -33,7 +33,8 @@ _RANGE = re.compile(
     rf"{_WORDS}\$?([A-Z])\$?(\d{{1,4}})\s*(?:[:–—-]|\.\.+|…|\w{{1,4}})\s*\$?([A-Z])\$?(\d{{1,4}}){_BETWEEN}((?:{_NAME},\s*)+{_NAME})\W*"
 )
 _NO_LEGEND = re.compile(rf"[*+^/]|{_PLACE}|[,;]\s*[A-Z]{{1,2}}{_BETWEEN}\w|\bsin|\bcos", re.IGNORECASE)
-_PARTS, _NEXT = re.compile(r"[,;|\t]|\s{2,}"), re.compile(rf"[;,\t]\s*(?=(?:{_PLACE})\s*[:=(])")
+_OF_COLUMN = re.compile(r"(?<!\w)(?i:col\w{0,4}\.?|spalte|стол\w+|стовп\w+|колонк\w)\s([A-Z])(?!\w)|列\s?([A-Z])(?!\w)")
+_PARTS, _NEXT = re.compile(r"[,;|\t]|\s{2,}|\s(?:and|und|и|та|і)\s"), re.compile(rf"[;,\t]\s*(?=(?:{_PLACE})\s*[:=(])")
 _FEWEST, _MOST_CHARACTERS, _LONGEST = 2, 40_000, 600
 
 
@@ -48,6 +49,7 @@ def with_cells_named(text: str, meaning: Callable[[str], str | None], data: froz
     """
     if len(text) > _MOST_CHARACTERS or sum(1 for _ in _REFERENCE.finditer(text)) <= _FEWEST:
         return text
+    typed, text = text, _OF_COLUMN.sub(r"\1\g<2>0", text)  # "column E" is named as the cell E0 would be
     lines = [_NEXT.split(line) if len(line) <= _LONGEST else [line] for line in text.split("\n")]
     formulas = {piece: found for line in lines for piece in line if len(piece) <= _LONGEST and (found := _formula(piece))}
     legend: dict[str, str] = {}
@@ -64,7 +66,7 @@ def with_cells_named(text: str, meaning: Callable[[str], str | None], data: froz
         max(known, sum(meaning(name) is not None for _, name, _ in formulas.values() if name)) < _FEWEST
         or sum(meaning(cell) is None for cell in legend) < _FEWEST
     ):
-        return text
+        return typed
 
     said_of = {cell.rstrip(digits) for cell in legend}
 
@@ -86,7 +88,7 @@ def _columns(cells: Mapping[str, str]) -> dict[str, str]:
     """Return the name of each column, if it is said as such or by a row of cells; a single cell is a datum's, B4 = omega."""
     rows = Counter(cell.lstrip(ascii_uppercase) for cell in cells)
     found = {cell.rstrip(digits): name for cell, name in cells.items() if rows[cell.lstrip(ascii_uppercase)] > 1}
-    return found | {cell: name for cell, name in cells.items() if cell.isalpha()}
+    return found | {cell.rstrip(digits): name for cell, name in cells.items() if cell.lstrip(ascii_uppercase) in {"", "0"}}
 
 
 def _bare(cell: str) -> str:

@@ -7,11 +7,12 @@ Nothing is computed.  Used by `matrices.py` and `text_lines.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from itertools import islice
+from collections.abc import Callable, Mapping
+from functools import partial
+from itertools import chain, islice
 
 from coursework.grading.reading.equations.notation.signs import closing, depths
-from coursework.grading.reading.equations.systems.parts import vector
+from coursework.grading.reading.equations.systems.parts import rows_of, vector
 
 # A vector of two to four cells, perhaps in the call that makes one; an index A[0, 1] stands at its name.
 _VECTOR = re.compile(
@@ -62,29 +63,39 @@ def with_entries_apart(text: str) -> str:
 
     >>> with_entries_apart("v = [a*w, -b*w]\nv[0] - c = 0\nv[1] + d = 0"), with_entries_apart("v = [a*w, b]\nA*x = v")
     ('vx = a*w; vy = -b*w\nvx - c = 0\nvy + d = 0', 'v = [a*w, b]\nA*x = v')
+    >>> with_entries_apart("A = [a, b; c, d];\nD = A(1,1)*A(2,2) - A(1,2)*A(2,1)")
+    ';\nD = (a)*(d) - (b)*(c)'
     """
     for found in reversed([*islice(_ENTRIES.finditer(text), _MOST)]):
         end = closing(text, found.end(), _LONGEST)
         content, said = text[found.end() + 1 : end], rf"(?<![\w.]){found[1]}"
         begun = end + 1 + ("(" in found[0] and text.startswith(")", end + 1))
-        cells, behind = vector(content), text[begun:]
+        cells, behind, lines = vector(content), text[begun:], "\n" * text.count("\n", found.start(), begun)
+        pair = re.compile(said + r" ?[\[(]\s*([0-3])\s*(?:,|\]\s*\[)\s*([0-3])\s*[\])](?!\s*=(?!=))")
+        if (places := pair.findall(behind)) and _ALONE.match(text, end + 1):
+            first = min(map(int, chain(*places))) and 1
+            rows = {f"{i},{k}": f"({cell})" for i, row in enumerate(rows_of(content), first) for k, cell in enumerate(row, first)}
+            behind = pair.sub(partial(_named_entry, rows), behind)
+            is_whole = re.search(rf"{said}(?!\w)", behind) is not None
+            text = text[: begun if is_whole else found.start()] + ("" if is_whole else lines) + behind
+            continue
         entry = re.compile(said + r" ?[\[(]\s*([0-3])\s*[\])](?!\s*=(?!=))")
         used = {int(index) for index in entry.findall(behind)}
         first = min(used, default=2) and 1
         is_formula = len(cells) in _SIZES and "*" in content and _ALONE.match(text, end + 1)
         if not is_formula or not used or max(used) - first >= len(cells):
             continue
-        names = {place: f"{found[1]}{axis}" for place, axis in enumerate("xyz_"[: len(cells)], first)}
-        behind = entry.sub(lambda one, names=names: names[int(one[1])], behind)  # type: ignore[misc]
+        names = {str(place): f"{found[1]}{axis}" for place, axis in enumerate("xyz_"[: len(cells)], first)}
+        behind = entry.sub(partial(_named_entry, names), behind)
         is_whole = re.search(rf"{said}(?!\w)", behind) is not None  # it is used as a whole, too
         told = zip(names.items(), cells, strict=True)
-        apart = "; ".join(f"{name} = {cell}" for (place, name), cell in told if place in used or not is_whole)
-        if is_whole:
-            text = f"{text[:begun]}{behind}\n{apart}"
-        else:
-            lines = "\n" * text.count("\n", found.start(), begun)
-            text = text[: found.start()] + apart + lines + behind
+        apart = "; ".join(f"{name} = {cell}" for (place, name), cell in told if int(place) in used or not is_whole)
+        text = f"{text[:begun]}{behind}\n{apart}" if is_whole else text[: found.start()] + apart + lines + behind
     return text
+
+
+def _named_entry(names: Mapping[str, str], entry: re.Match[str]) -> str:
+    return names.get(",".join(entry.groups()), entry[0])
 
 
 def _around(text: str, vector_: re.Match[str]) -> tuple[int, int]:

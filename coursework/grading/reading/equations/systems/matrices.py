@@ -12,9 +12,11 @@ from itertools import islice
 
 from coursework.grading.reading.equations.notation.latex import determinant, matrices_in_one_piece
 from coursework.grading.reading.equations.notation.signs import closing
+from coursework.grading.reading.equations.systems.called_matrices import in_matrices
 from coursework.grading.reading.equations.systems.components import in_one_vector
+from coursework.grading.reading.equations.systems.cramer import with_cells_in_determinants
+from coursework.grading.reading.equations.systems.filled import as_wholes
 from coursework.grading.reading.equations.systems.of_r import in_brackets
-from coursework.grading.reading.equations.systems.of_smath import of_smath
 from coursework.grading.reading.equations.systems.parts import at_commas, product, rows_of, vector
 
 _TYPE = r"(?:(?:static|const|double|float|real|auto|let|var)[ \t]+){0,4}"
@@ -58,15 +60,6 @@ _TAKEN = (
 )
 _LATEX = re.compile(r"\\(?:begin|math|q?quad)")
 _IN_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathsf|mathrm|underline|overline)\s*\{(\w)\}|\\[,;:! ]")
-# An assignment to one cell of a matrix or right side, A(1,2) = … or b[0] = …
-_ELEMENT = re.compile(
-    r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*[\[(]\s*(\d{1,2})\s*(?:(?:,|\]\s*\[)\s*(\d{1,2})\s*)?[\])]"
-    r"[ \t]*:?=(?!=)([^=;\n]+);?"
-)
-_ROW_OF_CELLS = re.compile(
-    r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*[\[(]\s*(\d{1,2})\s*(?:,\s*:\s*)?[\])][ \t]*=[ \t]*(?:[\w.]{1,12}\()?"
-    r"\[((?:[^\[\]\n]|\[\d{1,2}\]){1,1000})\]\)?"
-)
 # An array with its values in braces, double A[2][2] = {{a, b}, {c, d}};
 _IN_BRACES = re.compile(rf"(?m)(?:^|(?<=;))[ \t]*{_TYPE}([^\W\d]\w{{0,20}})((?:[ \t]*\[\w{{0,9}}\]){{1,2}})[ \t]*=[ \t]*(?=\{{)")
 _LISTS = re.compile(r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*(?::=|=|:)[ \t]*(?:(matrix)[ \t]*(?=\(\s*\[)|(?=\{))")
@@ -82,15 +75,15 @@ _ROUND, _BRACES = str.maketrans("[]", "()"), str.maketrans("{}", "[]")  # of fun
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*(?:{_NAME[1:-1]}\s*,\s*)?[\w.]{{0,20}}\s*\(?\s*\[)")
 _FACTOR = rf"(\[[^=\n]{{1,2000}}\]|{_NAME[1:-1]})"
 _DIVIDED = re.compile(
-    rf"(?m)(?<==)[ \t]*(?:{_FACTOR}[ \t]*\\|(?:[A-Za-z]{{1,9}}\.){{0,2}}[iI]nv\({_FACTOR}\)[ \t]*[*@]"
+    rf"(?m)(?<==)[ \t]*(?:@\([\w\s,]{{1,40}}\)[ \t]*)?"
+    rf"(?:{_FACTOR}[ \t]*\\|(?:[A-Za-z]{{1,9}}\.){{0,2}}[iI]nv\({_FACTOR}\)[ \t]*[*@]"
     rf"|{_FACTOR}[ \t]*(?:\^[ \t]*[({{]?-1[)}}]?|⁻¹)[ \t]*[*·⋅])[ \t]*(?:[\w.]{{1,12}}\((?=\[))?{_FACTOR}(?:\.?'|\.T|\))?"
     r"(?=[ \t]*(?:;|(?:[%#/].*)?$))"
 )
-_SOLVED_WITH = r"(?:\\\s*|[,*@]\s*)%s\b"  # A\b, solve(A, b), inv(A)*b
 _OF_CALL = ("matrix_of_call", "sides_of_call")
 _DETERMINANT = re.compile(r"(?:(?<![\w.])(?:[A-Za-z]{1,13}(?:\.|:-)){1,2}|(?<![\w.]))(?:[dD]et|[dD]eterminant)\s*(?=[(\[])")
 _WRAPPED = re.compile(r"\s*[\w.]{0,20}\s*\(?\s*(\[.*\])\s*\)?\s*", re.DOTALL)
-_SIGNS = ("[", "matrix", "(1,", "(0,", "bind", "{{", "mat(", "x:")  # a system has one of them
+_SIGNS = ("[", "matrix", "(1,", "(0,", "bind", "{{", "mat(", "vec(", "█(", "■(", "x:")  # a system has one of them
 _MOST, _MOST_SYSTEMS, _LONGEST, _LONGEST_DETERMINANT, _MOST_CHARACTERS = 20, 6, 4000, 2000, 200_000
 
 
@@ -102,10 +95,11 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     """
     if len(text) > _MOST_CHARACTERS or not any(sign in text for sign in _SIGNS):
         return text
-    text = _with_unknowns_named(_without_braces(in_brackets(_as_lists(_with_determinants(of_smath(text))))))
+    text = in_matrices(text)
+    text = with_cells_in_determinants(text, {name: content for name, _, _, content in _matrices(text)})
+    text = _with_unknowns_named(_without_braces(in_brackets(_as_lists(_with_determinants(text)))))
     text = _returned_as_named(in_one_vector(text))
-    first = min([1, *(int(row[2]) for row in _ROW_OF_CELLS.finditer(text))])  # columns are counted from 0 or 1 as rows are
-    text = _elements_gathered(_ROW_OF_CELLS.sub(lambda row: _as_cells(row, first), text))
+    text = as_wholes(text)
     for _ in range(_MOST_SYSTEMS):
         apart = _named_apart(text)
         whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(apart)) if _LATEX.search(apart) else apart
@@ -141,13 +135,15 @@ def _with_first_system(whole: str, sought: Sequence[str]) -> str:
     is_listed = not unknowns.isidentifier()
     taken = [] if is_listed else _taken(whole, unknowns, found.end())
     columns = vector(unknowns) if is_listed else vector(named[unknowns][2]) if unknowns in named else []
-    columns = columns or [one[1] for one in taken] or _said(whole, unknowns) or [*sought]
+    columns = columns or [one[1] for one in taken] or _said(whole, unknowns)
+    size = len(rows_of(named[matrix][2]))
+    columns = columns or _by_digits(unknowns, size, sought) or _among(whole, unknowns, size, sought) or [*sought]
     equations = product(named[matrix][2], columns, vector(named[right][2]))
     if not equations:
         return ""
-    pieces = [
-        (*named[name][:2], "; ".join(equations) if name == matrix else "") for name in {matrix, unknowns, right} if name in named
-    ]
+    is_again = re.search(rf"[\\,*@][ \t]*{re.escape(right)}(?!\w)", whole[found.end() :])  # of another system
+    done = {matrix, unknowns} | ({right} if not is_again else set())
+    pieces = [(*named[name][:2], "; ".join(equations) if name == matrix else "") for name in done if name in named]
     pieces += [(*one.span(), "") for one in (found, *taken)]
     for begin, end, said in sorted(pieces, reverse=True):
         whole = whole[:begin] + said + "\n" * whole.count("\n", begin, end) + whole[end:]
@@ -158,6 +154,25 @@ def _said(whole: str, unknowns: str) -> list[str]:
     """Return what a remark says of the entries of a vector, // x(1) = w1, x(2) = w2; in their order."""
     found = re.findall(rf"(?:[/%#!,;]|--)\s*{re.escape(unknowns)}[\[(](\d{{1,2}})[\])]\s*=\s*([^\W\d]\w{{0,20}})", whole)
     return [name for _, name in sorted(found)]
+
+
+def _by_digits(unknowns: str, size: int, sought: Sequence[str]) -> list[str]:
+    """Return w1, w2 for a vector of two that is called w12; [] for any other."""
+    stem = unknowns.rstrip("0123456789")
+    named = [f"{stem}{digit}" for digit in unknowns.removeprefix(stem)]
+    return named if len(named) == size and {*named} <= {*sought} else []
+
+
+def _among(whole: str, unknowns: str, size: int, sought: Sequence[str]) -> list[str]:
+    """Return the velocities that a vector has in a list where the others have their numbers and places, dq = [x; w3]."""
+    for found in re.finditer(rf"[\[(]([\w\s.,;]{{0,200}}(?<![\w.]){re.escape(unknowns)}(?![\w.])[\w\s.,;]{{0,200}})[\])]", whole):
+        cells = vector(found[1])
+        place = cells.index(unknowns) if unknowns in cells else -1
+        listed = [*cells[:place], *sought[place : place + size], *cells[place + 1 :]]
+        numbers, others = ([re.sub(r"\D", "", one) or one for one in row] for row in (listed, sought[: len(listed)]))
+        if place >= 0 and len(listed) > size and numbers == others:
+            return [*sought[place : place + size]]
+    return []
 
 
 def _taken(whole: str, unknowns: str, place: int) -> list[re.Match[str]]:
@@ -262,39 +277,12 @@ def _solved_for(arguments: Sequence[str]) -> list[str]:
     return parts if is_matrix and (found[1] or parts[1].isidentifier()) else []
 
 
-def _as_cells(row: re.Match[str], first: int) -> str:
-    """Return a row that is assigned to a matrix, A[0] = [a, b] or A(1, :) = [a, b], cell by cell: A[0, 0] = a; A[0, 1] = b"""
-    cells = enumerate(filter(None, vector(row[3])), first)
-    return "; ".join(f"{row[1]}[{row[2]}, {place}] = {cell}" for place, cell in cells)
-
-
-def _elements_gathered(text: str) -> str:
-    """Return a text in which a matrix filled cell by cell, A[0, 1] = …, is written as a whole."""
-    cells: dict[str, list[re.Match[str]]] = {}
-    for one in _ELEMENT.finditer(text):
-        cells.setdefault(one[1], []).append(one)
-    matrices = {name: found for name, found in cells.items() if any(one[3] for one in found)}
-    for name, found in cells.items():  # the right side that belongs to the only matrix
-        if len(matrices) == 1 and name not in matrices and re.search(_SOLVED_WITH % re.escape(name), text):
-            matrices[name] = found
-    pieces: list[tuple[int, int, str]] = []
-    size = max((int(index) for found in matrices.values() for one in found for index in (one[2], one[3]) if index), default=0)
-    base = 0 if any(index == "0" for found in matrices.values() for one in found for index in (one[2], one[3])) else 1
-    for name, filled in matrices.items():
-        values = {(int(one[2]), int(one[3] or base)): one[4].strip() for one in filled}
-        columns = range(base, size + 1) if any(one[3] for one in filled) else (base,)
-        rows = [", ".join(values.get((row, column), "0") for column in columns) for row in range(base, size + 1)]
-        pieces += [(*one.span(), "" if k else f"{name} = [{'; '.join(rows)}];") for k, one in enumerate(filled)]
-    for begin, end, said in sorted(pieces, reverse=True) if size < _MOST else ():
-        text = text[:begin] + said + text[end:]
-    return text
-
-
 def _matrices(text: str) -> list[tuple[str, int, int, str]]:
     """Return the matrices of a text: name, start, end and content of each."""
     found = []
     for begun in list(_DEFINED.finditer(text))[:_MOST]:
-        if (end := closing(text, begun.end(), _LONGEST) + 1) > begun.end() + 1:
+        end = closing(text, begun.end(), _LONGEST) + 1
+        if end > begun.end() + 1 and "=" not in text[begun.end() : end]:  # no list of equations
             closed = end + (text[end : end + 1] == ")") if "(" in begun[0] else end
             found.append((begun[1], begun.start(), closed, text[begun.end() + 1 : end - 1]))
     return found

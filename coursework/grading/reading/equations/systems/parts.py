@@ -43,7 +43,7 @@ _COMMA = re.compile(r"(?<!\\),")
 LIST = re.compile(
     r"\s*(?:\w{1,20}\s*:?=\s*(?:@\([\w\s,]{0,40}\)\s*)?|[^\W\d]\w{0,20}:\s*)?([A-Za-z.]{1,20}\s*[(\[]\s*)?(?:\\left)?\s*\\?[\[{]"
 )
-_ENCLOSED = re.compile(r"\s*()\(")
+_ENCLOSED = re.compile(r"\s*(?:\w{1,20}\s*=\s*(?=\(\s*Eq))?()\(")
 # A call that solves equations for unknowns, as on a TI calculator or in Mathematica.
 _SOLVED = re.compile(
     r"(?:\w{1,20}\s*:?=\s*)?[A-Za-z]{0,9}[sS]olve\s*[(\[](.+?)(?:,\s*[\[{][\w\s,]+[\]}]|(?:,\s*[^\W\d]\w{0,9})+)\s*[)\]];?"
@@ -59,7 +59,7 @@ _MOST_ROWS, _MOST_WITHIN = 12, 3  # most rows of a matrix; most brackets around 
 # sin ψ (ψ = φ3 - β), or "for the second loop (ψ = φ3 - β):"
 _SAID_BESIDE = re.compile(
     r"^(.*?)(?:(?<=\s)|^)\(\s*(?:(?:with|where|mit|wobei|где|де|avec|où|con|donde)\s+)?"
-    r"([^\W\d]\w{0,9}\s*=\s*(?=[^=,;]*[^\W\d])(?:[^()=,;]|\([^()=]*\)){1,80})\)\s*([.,;:]?\s*)$"
+    r"([^\W\d]\w{0,9}\s*=\s*(?=[^=,;]*[^\W\d])(?:[^()=,;]|\([^()=]*\)){1,80})(?:,\s[^\W\d_]{3}[^()=]{0,60})?\)\s*([.,;:]?\s*)$"
 )
 _FORMULA = re.compile(r"^[^=]*[*/·^][^=]*$")
 _BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
@@ -120,6 +120,7 @@ def _cuts(line: str) -> list[tuple[int, int]]:
 def _rows(line: str) -> list[str]:
     """Return the equations of "[a, b; c, d]*[x; y] = [e; f]", or of "[x; y] = [a, b; c, d]^(-1)*[e; f]", by rows; else []."""
     line = _INVERSE.sub("⁻¹", _GROUPS.sub("", line)) if "[" in line and len(line) <= _LONGEST else ""
+    line = line.strip(" $")
     inside = depths(line)
     edges = [k for k, (one, before) in enumerate(zip(inside, [0, *inside], strict=False)) if {one, before} == {0, 1}]
     cuts = [0, *(place + (inside[place] == 0) for place in edges), len(line)]
@@ -143,14 +144,16 @@ def product(matrix: str, unknowns: list[str], right: list[str]) -> list[str]:
     (['(a)*(x) + (b)*(y) = e', '(c)*(x) + (d)*(y) = 0'], '(a)*(x) + (-b)*(y) = e')
     """
     rows_ = rows_of(matrix)
-    by_blanks = (
-        [[cell for cell in at_signs(_BLANK, row[0].strip()) if cell] for row in rows_] if {*map(len, rows_)} == {1} else []
-    )
-    for rows in (rows_, by_blanks):
+    for rows in (rows_, at_blanks(rows_)):
         if 0 < len(rows) == len(right) <= _MOST_ROWS and all(len(row) == len(unknowns) for row in rows):
             sums = (" + ".join(f"({cell})*({name})" for cell, name in zip(row, unknowns, strict=True)) for row in rows)
             return [f"{one} = {value}" for one, value in zip(sums, right, strict=True)]
     return []
+
+
+def at_blanks(rows: list[list[str]]) -> list[list[str]]:
+    """Return rows without commas with the cells that blanks part; any other rows as they are."""
+    return [[cell for cell in at_signs(_BLANK, row[0].strip()) if cell] for row in rows] if {*map(len, rows)} == {1} else rows
 
 
 def vector(content: str) -> list[str]:
@@ -189,7 +192,7 @@ def _listed(line: str) -> list[str]:
     if found is None or -1 not in inside or max(inside) > MAX_DEPTH:
         return []
     end = found.end() + inside.index(-1)
-    pieces = parts_of(line[found.end() : end].rstrip("\\ "))
+    pieces = parts_of(line[found.end() : end].rstrip("\\ ,"))
     if len(pieces) < 2:
         return []
     behind = line[end + 1 :][:EQUATION_CHARACTERS].lstrip(" ;,")  # of a call: the unknowns

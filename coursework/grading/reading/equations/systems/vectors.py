@@ -36,8 +36,8 @@ _NUMBERS = re.compile(r"[\[({]\s*((?:-?\d++\.?+\d*+(?:\s*+[,;]\s*+|\s++))+-?\d++
 _RETURNED = re.compile(r"(?:\breturn\s+|(?<![\w.])d\w{1,12}\s*=\s*)(?:[\w.]{1,12}\s*\(\s*)?(?=[\[({])")
 _ZERO_BASED = re.compile(r"\b(?:np|math|Math|std|torch)\.|\bimport\b|#include|\b(?:double|float|const|let|var|func)\s")
 _SINES = re.compile(
-    r"(?m)^[ \t]*((?:[^\W\d]\w{0,9}[ \t]*,[ \t]*)?[^\W\d]\w{0,9})[ \t]*="
-    r"[ \t]*((?:[\w.]{0,6}(?:sin|cos)\(\s*\w{1,9}\s*\)[ \t]*,?[ \t]*){1,2});?[ \t]*$"
+    r"(?m)(?:^|(?<=;))[ \t]*((?:[^\W\d]\w{0,9}[ \t]*,[ \t]*)?[^\W\d]\w{0,9})[ \t]*="
+    r"[ \t]*((?:[\w.]{0,6}(?:sin|cos)\(\s*\w{1,9}\s*\)[ \t]*,?[ \t]*){1,2})(?=;|$)"
 )
 _SAME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?::?=|<-)\s*\1\s*(?=[;,}\n#%]|//|$)")  # phi1 = phi1
 _DERIVATIVE = re.compile(r"d[a-z]\w*|\w+_?dot|(?:w|v|om|omega|ω)", re.IGNORECASE)
@@ -195,8 +195,9 @@ def _returned(text: str, rates: Sequence[str]) -> str:
         end = closing(text, begun, _LONGEST)
         cells = [" ".join(cell.split()) for cell in at_signs(_BETWEEN, text[begun + 1 : end])]
         pairs = [*zip(rates, cells, strict=False)]
-        if end == begun or any(map(_ENTRY.fullmatch, cells)):
-            continue  # a list without an end, or an entry of a vector without names
+        is_other = any(cell in rates and cell != rate for rate, cell in pairs)  # return {us, w2, vz}, in an order of its own
+        if end == begun or is_other or any(map(_ENTRY.fullmatch, cells)):
+            continue  # or a list without an end, or an entry of a vector without names
         if len(cells) == len(rates) and 0 < sum(rate == cell for rate, cell in pairs) < len(rates):
             equations = "; ".join(f"{rate} = {cell}" for rate, cell in pairs if rate != cell)
             return text[: found.start()] + equations + "\n" * text.count("\n", begun, end) + text[end + 1 :].lstrip(")")

@@ -38,6 +38,20 @@ _LIST = rf"(?:{_NAME[1:-1]},\s?){{1,6}}{_NAME[1:-1]}(?:\s(?:and|und|y|et|e|i|и|
 _BOTH_LISTED = re.compile(rf"(?:[^\W\d_]{{3,20}}\s)?({_LIST})\s(?:[^\W\d_]{{2,20}}\s){{1,4}}({_LIST})\.?")
 _GREEK = ("alpha", "beta", "gamma", "delta", "theta", "psi", "chi", "eta", "zeta", "xi", "epsilon", "eps", "phi")
 _MOST_CHARACTERS = 300
+# c_i = cos(φ_i), perhaps behind words; the index of the other names is set apart from them
+_RUNNING = re.compile(r"(?:[^=]*[\s$(])?(\\?[^\W\d]\w{0,5}?)_?\{?([ijk])\}?\$?\s*:?=([^=]*_\{?\2(?![^\W_])[^=]*)")
+
+
+def with_each_index(line: str, names: Names) -> list[str]:
+    """Return what a line with a running index, c_i = cos(φ_i), says for each number of the task's names; else the line."""
+    if (found := _RUNNING.fullmatch(line.replace("ᵢ", "_i")[:_MOST_CHARACTERS])) is None:
+        return [line]
+    index = re.compile(rf"_\{{?{found[2]}(?![^\W_])\}}?")
+    formulas = {number: index.sub(f"_{number} ", found[3]) for number in "123456789"}
+    words = {number: re.findall(r"[^\W\d]\w*", plain_signs(without_latex(one))) for number, one in formulas.items()}
+    return [f"{found[1]}_{number} = {formulas[number]}" for number in formulas if all(map(names.is_name, words[number]))] or [
+        line
+    ]
 
 
 def with_legend(lines: Sequence[tuple[int, str]], names: Names) -> tuple[Names, list[tuple[int, str]]]:

@@ -42,7 +42,7 @@ _TIME = re.compile(r"(?<![^\W\d])d?[th](?!\w)")
 _SAID = re.compile(r"\W*[^\W\d_]{3,}\s+[^\W\d_]{2,}\s")
 _COMPLEX = re.compile(r"\b(?:e\s*\^|exp\b)")
 _SPEED, _NATURAL = re.compile(r"[vV]_?[A-Za-z]{1,3}\d?"), re.compile(r"[^\W\d_]{3,}|[\u4e00-\u9fff]{2,}")
-_BEFORE_NAME = re.compile(rf"^[{ASIAN}]{{1,20}}(?=[^\W\d])")  # 滑块速度v
+_BEFORE_NAME = re.compile(rf"^[{ASIAN}]{{1,20}}\s*(?=[^\W\d])")  # 滑块速度v
 _SEVERAL_WORDS, _SENTENCE = 3, 6  # words in a sentence without a velocity, and in one that may name some
 _NUMBER_SAID = re.compile(
     r"[\w\s,;:.]*?(?<![\w.])(\w{1,20})\s*=\s*-?\d[\d.,]{0,12}(?:\s[^=*+()]{0,30})?$"

@@ -24,7 +24,7 @@ from coursework.words.errors import Fault
 
 _OF_A_POINT = re.compile(r"V[a-z]{1,3}")  # V_a = a·ω1, no product with a datum V although nothing else is said of it
 _FUNCTION = re.compile(r"\\?(?:sin|cos|tan|sqrt|cdot|times)(?![a-z])|(?<=\d)[eE](?=[-+]?\d)")
-_GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*)(?:\w{1,20}\s*[,;]\s*)+\w{1,20}\s*(?:[\])}]|$)")
+_GATHERED = re.compile(r"(?:\breturn\s+|(?<!atan2)[\[({]\s*|^\s*)(?:\w{1,20}\s*[,;]\s*)+\w{1,20}\s*(?:[\])}]|;?\s*$)")
 _MOST_DEFINITIONS, _PASSES = 100, 3
 _MOST_SAID = 1000  # lines in which the uses of a name are counted
 _OF_ONE_TERM = 2  # terms of 0 = r1*w1, the velocity of a point that moves

@@ -8,10 +8,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from coursework.grading.reading.equations.formulas.equations import TURNED
+from coursework.grading.reading.equations.formulas.equations import TURNED, Names, names_in
 from coursework.grading.reading.equations.formulas.names_in_text import Spellings
-from coursework.grading.reading.equations.notation.signs import depths, relates_two_sides
-from coursework.grading.reading.equations.systems.parts import LIST, at_commas
+from coursework.grading.reading.equations.notation.signs import closing, depths, relates_two_sides
+from coursework.grading.reading.equations.systems.parts import LIST, at_commas, at_signs
 
 _TYPED = re.compile(
     r"\b(\w{1,40})\s*:\s*(?:[dD]ouble|[fF]loat|real|extended|integer|f64|f32|number)\s*="
@@ -32,15 +32,17 @@ _UNNAMED = re.compile(
     r"(?=[^{\[\s][^={}]*[*/])|\s*\}\s*;?\s*$"
 )
 # What a solver of Mathematica finds, {{w3 -> a*b, …}}, and what a calculator stores, a*b→w3.
-_FOUND, _RULE = re.compile(r"\s*\{+\s*\w{1,20}\s*(?:->|→)[^=]*$"), re.compile(r"(?<=[{\s,])(\w{1,20})\s*(?:->|→)")
+_FOUND = re.compile(r"\s*(?:Out\[\d+\]\s*=\s*)?(\{*)\s*(\w{1,20})\s*(?:->|→)\s*(?=[^=]*[*/(])[^=]*$")
+_RULE = re.compile(r"(?<=[{\s,])(\w{1,20})\s*(?:->|→)")
 _STORED = re.compile(r"(?=[^=→*/]*[*/])([^=→]*?)\s*(?:→|->)\s*([^\W\d]\w{0,8})\s*;?\s*")
 _RETURNED = re.compile(r"return\s+(?=\S)(?!.*=)")
 _IN_CELLS = re.compile(r"^\s*([^\W\d]\w{0,12})\s*(?:[\[(][^\[\]()=|]{1,12}[\])]\s*)?\|\s*=")  # v [m/s] | =-r*w*SIN(phi)
-_COLON = re.compile(r"\s*([^\W\d][\w.]{0,12})\s*:\s*(?!=)([^=:]*[*/][^=:]*)")  # v.P:c*ω.3*cos(φ.3)
+_COLON = re.compile(r"\s*([^\W\d][\w.]{0,12})\s*:\s*(?!=)([^=:]*[*/][^=:]*|[^=:]+\$\s*)")  # v.P:c*ω.3*cos(φ.3), g: gamma$
 _KEYED = re.compile(
     r"^\s*(?:return|[\w.]{1,20}\s*=)\s*\{[\w\s,]*?,?\s*(\w{1,12}\s*:[^{}:]+)\}[;\s]*$"
 )  # return {w2, w3, vP: c*w3*…}
 _NUMBER = re.compile(r"\s*-?\d++\.?\d*+\s*")
+_BETWEEN_CELLS, _SUM, _IS_USED = re.compile("[,;]"), re.compile(r"[\w)]\s*[-+]\s*[\w(]"), re.compile(r"\s*[*@·=]")
 _UNPACKED = re.compile(r"\(?[^\W\d]\w{0,20}(?:\s*,\s*[^\W\d]\w{0,20})+\)?\s*:?=")  # a11, a12 = …, …
 
 
@@ -56,7 +58,8 @@ def function_begun(line: str, sought: Sequence[str]) -> tuple[str, str] | None:
 def without_declarations(line: str, spellings: Spellings) -> str:
     """Return the equation that a line declares, finds, stores or keeps under a name of its own."""
     if "→" in line or "->" in line:
-        line = _RULE.sub(r"\1 = ", line.strip("{} ").join("{}")) if _FOUND.match(line) else line
+        if (found := _FOUND.match(line)) and (found[1] or spellings.canonical(found[2])):
+            line = _RULE.sub(r"\1 = ", line[found.end(1) :].strip("{} ").join("{}"))
         line = f"{stored[2]} = {stored[1]}" if (stored := _STORED.fullmatch(line)) else line
     line = _UNNAMED.sub(lambda found: f"{found[1]} = " if found[1] else "", line) if _UNNAMED.match(line) else line
     line = _DECLARED.sub("", _TYPED.sub(r"\1 =", line))
@@ -75,13 +78,25 @@ def as_value(line: str, function: str, sought: Sequence[str]) -> str:
 
 
 def with_sign(line: str, sought: Sequence[str], spellings: Spellings) -> str:
-    """Return a line of a sought velocity, a colon and its formula, as SMath and the objects of JavaScript have it, with "="."""
+    """Return a line with "=" for the colon of Maxima, g: gamma$, and of SMath and JavaScript before the formula of a velocity."""
     line = _IN_CELLS.sub(r"\1 =", line)
     if keyed := _KEYED.search(line):
         line = keyed[1]
     found = _COLON.fullmatch(line)
     meant = spellings.canonical(found[1].replace(".", "")) if found else None
-    return f"{found[1]} = {found[2]}" if found and meant in sought else line
+    return f"{found[1]} = {found[2]}" if found and (meant in sought or line.rstrip().endswith("$")) else line
+
+
+def residuals(line: str, names: Names) -> list[str]:
+    """Return the cells of a vector that a line is or defines, if each is a sum with a sought velocity: they are to vanish."""
+    begun = LIST.match(line)
+    end = closing(line, begun.end() - 1) if begun else 0
+    if begun is None or end < begun.end() or "=" in line[begun.end() :] or _IS_USED.match(line, end + 1):
+        return []
+    cells = [cell.strip() for cell in at_signs(_BETWEEN_CELLS, line[begun.end() : end]) if cell.strip()]
+    sought = {*names.expected.variant.sought}
+    is_sum = [_SUM.search(cell) and not sought.isdisjoint(names_in(cell, names.spellings)) for cell in cells]
+    return cells if len(cells) > 1 and all(is_sum) else []
 
 
 def closed(line: str) -> str:
@@ -108,6 +123,6 @@ def _one_by_one(line: str) -> str:
     left, _, right = line.strip(" ;").partition("=")
     named, values = left.strip("() ").split(","), at_commas(right)
     is_data = all(map(_NUMBER.fullmatch, values))
-    if len(named) != len(values) or not ("*" in right or is_data) or "=" in right:
+    if len(named) != len(values) or not ("*" in right or is_data or TURNED.search(right)) or "=" in right:
         return line
     return "; ".join(f"{name.strip()} = {value.strip()}" for name, value in zip(named, values, strict=True))

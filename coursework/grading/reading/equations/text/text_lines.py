@@ -41,6 +41,7 @@ from coursework.grading.reading.equations.text.statements import (
     as_value,
     closed,
     function_begun,
+    residuals,
     with_sign,
     without_declarations,
 )
@@ -60,7 +61,11 @@ _OF_PLACE = re.compile(
 # The derivative by an angle that a stroke means if the text says so: ' = d/dphi1
 _STROKE = re.compile(r"['’′]\s*(?:=|means|denotes|:)\s*d\s*/\s*d\s?([^\W\d]\w{0,8})")
 _STROKED = re.compile(r"(?<![\w'])([^\W\d]\w{0,8})['’′](?!['’′\w])")
-_PROMPT = re.compile(r"(?m)^[ \t]*>>>?[ \t]+")  # of MATLAB and Python
+_OF_CRAMER = re.compile(r"(?<!\w)([Δ∆D])(?:['’′]{2}|″)|(?<!\w)([Δ∆D])['’′]")  # Δ'' and Δ', determinants beside Δ
+_PROMPT = re.compile(r"(?m)^[ \t]*>{1,3}[ \t]+")  # of Maple, MATLAB and Python
+_INDEX = re.compile(r"(?m)(?<=[^\W\d])\[(\d{1,2})(?!\w)(?=[^\[\]\n]{0,400}(?:$|\[))")  # φ[3 of Mathcad
+# Equations between brackets, one in each line, as MATLAB has them: they end where the line does.
+_EQUATIONS = re.compile(r"(==[^\n;,\[\]%#=]{0,400}[^\s;,\[\].+*/%#-])(?=[ \t]*(?:[%#].*)?\n[^\n\]]*==)")
 _OF_RATES = re.compile(r"(?<!\w)([A-Za-z])(['’′\u0307])(?=\s*=\s*[\[(][\w\s,;{}]{3,80}[\])])")
 _SQUARED = re.compile(
     r"([^\W\d]\w{0,20})\s*(?:\^\s*\{?\s*2\s*\}?|²|\*\*\s*2)\s*=\s*+([^=]*[^=\s.,;])[\s.,;]*"
@@ -91,6 +96,9 @@ def text_lines(text: str, names: Names, passed: list[tuple[int, str]] | None = N
             continue  # V_a² = V_e² + V_r²: of sizes, where the projections say all
         if square and spellings.canonical(square[1]) is None:
             bare = f"{square[1]} = sqrt({square[2]})"
+        if cells := residuals(bare, names):
+            yield from ((number, cell) for cell in cells)
+            continue
         bare = closed(bare)
         if any(map(str.isalnum, bare)):  # not an underline of signs below a title
             yield number, bare
@@ -142,7 +150,9 @@ def _by_names(text: str, names: Names) -> str:
         text = re.sub(rf"(?<!\w){letter}{sign}", f"{letter}dotted", text)
     if (stroke := _STROKE.search(text)) and stroke[1] != "t":
         text = _STROKED.sub(rf"d\1/d{stroke[1]}", _STROKE.sub("", text))
-    text = _OF_PLACE.sub(lambda found: _velocity(found, names.spellings), _PROMPT.sub("", text))
+    text = _OF_CRAMER.sub(lambda found: f"{found[1]}_II" if found[1] else f"{found[2]}_I", text)
+    text = _EQUATIONS.sub(r"\1;", _INDEX.sub(r"\1", _PROMPT.sub("", text)))
+    text = _OF_PLACE.sub(lambda found: _velocity(found, names.spellings), text)
     text = with_cells_named(text, names.spellings.angle, names.spellings.data)
     text = without_pointers(text, names.spellings)
     named = with_a_name(in_square_brackets(in_one_line(as_names(without_line_numbers(text), partial(_is_name, names)))))
