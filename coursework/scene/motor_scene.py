@@ -160,15 +160,12 @@ class MotorScene(Scene):
         pace = max(1, time.steps // LOOKS)
         fine, coarser = (Dynamics(motion, list(self.closed_start), size) for size in (TOLERANCE, COARSER))
         found = up_to_values(self.variant, fine.exact(self._begin, time.step, time.steps), self._table)
-        rough = coarser.exact(self._begin, pace * time.step, time.steps // pace)
-        known = known_rows(found, rough, pace, [*motion.sizes, *motion.sizes_of_state[len(motion.free) :]])
+        rough, rates = coarser.exact(self._begin, pace * time.step, time.steps // pace), motion.sizes_of_state[len(motion.free) :]
+        known = known_rows(found, rough, pace, [*motion.sizes, *rates])
         if known.ended != CHANGE:
             return known
-
-        def exact_at(times: Array) -> Motion:
-            return self._motion_of(Dynamics(self.free_equations, []).between(known, times), EXACT)
-
-        at, ended = ended_at(self.flow, self._motion_of(known, EXACT), exact_at, known.at)
+        exact, between = self._motion_of(known, EXACT), Dynamics(motion, []).between
+        at, ended = ended_at(self.flow, exact, lambda times: self._motion_of(between(known, times), EXACT), known.at)
         return replace(known, at=at, ended=ended)
 
     @cached_property

@@ -67,7 +67,8 @@ def test_a_shaper_is_shown_where_crank_and_lever_are_apart() -> None:
     drawing = run.mechanism()
     assert drawing is not None
     row = int(re.search(r"row (\d+), t = ([\d.]+) s", drawing.caption)[1])  # type: ignore[index]
-    assert f"t = {(row - 1) * 0.02:.6g} s" in drawing.caption and drawing.alt == f"Drawing of the mechanism in row {row}."
+    assert f"t = {(row - 1) * 0.02:.6g} s" in drawing.caption
+    assert drawing.alt == f"The mechanism in row {row}. Links: 1 AB, 2 B, 3 DE, 4 EF and 5 F."
     between = (run.exact.column("phi1") - run.exact.column("phi3"))[row - 1] % math.pi
     assert math.radians(60) < between < math.radians(120)
     sides = {line.says["data-link"]: line for line in measured.lines(drawing.svg, "data-link") if "data-from" in line.says}

@@ -229,8 +229,7 @@ def test_exact_has_the_true_motion_and_its_difference():
     content, run = book("jansen"), solved("jansen")
     exact = shown(content)["Exact"]
     assert [exact.cell(2, 1 + place).value for place in range(1, 4)] == pytest.approx(run.motion.rows[0, :3], rel=1e-15)
-    names = run.motion.names
-    first = 3 + len(run.columns()[0])
+    names, first = run.motion.names, 3 + len(run.columns()[0])
     assert [exact.cell(1, first + place).value for place in range(len(names))] == [f"Δ{name}" for name in names]
 
 

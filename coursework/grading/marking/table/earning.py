@@ -96,6 +96,8 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, fits: Sequenc
     most = max((fit.share for fit in beyond if _is_slip(key, fit)), default=0.0)
     copied = max((fit.share for fit in beyond if fit.code.startswith("variant_")), default=0.0)
     least = max((fit.share + TIE for fit in beyond if _is_slip(key, fit)), default=0.0)
+    single = [fit.share for fit in beyond if fit.code.startswith(_SLIPS) or (_ratio(key, fit) or 0.0) < 0]
+    angles = [f"{DATUM}{one.name}" for one in key.variant.given if one.si == "rad"]  # another angle may be a slip, as pi - alpha
     for fit in fits:
         worth = _worth(rubric, fit)
         ratio = _ratio(key, fit)
@@ -105,7 +107,9 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, fits: Sequenc
             worth = max(worth, rubric.own_equations_floor)
         if fit.beyond_euler and fit.code in _OTHER_RULES:
             worth += max(rubric.steps_floor - worth, 0.0) * ramp(fit.share, _PARTLY, NAMED)
-        if fit.beyond_euler and (fit.share >= least or is_near) and fit.share > copied and is_number:
+        # Some angle makes nearly the table of a slip, as pi - alpha does: its digits are wrong only where it explains more.
+        is_copied = is_near and (fit.code not in angles or fit.share >= max(single, default=0.0) + TIE)
+        if fit.beyond_euler and (fit.share >= least or is_copied) and fit.share > copied and is_number:
             # A number copied wrongly is as a start copied wrongly, if it explains nearly all: some value undoes many a slip.
             whole = rubric.start_floor_several if fit.code.startswith(_SWAPPED) else rubric.start_floor
             worth = max(worth, _nearly_all(rubric, fit, whole))

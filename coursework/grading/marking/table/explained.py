@@ -53,21 +53,23 @@ class Explained:
     key: Key
     cells: Cells
 
-    def share(self, holds: Flags, *, as_it_is: bool = False, table: Array | None = None) -> float:
+    def share(self, holds: Flags, *, as_it_is: bool = False, table: Array | None = None, excuses: float = 1.0) -> float:
         """Return the share of counted cells that some explanation `holds` for (n, m + r), or that agree with the key.
 
         The gates are those of the points. A step counts if its velocity is explained too; a velocity, if its row belongs to the
         motion of the explained steps and it is explained too. A cell that agrees with the key counts whatever explains others;
         where an explanation has another value, what was made from that one is explained as it was before. A wrong start value
         costs a cell. With `as_it_is` no cell is taken as put right, and those of the key count in runs. `table` (n, m + r) is the
-        one that the explanation makes, None if unknown: where it has another value, a cell of the key was put right.
+        one that the explanation makes, None if unknown: where it has another value, a cell of the key was put right. `excuses` is
+        the part (0 to 1) of the cells explained as they were before that counts.
         """
         m, rows = self.key.m, self._rows
         explained = (holds | self.by_key) & self.spoken
         counts = self._in_runs.copy()
         if not as_it_is:
             counts |= self.by_key & self.cells.counted & ~constant(self.key)
-            explained |= self._as_before(holds if table is None else alike(self.key, self.cells.student, table), explained)
+            before = self._as_before(holds if table is None else alike(self.key, self.cells.student, table), explained)
+            explained |= before & ~but(before, excuses)
         steps = explained[rows[1:], :m] & explained[rows[:-1], m : 2 * m] & (self._moves | self._hardly)
         counts[rows[1:], :m] |= steps
         moves = np.asarray(self._moves.any(axis=1))
@@ -88,8 +90,9 @@ class Explained:
         rows = self._rows
         beside = np.zeros(len(holds), dtype=bool)
         beside[rows] = self._beside_put((self.by_key & ~holds & self.spoken)[rows], explained[rows])
-        others, lost = self.spoken & ~beside[:, None], self.spoken & beside[:, None] & ~explained
-        usual = (explained & others).sum(axis=0) / np.maximum(_FEW * len(rows), others.sum(axis=0))
+        lost = self.spoken & beside[:, None] & ~explained
+        told = (self.spoken & ~beside[:, None]) | (explained & ~self.by_key)
+        usual = (explained & told).sum(axis=0) / np.maximum(_FEW * len(rows), told.sum(axis=0))
         before = np.zeros_like(explained)
         for column in np.flatnonzero(lost.any(axis=0) & (usual > _FEW)).tolist():
             alone = np.zeros_like(lost)

@@ -30,6 +30,7 @@ _NEARLY_ALL = 0.9
 _DECIMALS = range(1, 9)
 # So many rows are stepped back to row 2, and so many must say the same of it.
 _BACK, _AGREE = 8, 2
+_WRONG_OF_ROW = 0.5  # of the velocities of row 1 at most this part may be wrong
 _ROUNDS, _DIFFERENCE = 6, 1e-4  # Newton steps to a datum, and the part of it by which its slope is taken
 
 
@@ -211,7 +212,10 @@ def _told_by_velocities(key: Key, cells: Cells) -> Iterator[Array]:
 
 
 def _marked_from(key: Key, cells: Cells, start: Array, least: int) -> Cells | None:
-    """Return the table marked from a start, None if row 1 does not follow from it or fewer cells than `least` can be its."""
+    """Return the table marked from a start, None if row 1 mostly does not follow from it or too few cells (`least`) can be its.
+
+    A velocity of row 1 with a slip costs what it costs in any other row.
+    """
     m, table = key.m, march(key, start, key.velocities_at)
     units = cells.student.units.copy()
     units[:, :m] = np.maximum(units[:, :m], own_ways(key, cells.student).coarse)
@@ -220,7 +224,7 @@ def _marked_from(key: Key, cells: Cells, start: Array, least: int) -> Cells | No
     made = mark_cells(key, cells.student, table)
     made.marks[:1, :m][cells.marks[:1, :m] == GIVEN] = GIVEN
     made.marks[(made.wrong | made.carried) & (cells.marks == KEY)] = KEY
-    return None if made.wrong[0, m:].any() else made
+    return None if made.wrong[0, m:].mean() > _WRONG_OF_ROW else made
 
 
 def march(

@@ -19,28 +19,13 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drives.enclosures import Enclosure, Laws
-from coursework.motion.geometry.drives.quadrature import POINTS, WANTED, Resolution, left_open, resolve
+from coursework.motion.geometry.drives.quadrature import NODES, POINTS, WANTED, WEIGHTS, Resolution, left_open, resolve
 from coursework.system.arrays import Array, Flags, as_columns, distinct
 from coursework.variant.record.held import largest_length, velocities_of_points
 from coursework.variant.record.variant import MAX_ROWS, Law, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-
-def _gauss_legendre(count: int) -> tuple[Array, Array]:
-    """Return Gauss-Legendre points and weights on (-1, 1), from the eigenvalues of the recurrence of the Legendre polynomials.
-
-    Source: G. H. Golub, J. H. Welsch, Mathematics of Computation 23 (1969) 221.  NumPy's own function would import all of its
-    polynomial package, which takes a twentieth of a run.
-    """
-    orders = np.arange(1, count)
-    beside = np.diag(orders / np.sqrt(4.0 * orders**2 - 1), 1)
-    points, vectors = np.linalg.eigh(beside + beside.T)
-    return points, 2 * vectors[0] ** 2
-
-
-# Gauss-Legendre with 12 points is exact to round-off for a sinusoid over a tenth of its period.
-_POINTS, _WEIGHTS = _gauss_legendre(POINTS)
 _PIECES_PER_RUN = 240
 _MANY_TURNS = 1e3  # rad; beyond it the sum is made in extended precision
 _SAME_END = 1e-12  # relative: ends of the run that differ by less are the same, as row counts round differently
@@ -88,14 +73,14 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     fine = np.append(np.repeat(edges[:-1], counts) + inside * np.repeat(np.diff(edges) / counts, counts), edges[-1])
     fine = _split(fine, resolution(equations, float(times[-1])).edges)
     middle, half = (fine[1:] + fine[:-1]) / 2, np.diff(fine) / 2
-    at = middle[:, None] + half[:, None] * _POINTS
+    at = middle[:, None] + half[:, None] * NODES
     values = drive_values(equations, names, at)
     if not np.all(np.isfinite(values)):
         place = np.argwhere(~np.isfinite(values))[0]
         name, variant = names[place[2]], equations.variant
         told = say("fault.V321", name=name, time=float(at[place[0], place[1]]))
         raise InputError([Fault(told, variant.file, variant.line_of("drive", name))])
-    pieces = np.tensordot(values, _WEIGHTS, axes=(1, 0)) * half[:, None]
+    pieces = np.tensordot(values, WEIGHTS, axes=(1, 0)) * half[:, None]
     # After thousands of turns a sum of doubles would lose the last digits.
     kind = np.longdouble if np.abs(pieces).sum() > _MANY_TURNS else np.float64
     total = np.vstack([np.zeros(len(names)), np.cumsum(pieces.astype(kind), axis=0).astype(np.float64)])

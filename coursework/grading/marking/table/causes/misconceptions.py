@@ -27,7 +27,7 @@ from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.explained import Explained, Fit, euler_cells, share_of
 from coursework.grading.marking.table.points import stands_still, table_points
 from coursework.grading.marking.table.starts import OwnStart, begins_elsewhere, own_start
-from coursework.grading.marking.table.untold import FINEST, untold_cells
+from coursework.grading.marking.table.untold import FINEST, ramp, untold_cells
 from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Flags
 from coursework.system.frozen import caching, frozen
@@ -36,6 +36,7 @@ from coursework.system.frozen import caching, frozen
 NAMED, BETTER, TIE = 0.93, 0.02, 0.005
 # A table with at most so many wrong cells, or this part of its cells, has slips, not a misconception.
 FEWEST, FEWEST_SHARE = 2, 0.02
+_CHANCE = 0.03  # part of the cells that a cause may explain alone by chance
 ROWS_SHIFTED, ORIGIN = "rows_shifted", "origin_"
 
 
@@ -164,7 +165,8 @@ class _Weighed:
         if not self._gains(claim, holds):
             return
         gates = self.gates if put_right is self.gates.cells else Explained(self.gates.key, put_right)
-        self._fit(Fit(code, gates.share(holds), claim.names, in_print=claim.student is not None))
+        excuses = self._excuses(holds) if claim.student is None else 1.0
+        self._fit(Fit(code, gates.share(holds, excuses=excuses), claim.names, in_print=claim.student is not None))
         count = int((holds | self.gates.by_key).sum())
         if (count, not claim.is_read_off) > self.most_told and code not in self.hidden:
             self.most_told, self.teller = (count, not claim.is_read_off), (claim, holds)
@@ -189,11 +191,18 @@ class _Weighed:
         as_it_stands = claim.student is None and not claim.is_whole
         return not as_it_stands or bool((holds & ~self.explained & ~self.gates.by_key).any())
 
+    def _excuses(self, holds: Flags) -> float:
+        """Return the part (0 to 1) of cells beside cells put right that a claim may excuse: none if it alone explains few."""
+        alone = holds & ~self.explained & ~self.gates.by_key
+        return ramp(share_of(alone, self.gates.spoken), _CHANCE, 2 * _CHANCE)
+
     def _look_closer(self) -> None:
         """Hold the likeliest claims against the whole table."""
         key, cells = self.gates.key, self.gates.cells
         for code, claim, holds in closer(self.held):
-            fit = self.gates.share(holds | as_it_was(key, cells, claim), table=claim.table() if claim.table else None)
+            holds = holds | as_it_was(key, cells, claim)
+            table = claim.table() if claim.table else None
+            fit = self.gates.share(holds, table=table, excuses=self._excuses(holds))
             self._fit(Fit(code, fit, claim.names))
 
     def at_best(self) -> Iterator[Fit]:

@@ -31,7 +31,7 @@ OTHER_SIGN = "other sign"  # behind the value and unit of a datum that has it
 # counts if its slope is over _FELT of the largest; the value is another one if it differs by more than _ANOTHER of itself.
 _ROUNDS, _DIFFERENCE, _FELT, _ANOTHER = 7, 1e-6, 1e-2, 1e-5
 _SAME = 1e-9  # relative difference up to which two numbers are the same
-# From this part of the velocities on that are the task's, the others are looked at alone too.
+# From this part of the velocities on that are the task's, they are looked at too.
 _PUT_RIGHT = 0.25
 # Parts of the task's value at which the search begins: a frequency, or a length in a closed chain, leads astray from afar.
 _BEGINS, _SETTLED = (1.0, 0.4, 2.5), 1e-4
@@ -111,15 +111,16 @@ def may_be(key: Key, code: str, names: Sequence[str]) -> bool:
 def _values_read_off(printed: TableUnderTest) -> Iterator[tuple[Given, float]]:
     """Yield each datum with the median of the values that the printed velocities give for it, if that is not the task's.
 
-    Where many velocities are the task's they may have been put right: then also with that of the others.
+    Velocities that are the task's say nothing: they may have been put right, and each would draw the value to the task's. Where
+    they are many, a value is read off all of them too.
     """
     given = [datum for datum in printed.key.variant.given if datum.value]
     if not printed.closely or not len(given):
         return
     velocities, of_task = printed.student.values[:, printed.m :], printed.of_task[:, printed.m :]
-    searches = [(velocities, begin) for begin in _BEGINS]
+    searches = [(np.where(of_task, np.nan, velocities), begin) for begin in _BEGINS]
     if of_task.mean() > _PUT_RIGHT:
-        searches.append((np.where(of_task, np.nan, velocities), 1.0))
+        searches.append((velocities, 1.0))
     told: set[tuple[str, str]] = set()
     for datum, value in zip(cycle(given), _solved(printed, given, searches).tolist(), strict=False):
         shown = datum.name, f"{value:.6g}"
@@ -150,10 +151,10 @@ def _solved(printed: TableUnderTest, given: Sequence[Given], searches: Sequence[
 
 
 def _medians(rows: Array) -> Array:
-    """Return the median (k,) of the finite numbers in each row (k, n), 0 if there are none."""
+    """Return the median (k,) of the finite numbers in each row (k, n), NaN if there are none."""
     ordered = np.sort(np.where(np.isfinite(rows), rows, np.inf), axis=1)
     count, every = np.isfinite(rows).sum(axis=1), np.arange(len(rows))
-    return np.where(count > 0, (ordered[every, (count - 1) // 2] + ordered[every, count // 2]) / 2, 0.0)
+    return np.where(count > 0, (ordered[every, (count - 1) // 2] + ordered[every, count // 2]) / 2, np.nan)
 
 
 def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterator[Claim]:

@@ -85,14 +85,15 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
             shift = np.nanmedian(shifts)
             quarters = np.round(shift / (np.pi / 2)) if np.isfinite(shift) else 0.0
             # The middle of a column that runs the other way may be a quarter turn by chance: its cells must be.
-            off = np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) - np.nanmax(student.units[:, place])
-            if not (quarters or sign < 0) or off > _QUARTER:
+            allowed = _QUARTER + np.nanmax(student.units[:, place])
+            if not (quarters or sign < 0) or np.nanmedian(np.abs(shifts - quarters * np.pi / 2)) > allowed:
                 continue
             values = student.values.copy()
             values[:, place] = sign * (values[:, place] - quarters * np.pi / 2)
             code, rate = f"origin_{key.names[place]}", key.names.index(key.variant.coordinates[place].rate)
             yield _as_euler(code, _kept(printed, printed.of_task, replace(student, values=values)))
-            if sign < 0:  # its velocity, too
+            at_start = np.abs(2 * key.table[0, place] - quarters * np.pi / 2) <= allowed
+            if sign < 0 and not (quarters and at_start):  # its velocity, too; mirrored at its start it is a sign in an equation
                 turned = np.where(np.arange(len(key.names)) == rate, -values, values)
                 yield _as_euler(code, _kept(printed, printed.of_task, replace(student, values=turned)))
 
