@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -40,7 +41,9 @@ EXTRA = {
 }
 
 
-def imported(code, folder):
+@cache
+def imported(code, folder=None):
+    """Return the modules that a program has loaded in the end; where its folder does not matter, it runs once."""
     done = subprocess.run([sys.executable, "-c", LOOK.format(code=code)], capture_output=True, text=True, cwd=folder, check=False)
     assert done.returncode == 0, done.stderr
     return set(json.loads(done.stdout.splitlines()[-1]))
@@ -105,7 +108,7 @@ def test_the_libraries_of_a_command(arguments, others, tmp_path):
     if arguments[0] == "grade":
         hand_in(tmp_path / "in" / "ada")
     modules = imported(command(*arguments), tmp_path)
-    bare = imported("", tmp_path)
+    bare = imported("")
     assert {name.partition(".")[0] for name in modules - bare} - sys.stdlib_module_names == {"coursework", *others}
     assert "numpy.ma" not in modules
     rooms = {name.split(".")[1] for name in modules if name.startswith("coursework.")}

@@ -63,13 +63,13 @@ def van_der_pol(mu: float, *, step: float = 0.01, end: float = 2.0, scheme: str 
 
 @pytest.mark.parametrize(("scheme", "longest"), [("euler", 2 / 3000), ("rk4", 2.785 / 3000)])
 def test_stiff_equations_are_told_as_such_with_a_step_that_does(scheme, longest):
-    run = coursework.solve(parse_variant(van_der_pol(1000.0, scheme=scheme)))
-    assert run.summary.startswith("The equations are stiff: a deviation dies out within 0.000334 s (rate 3e+03 1/s)")
+    run = coursework.solve(parse_variant(van_der_pol(1000.0, end=1.0, scheme=scheme)))
+    assert run.summary.startswith("The equations are stiff: a deviation dies out within 0.000333 s (rate 3e+03 1/s)")
     found = check(run, "STOP")
     assert found.verdict == "COARSE"  # the mechanism goes on: it is the scheme that stops
     assert found.step is not None
     assert found.step < longest
-    better = coursework.solve(parse_variant(van_der_pol(1000.0, step=found.step, scheme=scheme)))
+    better = coursework.solve(parse_variant(van_der_pol(1000.0, step=found.step, end=1.0, scheme=scheme)))
     assert check(better, "ACCURACY").verdict == "PASS"
     assert "stiff" not in better.summary
 
@@ -90,7 +90,7 @@ def test_a_motion_too_stiff_to_be_followed_is_said_to_be_that():
 
 def test_a_turning_four_bar_is_not_stiff_however_coarse():
     for step in (0.05, 0.2, 1.0):
-        text = four_bar(Law("steady", "n", {"n": "5 rad/s"}, lambda t: 5 * t), step=step, end=20.0, scheme="euler")
+        text = four_bar(Law("steady", "n", {"n": "5 rad/s"}, lambda t: 5 * t), step=step, end=10.0, scheme="euler")
         assert "stiff" not in coursework.solve(parse_variant(text)).summary
 
 

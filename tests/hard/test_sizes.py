@@ -89,6 +89,11 @@ def _sprung(size: float) -> Run:
     return coursework.solve(parse_variant(text), "exact")
 
 
+@cache
+def _pulsed(size: float) -> Run:
+    return coursework.solve(parse_variant(PULSED.format(L=size)), "exact")
+
+
 @pytest.mark.parametrize("size", SIZES)
 def test_a_motion_without_closed_positions_is_known_at_any_size(size):
     """With limits in metres it was "not known" at 1 um and at 1000 km, and at 1 nm off by a hundredth."""
@@ -112,9 +117,7 @@ def test_a_mass_on_a_spring_moves_alike_at_any_size(size):
 @pytest.mark.parametrize("size", SIZES)
 def test_a_pulse_of_the_drive_moves_any_mechanism_by_its_whole_integral(size):
     """To the digits that a time has beside a nanosecond, and at any size alike."""
-    here, there = (
-        coursework.solve(parse_variant(PULSED.format(L=one)), "exact").table["x"].iloc[-1] / one for one in (1.0, size)
-    )
+    here, there = (_pulsed(one).table["x"].iloc[-1] / one for one in (1.0, size))
     assert here == pytest.approx(np.sqrt(np.pi), rel=1e-8)
     assert there == pytest.approx(here, rel=1e-13)
 

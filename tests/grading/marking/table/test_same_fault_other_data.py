@@ -112,8 +112,8 @@ def test_cells_put_right_beside_a_copied_column_take_nothing_from_the_datum_that
     table[:, 2] = desk.key.table[:, 2]
     table[chance.integers(1, 25, 20), chance.integers(7, size=20)] = np.nan
     points = []
-    for cell in (None, (0, 3), (0, 4), (0, 5), (0, 6), (2, 5), (3, 5)):
-        if cell:
+    for cells in ([], [(0, 3), (0, 4)], [(0, 5), (0, 6), (2, 5), (3, 5)]):
+        for cell in cells:
             table[cell] = desk.key.table[cell]
         points.append(desk.marked(table, digits=2)[0])
     assert points == sorted(points)
