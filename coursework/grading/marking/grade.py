@@ -181,7 +181,7 @@ class Marker:
         answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
         table = self._table(work.table, with_given(self.key, student), equations) if work.table and student else None
         if work.table and table and back:  # the table is marked with both senses of rotation, and the better marks count
-            other = self._equations(work, turning=True)
+            other = self._equations(work, turning=True, is_told=True)
             counted = self._table(work.table, with_given(self.key, back), other)
             table, equations, back = (counted, other, back) if counted.share > table.share else (table, equations, None)
         # The rubric may ask for answers of which none has a value: if other work was handed in, the answers are not missing.
@@ -204,8 +204,10 @@ class Marker:
             status = "graded-with-notes"
         return Grade(status, shares, self.rubric, self.key, work, table, equations, answers, judged, notes, reason)
 
-    def _equations(self, work: StudentWork, *, turning: bool) -> EquationMarks | None:
-        marks = None if work.equations is None or self.by_forces else self.judge.mark(work.equations, turning=turning)
+    def _equations(self, work: StudentWork, *, turning: bool, is_told: bool = False) -> EquationMarks | None:
+        if work.equations is None or self.by_forces:
+            return None
+        marks = self.judge.mark(work.equations, turning=turning, is_told=is_told)
         return marks if marks and marks.marks else None
 
     def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:

@@ -38,7 +38,7 @@ from coursework.grading.reading.files.kinds import (
     real_kind,
 )
 from coursework.grading.reading.files.ods import CONTENT
-from coursework.grading.reading.limits import FILES, INFLATED_BYTES, Refused, unreadable
+from coursework.grading.reading.limits import FILE_BYTES, FILES, INFLATED_BYTES, Refused, unreadable
 from coursework.grading.reading.opened import opened, refused_kind
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, FileEntry, StudentWork, Table, Trouble
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note
@@ -136,7 +136,7 @@ class _Found:
         try:
             return self._read_parts(archive, file.name)
         finally:
-            self.left = archive.left
+            self.left = max(archive.left, FILE_BYTES)  # a file of the usual size is read behind one that is too large
 
     def _read_parts(self, archive: Archive, name: str) -> tuple[_Kind, ...]:
         grid = self.expected.grid

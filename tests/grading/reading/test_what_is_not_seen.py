@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from coursework.grading.reading.equations.lines import read_lines
-from coursework.grading.reading.limits import INFLATED_BYTES
+from coursework.grading.reading.limits import FILE_BYTES, INFLATED_BYTES
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
 from coursework.grading.reading.submission import Submission, submitted_file
@@ -147,8 +147,9 @@ def test_a_document_of_nothing_but_pictures_says_so(part: str) -> None:
 
 
 def test_so_much_of_a_text_is_looked_through_for_equations_and_what_is_behind_is_counted() -> None:
-    for before, found, unread in ((1_000_000 - len(EQUATION), 1, 0), (1_000_000, 0, 1)):
-        said = read_lines(" " * (before - 1) + "\n" + EQUATION, "a", expected())
+    for before, found, unread in ((1_000_000 - len(EQUATION), 1, 0), (1_000_000 - len(EQUATION) + 1, 0, 1), (1_000_000, 0, 1)):
+        said = read_lines(" " * (before - 1) + "
+" + EQUATION, "a", expected())
         assert (len(said.equations), said.unread) == (found, unread)
 
 
@@ -158,3 +159,10 @@ def test_the_bytes_inflated_from_all_files_of_a_student_are_counted_together(siz
     work = read("a.docx", filled, b__docx=filled)
     assert len(work.equations or ()) == 1 + is_read
     assert ("attachment" in [note.code for note in work.notes]) is not is_read
+
+
+def test_a_file_of_the_usual_size_is_read_behind_one_that_is_too_large() -> None:
+    large = word(b"<!--" + b" " * INFLATED_BYTES + b"-->")
+    for size, is_read in ((FILE_BYTES - 1000, True), (FILE_BYTES, False)):
+        filled = word(b"<w:p><w:r><w:t>" + EQUATION.encode() + b"</w:t></w:r></w:p><!--" + b" " * size + b"-->")
+        assert len(read("a.docx", large, b__docx=filled).equations or ()) == is_read

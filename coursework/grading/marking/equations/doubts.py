@@ -8,9 +8,10 @@ A slip of the pen is one edit, or leaves an equation between quantities of one d
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 
+from coursework.grading.reading.equations.formulas.names_in_text import plain_name
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.alphabet import greek
 from coursework.variant.formula.reader import FUNCTION_WORDS
@@ -22,19 +23,30 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _NAME = re.compile(r"[^\W\d]\w*")
+_SPEED = re.compile(r"\s*([vV]\w{0,12})\s*:?=")
 _CONTINUES = re.compile(r"\s*[+*/·]")
 _SHORT, _TWO_SIDES = 2, 1  # signs of equality in a line with two sides
 
 
-def question_of(line: EquationLine, variant: Variant, tells: Callable[[Formula], bool], *, is_named: bool) -> EquationLine | None:
+def speed_given_by(line: EquationLine) -> str:
+    """Return the name of a speed before "=" as it was typed, "" if the line gives none."""
+    found = _SPEED.match(line.text)
+    return plain_name(found[1]) if found else ""
+
+
+def question_of(
+    line: EquationLine, variant: Variant, tells: Callable[[Formula], bool], speeds: Collection[str], *, is_named: bool
+) -> EquationLine | None:
     """Return a wrong line as a question to a person, None if it is an equation and wrong.
 
     It is right without a word or letter at its edge; or no single slip explains it (`is_named`) and it was completed, is a chain
-    of which some sides were passed over, begins with a sign as if it continued another, or was rewritten to be read.
+    of which some sides were passed over, begins with a sign as if it continued another, was rewritten to be read, or gives a
+    speed under another name, vx, where lines give other `speeds`, too: one may be that of another point.
     """
     if meant := next((other for other in line.others if other.asks and tells(other.tree)), None):
         return asked(line, say("fault.G069", text=meant.text))
     is_cut = line.guessed or line.text.count("=") > _TWO_SIDES or _CONTINUES.match(line.text) is not None
+    is_cut |= len(speeds) > 1 and speed_given_by(line) not in {"", *line.difference.names()}
     if is_named or not (is_cut or _is_rewritten(line, variant)):
         return None
     return asked(line, say("fault.G071", text=line.repaired or " = ".join(map(spelled, line.difference.args))))

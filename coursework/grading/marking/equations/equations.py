@@ -7,7 +7,7 @@ order, sides and solved forms need no care.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
@@ -15,7 +15,7 @@ from itertools import chain
 import numpy as np
 
 from coursework.grading.marking.equations.columns import column_in_source, has_sign
-from coursework.grading.marking.equations.doubts import asked, question_of
+from coursework.grading.marking.equations.doubts import asked, question_of, speed_given_by
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits, term_of, unlikeliness, written
 from coursework.grading.marking.equations.lacks import lack_of, law_of
 from coursework.grading.marking.equations.linear import (
@@ -64,17 +64,20 @@ class Judge:
         """Return the kind of each name; names of one kind may be mistaken for each other."""
         return kinds(self.key.variant)
 
-    def mark(self, lines: Sequence[EquationLine], *, turning: bool = False) -> EquationMarks:
-        """Return the marks of all lines; with `turning`, angular velocities may count clockwise in all of them."""
+    def mark(self, lines: Sequence[EquationLine], *, turning: bool = False, is_told: bool = False) -> EquationMarks:
+        """Return the marks of all lines; with `turning`, angular velocities may count clockwise in all of them.
+
+        That is guessed from the lines, unless it `is_told` by a table: what is one linear speed's wrong sign is then none.
+        """
         lists = as_lists_or_minus(lines, lambda line: self._mark(line).verdict in COUNTED)
-        found = (self._marked(meant, turning) for meant in lists)
+        found = (self._marked(meant, turning, is_told) for meant in lists)
         return max(found, key=lambda marks: sum(mark.verdict in COUNTED for mark in marks.marks))
 
-    def _marked(self, lines: Sequence[EquationLine], turning: bool) -> EquationMarks:
+    def _marked(self, lines: Sequence[EquationLine], turning: bool, is_told: bool) -> EquationMarks:
         alone = tuple(map(self._mark, lines))
         meant = as_others_of_their_kind(lines, [(mark.line, mark.verdict in COUNTED) for mark in alone])
         found = tuple(mark if one is line else self._mark(one) for one, line, mark in zip(meant, lines, alone, strict=True))
-        back = self._turned_back(found) if turning else None
+        back = self._turned_back(found, is_told) if turning else None
         senses = [self._summed(found), *([self._summed(back, turned=True)] if back else [])]
         return max(senses, key=lambda marks: (marks.share, sum(mark.verdict in COUNTED for mark in marks.marks)))
 
@@ -84,7 +87,8 @@ class Judge:
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, any(mark is other for other in dependent)) for mark in marks)
-        marks = tuple(map(self._asked, marks))
+        speeds = {speed_given_by(mark.line) for mark in marks if independent < len(variant.sought)} - {""}
+        marks = tuple(self._asked(mark, speeds) for mark in marks)
         if independent == len(variant.sought):  # all equations are there: other lines are none, but a drive is told
             marks = tuple(m for m in marks if m.verdict != "wrong" or self._names_any(m) or law_of(m.line.difference, variant))
             marks = tuple(mark for mark in marks if not mark.line.passed_over)
@@ -100,22 +104,27 @@ class Judge:
             marks += tuple(self._mark(asked(line, say("fault.G073", text=line.repaired))) for line in chains)
         return EquationMarks(marks, independent, len(variant.sought), different, turned=turned)
 
-    def _asked(self, mark: EquationMark) -> EquationMark:
+    def _asked(self, mark: EquationMark, speeds: Collection[str]) -> EquationMark:
         """Return the mark of a wrong line that may have been misread as that of a question; any other mark as it is."""
         if mark.verdict != "wrong" or not self._names_any(mark):
             return mark
-        question = question_of(mark.line, self.key.variant, self._tells, is_named=mark.hint is not None)
+        question = question_of(mark.line, self.key.variant, self._tells, speeds, is_named=mark.hint is not None)
         return self._mark(question) if question else mark
 
     def _names_any(self, mark: EquationMark) -> bool:
         """Return whether a line names a sought velocity; one that does not, as T = 2*pi/p, is none of the equations needed."""
         return not {*self.key.variant.sought}.isdisjoint(mark.line.difference.names())
 
-    def _turned_back(self, marks: Sequence[EquationMark]) -> tuple[EquationMark, ...] | None:
-        """Return the marks with the sign of all angular velocities turned, None if that corrects no line."""
+    def _turned_back(self, marks: Sequence[EquationMark], is_told: bool) -> tuple[EquationMark, ...] | None:
+        """Return the marks with the sign of all angular velocities turned, None if that corrects no line.
+
+        Nor if the sign of one linear speed corrects the same lines: the file gives its positive direction.
+        """
         angular = frozenset(name for name in self.key.velocities if self.key.variant.unit_of(name) == "rad/s")
         both = [(mark, self._mark(with_other_sign(mark.line, angular)) if mark.verdict in JUDGED else mark) for mark in marks]
-        if not any(before.verdict == "wrong" and after.verdict in COUNTED for before, after in both):
+        back = [before.line for before, after in both if before.verdict == "wrong" and after.verdict in COUNTED]
+        speeds = {*self.key.variant.sought} - angular if not is_told else set[str]()
+        if not back or any(all(self._mark(with_other_sign(line, {name})).verdict in COUNTED for line in back) for name in speeds):
             return None
         return tuple(before if before.verdict == "wrong" == after.verdict else after for before, after in both)
 

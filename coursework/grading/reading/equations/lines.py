@@ -112,8 +112,9 @@ def _read_lines(text: str, name: str, expected: Expected, beside: Reading | None
     most = most_lines(expected)
     names = names_for(expected)
     passed = list[tuple[int, str]]()
-    beyond = sum("=" in line for line in text[_MOST_TEXT:].split("\n"))
-    text = text[:_MOST_TEXT]
+    end = text.rfind("\n", 0, _MOST_TEXT) + 1 if len(text) > _MOST_TEXT else len(text)  # no part of a line is an equation
+    beyond = sum("=" in line for line in text[end:].split("\n"))
+    text = text[:end]
     pieces = _pieces(text, names, passed) if beside is None else _beside(text, names, _SIGNS.get(beside.separator))
     names, lines = with_legend(list(islice(pieces, _MOST_LINES)), names)
     lines = _names_first(lines, names) if beside is None else lines

@@ -77,6 +77,7 @@ def test_what_is_true_of_anything_costs_nothing() -> None:
         (with_entries_apart, "om = [a*b, c]\\[d; e];\nw1 = om(1)", None),
         (with_entries_apart, "v = [a*b; c];\nw = A\\v; u = v(2);", "v = [a*b; c];\nw = A\\v; u = vy;\nvy = c"),
         (with_entries_apart, "v = [a*b; c];\nu = v(3);", None),
+        (with_entries_apart, "A = [0, 0; 0, 0];\nA(1,1) = a;\nD = A(1,1)*A(2,2)", None),
         (without_constants, "y = a*sin(b) = const, so", "y = a*sin(b)"),
         (without_constants, "y = a*sin(b) = c, so", None),
     ],

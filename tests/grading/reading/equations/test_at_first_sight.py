@@ -155,8 +155,19 @@ def test_a_right_form_is_right_and_one_with_a_slip_is_not(form: str) -> None:
     ("A*x = F\nF = [-2*r3*w3*sin(phi3) + r1*w2, r3*w3*sin(phi3) - r2*w4]", 2),
     ("r1*w1*sin(phi1) + r2*w2*sin(phi2) = -2*r3*w3*sin(phi3) = 0 ≠ 0", 2),
     ("x = A\\b;\ndphi = [w3; x];\nA = [r1*sin(phi1), r2*sin(phi2); r1*cos(phi1), r2*cos(phi2)];\nb = " + RIGHT, 2),
+    (LAST.strip() + " mit negativem Vorzeichen rechts", 3),
+    (f"A = {MATRIX}\nb = {RIGHT}\nw21 = np.linalg.solve(A, b)", 2),
+    (f"""A = {MATRIX}\nb = {RIGHT}
+Ai = A.copy(); Ai[:, 0] = b
+w1 = det(Ai)/det(A)
+Ai = A.copy(); Ai[:, 1] = b
+w2 = det(Ai)/det(A)""", 2),  # which Ai is meant depends on the place
 ])  # fmt: skip
 def test_what_is_no_right_equation_adds_none_and_is_asked_about(said: str, independent: int) -> None:
     found = marked(FIRST + said)
     assert (found.independent, len(found.wrong), found.unread is not None) == (independent, 0, True)
     assert marked(f"{FIRST}{LAST}{said}").share == 1.0
+
+
+def test_a_running_index_of_what_no_equation_names_takes_nothing() -> None:
+    assert marked(f"v_i = r_i*w_i\n{FIRST}{LAST}").share == 1.0

@@ -1,6 +1,6 @@
 """Whether words and marks around an equation say that it does not hold: "wrong: …", "not …", "… (sign reversed)".
 
-Enters: a line, a test for single names.  Leaves: the answer.  Used by `edges.py`, `lines.py` and `remarks.py`.
+Enters: a line, a test for single names.  Leaves: the answer.  Used by `edges.py`, `labels.py`, `lines.py` and `remarks.py`.
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterator
 from functools import lru_cache
 
+from coursework.grading.reading.equations.formulas.denials import DENIED
 from coursework.grading.reading.equations.notation.signs import ARROW, depths, relates_two_sides
 from coursework.grading.reading.unit_names import unit_of
 
@@ -255,7 +256,8 @@ def _cut(text: str, is_name: Callable[[str], bool]) -> str:
     if (behind := _SAID_IN_WORDS.search(text, text.rfind("=") + 1)) and _is_said_in_words(behind[1], is_name):
         return text[: behind.start()]
     words = _WORDS_BEHIND.search(text, text.rfind("=") + 1)
-    if words and (not words[1] or is_name(words[1])) and not any(map(is_name, re.findall(r"\w+", words[2]))):
+    is_meant = words is None or not (DENIED.search(words[2]) or any(map(is_name, re.findall(r"\w+", words[2]))))
+    if words and is_meant and (not words[1] or is_name(words[1])):
         return text[: words.start(2)].rstrip()
     for said_after in _SAID.finditer(text, text.rfind("=") + 1):
         if not is_name(said_after[1] or said_after[2]):

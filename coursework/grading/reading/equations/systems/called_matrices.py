@@ -15,7 +15,7 @@ from coursework.grading.reading.equations.notation.signs import closing
 from coursework.grading.reading.equations.systems.parts import at_commas, at_signs
 
 _CALL = re.compile(r"(?<!\w)(mat|vec)\(|([█■])\(")
-_AROUND = re.compile(r"[\[({├]\s*\x00(.*?)\x00\s*[\])}┤├]")  # of Word, what encloses the call
+_AROUND = re.compile(r"[\[({├]\s*\x00([^\x00\n]*)\x00\s*[\])}┤├]")  # of Word, what encloses the call
 _ASSIGNED = re.compile(r"(?m)(?<=[\w\]])[ \t]*:(?!=)(?=[^:=\n]*$)")
 _INDEX = re.compile(r"(?<=[^\W\d])\.(?=\w)")  # ω.2
 _MOST, _LONGEST = 20, 4000

@@ -72,6 +72,8 @@ def with_entries_apart(text: str) -> str:
         begun = end + 1 + ("(" in found[0] and text.startswith(")", end + 1))
         cells, behind, lines = vector(content), text[begun:], "\n" * text.count("\n", found.start(), begun)
         pair = re.compile(said + r" ?[\[(]\s*([0-3])\s*(?:,|\]\s*\[)\s*([0-3])\s*[\])](?!\s*=(?!=))")
+        if re.search(said + r" ?[\[(]\s*\d\s*(?:,|\]\s*\[)\s*\d\s*[\])]\s*[-+*/]?=(?!=)", behind):
+            continue  # a cell is another one later
         if (places := pair.findall(behind)) and _ALONE.match(text, end + 1):
             first = min(map(int, chain(*places))) and 1
             rows = {f"{i},{k}": f"({cell})" for i, row in enumerate(rows_of(content), first) for k, cell in enumerate(row, first)}

@@ -7,6 +7,7 @@ Nothing is computed.  Used by `matrices.py`.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping
 from itertools import chain
 
@@ -34,10 +35,15 @@ def with_cells_in_determinants(text: str, contents: Mapping[str, str]) -> str:
         return text
     columns = {name: _columns(content) for name, content in contents.items()}
     first = 0 if re.search(r":\s*,\s*0\s*[)\]]", text) else 1
-    for name, other in _COPIED.findall(text):
+    copied, put = _COPIED.findall(text), _PUT_IN.findall(text)
+    for name, other in copied:
         if other in columns and name not in contents:
             columns[name] = [*columns[other]]
-    for name, place, vector in _PUT_IN.findall(text):
+    made, changed = Counter(name for name, _ in copied), Counter(name for name, *_ in put)
+    for name in changed:
+        if (made[name], changed[name]) != (1, 1):  # what it holds depends on the place
+            columns.pop(name, None)
+    for name, place, vector in put:
         if name in columns and vector in columns and 0 <= int(place) - first < len(columns[name]):
             columns[name][int(place) - first] = columns[vector][0]
 

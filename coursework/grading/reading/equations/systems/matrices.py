@@ -160,7 +160,7 @@ def _by_digits(unknowns: str, size: int, sought: Sequence[str]) -> list[str]:
     """Return w1, w2 for a vector of two that is called w12; [] for any other."""
     stem = unknowns.rstrip("0123456789")
     named = [f"{stem}{digit}" for digit in unknowns.removeprefix(stem)]
-    return named if len(named) == size and {*named} <= {*sought} else []
+    return named if len(named) == size and {*named} <= {*sought} and named == sorted(named) else []
 
 
 def _among(whole: str, unknowns: str, size: int, sought: Sequence[str]) -> list[str]:

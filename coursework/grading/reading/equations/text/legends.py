@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import replace
 
-from coursework.grading.reading.equations.formulas.equations import Names
+from coursework.grading.reading.equations.formulas.equations import TURNED, Names
 from coursework.grading.reading.equations.formulas.names_in_text import Spellings, plain_name
 from coursework.grading.reading.equations.notation.latex import without_latex
 from coursework.grading.reading.equations.notation.signs import ARROW, plain_signs
@@ -44,7 +44,8 @@ _RUNNING = re.compile(r"(?:[^=]*[\s$(])?(\\?[^\W\d]\w{0,5}?)_?\{?([ijk])\}?\$?\s
 
 def with_each_index(line: str, names: Names) -> list[str]:
     """Return what a line with a running index, c_i = cos(φ_i), says for each number of the task's names; else the line."""
-    if (found := _RUNNING.fullmatch(line.replace("ᵢ", "_i")[:_MOST_CHARACTERS])) is None:
+    found = _RUNNING.fullmatch(line.replace("ᵢ", "_i")) if len(line) <= _MOST_CHARACTERS else None
+    if found is None or not TURNED.search(found[3]):  # v_i = r_i*w_i defines what no equation names
         return [line]
     index = re.compile(rf"_\{{?{found[2]}(?![^\W_])\}}?")
     formulas = {number: index.sub(f"_{number} ", found[3]) for number in "123456789"}
