@@ -74,7 +74,7 @@ quantities = ["table", "checks"]
 """
 SPRING = 's = {{ spring = ["C", "K"], stiffness = "300 N/m", free = "{free!r} m" }}'
 PULSE = 'P = { on = "1", at = "C", force = "(F*exp(-((t - 0.0333)/T)^2), 0)" }'
-SIZES = [2.0**-30, 2.0**-20, 2.0**20]  # powers of two: nothing is rounded on the way
+SIZES = [2.0**-40, 2.0**-30, 2.0**-20, 2.0**20]  # powers of two: nothing is rounded on the way
 
 
 @cache
@@ -100,10 +100,16 @@ def test_a_motion_without_closed_positions_is_known_at_any_size(size):
     here, there = _unclosed(1.0), _unclosed(size)
     assert [one.verdict for one in there.checks] == [one.verdict for one in here.checks]
     assert there.exact.column("x") / size == pytest.approx(here.exact.column("x"), abs=1e-12)
+    values = [[one.value for one in run.checks if one.code in {"ACCURACY", "CONTINUITY"}] for run in (here, there)]
+    assert values[1] == pytest.approx(values[0], rel=1e-6)  # at 1 nm an error of a tenth counted as none
     known = [
         [(row.method, row.steps_or_tolerance, row.evaluations, row.failed) for row in run.accuracy.rows] for run in (here, there)
     ]
     assert known[1] == known[0]
+    assert there.accuracy.orders == pytest.approx(here.accuracy.orders, abs=1e-3)  # 4.39 at 1 um, none at 1000 km
+    assert there.accuracy.floor / size == pytest.approx(here.accuracy.floor, rel=1e-9)
+    told = [[one.key for one in run.accuracy.sentences] for run in (here, there)]
+    assert told[0] == told[1]
 
 
 @pytest.mark.parametrize("size", SIZES)

@@ -25,6 +25,7 @@ from coursework.results.checks.evidence import STILL, scales_of, worst
 from coursework.results.checks.result import Check, Finding, Verdict, percent, skipped
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
+from coursework.variant.record.held import largest_length
 from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -187,10 +188,11 @@ def _scales(true: Motion, variant: Variant, count: int) -> Array:
     sizes = np.abs(true.velocities[:count]).max(axis=0)
     ranges = np.maximum(np.ptp(true.coordinates[:count], axis=0), ROWS_A_PERIOD * true.step * sizes[: len(units)])
     spreads = np.minimum(ranges, np.where(np.array(units) == "rad", 2 * np.pi, np.inf)).tolist()
+    still = [STILL * (1.0 if unit == "rad" else largest_length(variant)) for unit in units]
     rated = np.array([variant.unit_of(name) for name in true.velocity_names])
     fastest = np.array([sizes[rated == unit].max() for unit in rated])
     rates = np.where(sizes > _ROUNDED * fastest, sizes, np.where(fastest > 0, fastest, 1.0))
-    return np.array([*scales_of(spreads, [0.0] * len(units), units, STILL), *rates])
+    return np.array([*scales_of(spreads, [0.0] * len(units), units, still), *rates])
 
 
 def stiffness(e: Evidence) -> tuple[float, float]:

@@ -40,11 +40,11 @@ def energy_study(moved: Moved, own: Scheme, unit: str, progress: Callable[[str],
             if progress:
                 progress(f"{scheme.name}, {parts}")
             tried = moved.tried(scheme, parts)
-            rows.append(_row(scheme, tried, energy, steps * parts))
+            rows.append(_row(scheme, tried, energy, steps * parts, scale))
             if parts == 1:
                 rates[title_of(scheme)] = tried.error
     floor = 64 * float(np.finfo(float).eps) * max(scale, float(np.abs(energy).max()))
-    orders = orders_of(rows, floor, 0.0, scale=scale)
+    orders = orders_of(rows, floor / scale, 0.0)
     title = title_of(own)
     mine = next(row for row in rows if row.method == title)
     point = None if mine.failed else (title, mine.evaluations, mine.max_error, None)
@@ -57,12 +57,12 @@ def _parts(scheme: Scheme, steps: int, most: int) -> list[int]:
     return [parts for parts in PARTS if parts <= PARTS[1] or steps * parts * scheme.slopes <= most]
 
 
-def _row(scheme: Scheme, tried: Trial, energy: Array, steps: int) -> StudyRow:
+def _row(scheme: Scheme, tried: Trial, energy: Array, steps: int, scale: float) -> StudyRow:
     title = title_of(scheme)
     if tried.ended:
         return StudyRow(title, str(steps), 0, np.nan, np.nan, None, say("study.cut_off", row=tried.row), "J", "J")
     off = np.abs(tried.energy - energy)
-    return StudyRow(title, str(steps), tried.slopes, float(off.max()), float(off[-1]), None, "", "J", "J")
+    return StudyRow(title, str(steps), tried.slopes, float(off.max()), float(off[-1]), None, "", "J", "J", None, scale, scale)
 
 
 def _told(rows: Sequence[StudyRow], rates: dict[str, float], unit: str, own: StudyRow, scale: float) -> Iterator[Sentence]:

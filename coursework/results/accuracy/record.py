@@ -16,7 +16,7 @@ class StudyRow:
     """The result of one method with one setting; errors are in `unit` and `end_unit`.
 
     `seconds` is None if it was not timed; `failed` says why a run failed.  `time_ratio` is the time as a multiple of the time of
-    Euler with the table's own step.
+    Euler with the table's own step.  `size` and `end_size` are what counts as 1 of the errors.
     """
 
     method: str
@@ -29,6 +29,13 @@ class StudyRow:
     unit: str = "rad"
     end_unit: str = "rad"
     time_ratio: float | None = None
+    size: float = 1.0
+    end_size: float = 1.0
+
+    @property
+    def share(self) -> float:
+        """Return the largest error as a share of its size; those of a length and an angle can be compared."""
+        return self.max_error / self.size
 
 
 @frozen
@@ -36,8 +43,8 @@ class AccuracyStudy:
     """The rows of a study and what follows from them.
 
     `orders` are the measured orders by method; `own` is the coursework's point (method, evaluations, error, seconds); `floor` the
-    round-off floor; `overhead` lists (what, seconds); `machine` describes where it was timed; `left_out` says what was left out
-    because the table is long.
+    round-off floor, in the unit of the first row; `overhead` lists (what, seconds); `machine` describes where it was timed;
+    `left_out` says what was left out because the table is long.
     """
 
     rows: tuple[StudyRow, ...]

@@ -17,8 +17,8 @@ from coursework.words.sentences import say
 
 # A better scheme has at most this share of Euler's error.
 _BETTER = 0.95
-# Round-off of one step (rad or m); over many steps it grows as the square root of their number (N. J. Higham, Accuracy and
-# Stability of Numerical Algorithms, section 2.8).
+# Round-off of one step (rad or sizes of the mechanism); in many steps it grows as the square root of their number (N. J. Higham,
+# Accuracy and Stability of Numerical Algorithms, section 2.8).
 _UNIT = 2.0**-53
 # The smallest measurable error, in round-offs of one step.
 ROUNDINGS = 64
@@ -32,7 +32,7 @@ def sentences_of(
     """Return the findings: the own step, the better scheme at the same step, the cost of equal accuracy, the end-row trap.
 
     `is_own` is False for a table with corrected drift that no trial matches; `own` is then its scheme without the correction.
-    The last row says nothing about errors below the round-off `floor`.
+    The last row says nothing about errors below the round-off `floor` (a share).
     """
     best = _first(rows, title_of(PRECISE))
     usual = _first(rows, title_of(DEFAULT_SCHEME))
@@ -41,16 +41,16 @@ def sentences_of(
     told += _of_best(rows, best, usual)
     for row in _finished(rows, projected_title(1))[:1]:
         found = {"steps": row.steps_or_tolerance, "size": _size(row.max_error, row.unit)}
-        if row.max_error <= math.sqrt(row.evaluations) * _UNIT and row.max_error < usual.max_error:
+        if row.share <= math.sqrt(row.evaluations) * _UNIT and row.share < usual.share:
             told.append(say("study.projected_exactly", **found))
-        elif row.max_error < usual.max_error:
+        elif row.share < usual.share:
             told.append(say("study.with_projection", **found, less=_times_less(row, usual)))
     for row in _finished(rows, say("study.closed")):
         cost = {"evaluations": row.evaluations, "more": _round(row.evaluations / best.evaluations)}
         size = _size(row.max_error, row.unit)
         told.append(_told("study.by_closure", _ratio(row, best), **_reached(best), **cost, size=size))
     understated = usual.max_error / max(usual.end_error, 1e-300)
-    if understated >= 1.1 and usual.max_error > floor and usual.end_unit == usual.unit:  # an angle is no multiple of a length
+    if understated >= 1.1 and usual.share > floor and usual.end_unit == usual.unit:  # an angle is no multiple of a length
         told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=_round(understated)))
     titles = [title_of(scheme) for scheme in SCHEMES.values()]
     seeming = {name: end_orders[name] for name, order in orders.items() if end_orders.get(name, order) - order > 0.5}
@@ -65,16 +65,16 @@ def sentences_of(
 def _of_best(rows: Sequence[StudyRow], best: StudyRow, usual: StudyRow) -> list[Sentence]:
     """Return how much better than Euler the better scheme is with the same steps, and what its accuracy would cost Euler."""
     reached, size = _reached(best), _size(best.max_error, best.unit)
-    if not best.max_error < _BETTER * usual.max_error:  # also for nan
+    if not best.share < _BETTER * usual.share:  # also for nan
         return [say("study.no_better", **reached, size=size)]
     gain = {"less": _times_less(best, usual), "more": best.evaluations / usual.evaluations}
     told = [_told("study.best", _ratio(best, usual), **reached, **gain, size=size)]
-    if reaching := _steps_for(rows, best.max_error):
+    if reaching := _steps_for(rows, best.share):
         steps, within = reaching
         needed = _round(steps)
         if within:
             needed = say("study.between", needed=needed, low=_whole(within[0]), high=_whole(within[1]))
-        if math.sqrt(steps) * _UNIT > best.max_error:
+        if math.sqrt(steps) * _UNIT > best.share:
             told.append(say("study.never", **reached, needed=needed))
         else:
             more, time = _round(steps / best.evaluations), _predicted(rows, steps, best)
@@ -94,15 +94,15 @@ def unsettled(rows: Sequence[StudyRow], floor: float, *, broken: bool = False) -
     told = []
     for scheme in SCHEMES.values():
         own = _finished(rows, title_of(scheme))
-        if own and own[-1].max_error <= own[-1].evaluations * floor / ROUNDINGS:
+        if own and own[-1].share <= own[-1].evaluations * floor / ROUNDINGS:
             continue  # the round-off of the steps grows with their number
-        local = local_slopes([row.evaluations for row in own], [row.max_error for row in own], floor)
+        local = local_slopes([row.evaluations for row in own], [row.share for row in own], floor)
         is_odd = are_odd(local, scheme.order)
         if len(local) > 1 and (is_odd or abs(local[-1] - local[-2]) > SETTLED):
             told.append(say("study.slopes", method=title_of(scheme), first=local[-2], last=local[-1]))
         elif is_odd:
             told.append(say("study.one_slope", method=title_of(scheme), slope=local[0]))
-        elif not local and len(own) > 1 and own[-1].max_error > 10 * floor:
+        elif not local and len(own) > 1 and own[-1].share > 10 * floor:
             told.append(say("study.no_slope", method=title_of(scheme)))
     return (say("study.broken" if broken else "study.unsettled", methods=tuple(told)),) if told else ()
 
@@ -115,30 +115,30 @@ def _finished(rows: Sequence[StudyRow], method: str) -> list[StudyRow]:
     return [row for row in rows if row.method == method and not row.failed]
 
 
-def _steps_for(rows: Sequence[StudyRow], error: float) -> tuple[float, tuple[int, int] | None] | None:
-    """Return the Euler steps that reach `error`, interpolated on logarithms, and the two runs between which they lie.
+def _steps_for(rows: Sequence[StudyRow], share: float) -> tuple[float, tuple[int, int] | None] | None:
+    """Return the Euler steps that reach an error of `share`, interpolated on logarithms, and the two runs between which they lie.
 
-    Beyond the finest run the error is assumed to fall as 1/steps; there the second value is None.  None if no run reaches the
-    error.
+    Beyond the finest run the error is assumed to fall as 1/steps; there the second value is None.  None if no run reaches
+    it.
     """
     usual = _finished(rows, title_of(DEFAULT_SCHEME))
     last = usual[-1]
-    if 0 < error < last.max_error:
-        return last.evaluations * last.max_error / error, None
-    place = next((place for place, row in enumerate(usual) if row.max_error <= error), None)
+    if 0 < share < last.share:
+        return last.evaluations * last.share / share, None
+    place = next((place for place, row in enumerate(usual) if row.share <= share), None)
     if place is None:
         return None
     fine, coarse = usual[place], usual[place - 1]
-    if not place or not 0 < fine.max_error < coarse.max_error:
+    if not place or not 0 < fine.share < coarse.share:
         return float(fine.evaluations), None
-    part = math.log(coarse.max_error / error) / math.log(coarse.max_error / fine.max_error)
+    part = math.log(coarse.share / share) / math.log(coarse.share / fine.share)
     steps = coarse.evaluations * (fine.evaluations / coarse.evaluations) ** part
     return steps, (coarse.evaluations, fine.evaluations)
 
 
 def _times_less(row: StudyRow, other: StudyRow) -> str:
     """Return how many times smaller the error of `row` is than that of `other`."""
-    return _round(other.max_error / row.max_error if row.max_error else math.inf)
+    return _round(other.share / row.share if row.share else math.inf)
 
 
 def _told(key: str, time: dict[str, object], **values: object) -> Sentence:

@@ -73,7 +73,9 @@ def make_study(
         *unsettled(rows, floor, broken=_is_broken(problem, rows)),
     )
     where = machine() if timed else {}
-    return AccuracyStudy(tuple(rows), orders, own, floor, label, told, tuple(overhead), timed, where, left_out(problem, bounds))
+    return AccuracyStudy(
+        tuple(rows), orders, own, floor * rows[0].size, label, told, tuple(overhead), timed, where, left_out(problem, bounds)
+    )
 
 
 @caching
@@ -92,16 +94,21 @@ class _Reference:
         """Return the largest difference of the two (rad or m)."""
         return float(np.max(np.abs(self.refined - self.exact)))
 
+    @cached_property
+    def _apart(self) -> float:
+        """Return the largest difference of the two as a share (rad or sizes of the mechanism)."""
+        return float(np.max(np.abs(self.refined - self.exact) / self.problem.rates.sizes))
+
     @property
     def is_same(self) -> bool:
         """Return whether the two are one motion."""
-        return bool(np.all(np.abs(self.refined - self.exact) < SAME * self.problem.rates.sizes))
+        return self._apart < SAME
 
     @property
     def floor(self) -> float:
-        """Return the smallest error that can be measured: none below the difference of two references."""
-        size = max(float(np.max(self.problem.rates.sizes)), float(np.max(np.abs(self.rows[0]))))
-        return max(ROUNDINGS * float(np.finfo(float).eps) * size, self.agreement if self.is_same else 0.0)
+        """Return the smallest share that can be measured as an error: none below the difference of two references."""
+        most = max(1.0, float(np.max(np.abs(self.rows[0]) / self.problem.rates.sizes)))
+        return max(ROUNDINGS * float(np.finfo(float).eps) * most, self._apart if self.is_same else 0.0)
 
     @cached_property
     def rows(self) -> dict[int, Array]:
@@ -138,10 +145,11 @@ def _row(trial: Trial, reference: _Reference, before: Sequence[StudyRow], *, tim
     first = before[0].seconds if before else spent
     ratio = spent / first if spent and first else None
     columns, last = np.max(gaps, axis=0), gaps[-1]
-    units = reference.problem.units
+    units, sizes = reference.problem.units, reference.problem.rates.sizes
+    worst, end = int(np.argmax(columns / sizes)), int(np.argmax(last / sizes))
     return StudyRow(
-        trial.method, trial.setting, evaluations, float(np.max(columns)), float(np.max(last)), spent, "",
-        units[int(np.argmax(columns))], units[int(np.argmax(last))], ratio,
+        trial.method, trial.setting, evaluations, float(columns[worst]), float(last[end]), spent, "",
+        units[worst], units[end], ratio, float(sizes[worst]), float(sizes[end]),
     )  # fmt: skip
 
 

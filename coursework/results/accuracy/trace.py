@@ -52,8 +52,8 @@ def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float
     return float(-np.polyfit(x, y, 1)[0])
 
 
-def orders_of(rows: Sequence[StudyRow], floor: float, least: float, *, end: bool = False, scale: float = 1.0) -> dict[str, float]:
-    """Return method -> measured order for each method with steps whose order exceeds `least`; errors are divided by `scale`.
+def orders_of(rows: Sequence[StudyRow], floor: float, least: float, *, end: bool = False) -> dict[str, float]:
+    """Return method -> measured order for each method with steps whose order exceeds `least`; `floor` is a share of the size.
 
     Two points always lie on a line, and three may by luck: an order is measured only where the scheme can have it.
     """
@@ -61,10 +61,10 @@ def orders_of(rows: Sequence[StudyRow], floor: float, least: float, *, end: bool
     found = {}
     for method in dict.fromkeys(row.method for row in rows):
         own = [row for row in rows if row.method == method and not row.failed and row.steps_or_tolerance.isdigit()]
-        sizes = [(row.end_error if end else row.max_error) / scale for row in own]
+        shares = [row.end_error / row.end_size if end else row.share for row in own]
         costs = [row.evaluations for row in own]
-        measured = slope(costs, sizes, floor / scale)
-        is_odd = not end and are_odd(local_slopes(costs, sizes, floor / scale), known.get(method))
+        measured = slope(costs, shares, floor)
+        is_odd = not end and are_odd(local_slopes(costs, shares, floor), known.get(method))
         if measured is not None and measured > least and not is_odd:
             found[method] = measured
     return found

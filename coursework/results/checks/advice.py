@@ -65,7 +65,7 @@ class Advice:
             better = say("advice.scheme", scheme=self.scheme, title=title, share=percent(self.share))
         if self.step is None:
             return say("advice.take", what=better)
-        key = "advice.step" if self.option[:1].isdigit() else "advice.step_seconds"
+        key = "advice.step_seconds" if "h" in self.option else "advice.step"
         finer = say(key, option=self.option, step=self.step)
         take = say("advice.take", what=joined([finer, better], "advice.or"))
         if self.jumped is None:
@@ -227,5 +227,6 @@ def _spelled(evidence: Evidence, parts: int) -> tuple[str, float]:
     from fractions import Fraction  # imported here, as few runs have such a step
 
     share = Fraction(step / own).limit_denominator(_LARGEST_PART)
-    named, exact = f"{share.numerator}h/{share.denominator}", own * share.numerator / share.denominator
+    exact = own * share.numerator / share.denominator
+    named = f"{share.numerator}h/{share.denominator}" if share.denominator > 1 else repr(exact)
     return (named, exact) if abs(exact / step - 1) < 1e-12 and len(named) < len(repr(step)) else (repr(step), step)

@@ -32,9 +32,9 @@ Fact = TypeVar("Fact")
 NEAR_PERIOD = 0.01
 # The scale of a column is at least OF_SIZE of a rate's largest size and OF_UNIT of the largest range in its unit.
 OF_SIZE, OF_UNIT = 0.1, 0.05
-# A smaller error (rad, m, or per second) counts as none, whatever the scale: two exact motions differ by as much.
+# A smaller error (rad, sizes of the mechanism, or per second) counts as none: two exact motions differ by as much.
 NO_ERROR = 1e-10
-# The scale of a column at rest in a mechanism at rest: any error that counts is then off the scale.
+# The scale (rad or sizes) of a column at rest in a mechanism at rest: any error that counts is then off the scale.
 STILL = 1e-9
 # Products of doubles below this have fewer than sixteen digits: their differences mean nothing.
 NO_DIGITS = float(np.finfo(float).tiny / np.finfo(float).eps)
@@ -148,7 +148,12 @@ class Evidence:
         ]
         sizes = np.max(np.abs(rows), axis=0)
         sizes[: len(exact.coordinate_names)] = 0.0
-        return dict(zip(exact.names, scales_of(spreads, sizes.tolist(), units, STILL), strict=True))
+        still = [STILL / NO_ERROR * self.least(name) for name in exact.names]
+        return dict(zip(exact.names, scales_of(spreads, sizes.tolist(), units, still), strict=True))
+
+    def least(self, name: str) -> float:
+        """Return the error (unit of a column) below which it counts as none."""
+        return NO_ERROR * float(self.equations.units([name])[0])
 
     @cached_property
     def scales(self) -> Array:
@@ -172,7 +177,7 @@ class Evidence:
         if np.any(np.abs(gap[:, self.angles]) >= np.pi / 2):  # with smaller gaps no angle is a turn off
             jumps = np.diff(gap[:, self.angles], axis=0, prepend=0.0)
             gap[:, self.angles] -= np.cumsum(whole_turns(jumps), axis=0)
-        return np.where(np.abs(gap) < NO_ERROR, 0.0, gap) / self.scales
+        return np.where(np.abs(gap) < [self.least(name) for name in self.names], 0.0, gap) / self.scales
 
     @cached_property
     def residuals(self) -> tuple[tuple[str, ...], Array]:
@@ -190,12 +195,12 @@ class Evidence:
         return system.names, shares
 
 
-def scales_of(spreads: Sequence[float], sizes: Sequence[float], units: Sequence[str], still: float) -> list[float]:
+def scales_of(spreads: Sequence[float], sizes: Sequence[float], units: Sequence[str], still: Sequence[float]) -> list[float]:
     """Return max(R, 0.1 A, 0.05 U, still) of each column: R its range, A its size, U the widest range of its unit."""
     widest = {unit: max(spread for spread, other in zip(spreads, units, strict=True) if other == unit) for unit in set(units)}
     return [
-        max(spread, OF_SIZE * size, OF_UNIT * widest[unit], still)
-        for spread, size, unit in zip(spreads, sizes, units, strict=True)
+        max(spread, OF_SIZE * size, OF_UNIT * widest[unit], least)
+        for spread, size, unit, least in zip(spreads, sizes, units, still, strict=True)
     ]
 
 

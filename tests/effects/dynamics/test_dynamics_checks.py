@@ -22,7 +22,8 @@ def test_a_velocity_that_only_rounds_is_measured_by_the_fastest_of_its_unit(size
     motion = SimpleNamespace(
         coordinate_names=("p", "q", "s"), velocity_names=("w1", "w2", "u"), coordinates=rates, velocities=rates, step=0.1
     )
-    units = SimpleNamespace(unit_of={"p": "rad", "q": "rad", "s": "m", "w1": "rad/s", "w2": "rad/s", "u": "m/s"}.get)
+    unit = {"p": "rad", "q": "rad", "s": "m", "w1": "rad/s", "w2": "rad/s", "u": "m/s"}
+    units = SimpleNamespace(unit_of=unit.get, given=())
     assert _scales(motion, units, 2)[3:] == pytest.approx([2.0, scale, 3.0])
 
 

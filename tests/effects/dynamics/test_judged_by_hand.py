@@ -214,7 +214,7 @@ def test_a_step_is_divided_until_a_run_takes_more_than_6400_slopes(scheme, steps
 @pytest.mark.parametrize("ended", ["", "dead point"])
 def test_a_trial_that_ends_early_has_no_error(ended):
     tried = SimpleNamespace(ended=ended, row=7, slopes=40, energy=np.array([5.0, 1.0, 4.5]))
-    row = _row(EULER, tried, np.array([5.0, 4.0, 4.0]), 2)
+    row = _row(EULER, tried, np.array([5.0, 4.0, 4.0]), 2, 1.0)
     assert row.failed == (say("study.cut_off", row=7) if ended else "")
     found = (row.evaluations, row.max_error, row.end_error)
     assert found == pytest.approx((0, np.nan, np.nan) if ended else (40, 3.0, 0.5), nan_ok=True)

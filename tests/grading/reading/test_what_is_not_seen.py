@@ -148,8 +148,7 @@ def test_a_document_of_nothing_but_pictures_says_so(part: str) -> None:
 
 def test_so_much_of_a_text_is_looked_through_for_equations_and_what_is_behind_is_counted() -> None:
     for before, found, unread in ((1_000_000 - len(EQUATION), 1, 0), (1_000_000 - len(EQUATION) + 1, 0, 1), (1_000_000, 0, 1)):
-        said = read_lines(" " * (before - 1) + "
-" + EQUATION, "a", expected())
+        said = read_lines(" " * (before - 1) + "\n" + EQUATION, "a", expected())
         assert (len(said.equations), said.unread) == (found, unread)
 
 

@@ -200,9 +200,17 @@ def test_an_error_four_times_smaller_than_the_order_foretells_may_be_luck(share,
     (0.03, 0.02, 0.03, 3, ("h/2", 0.01)), (0.02, 0.03, 0.02, 1, ("0.02", 0.02)),
     (0.02, 0.03, 0.02, 3, ("2h/9", 0.03 * 2 / 9)), (0.015, 0.02, 0.015, 7, ("3h/28", 0.02 * 3 / 28)),
     (0.019997, 0.02, 0.019997, 3, ("0.006665666666666667", 0.019997 / 3)),
+    (0.0375, 0.0125, 0.0375, 3, ("0.0125", 0.0125)), (0.075, 0.0125, 0.075, 3, ("0.025", 0.025)),
     (0.02, 0.02 * (1 + 0.9e-12), 0.02, 2, ("h/2", 0.01 * (1 + 0.9e-12))), (0.02, 0.02 * (1 + 1.1e-12), 0.02, 2, ("0.01", 0.01)),
 ])  # fmt: skip
 def test_a_step_is_told_as_a_part_of_that_of_the_file_if_it_is_one(step, own, time_step, parts, told):
     time = SimpleNamespace(own_step=own, step=time_step)
     evidence = SimpleNamespace(motion=SimpleNamespace(step=step), variant=SimpleNamespace(time=time))
     assert advice._spelled(evidence, parts) == told
+
+
+@pytest.mark.parametrize(("option", "told"), [
+    ("h/26", "Take --step h/26 (0.00123 s)."), ("5h/104", "Take --step 5h/104 (0.00123 s)."), ("0.00123", "Take --step 0.00123."),
+])  # fmt: skip
+def test_a_part_of_the_step_is_told_in_seconds_too(option, told):
+    assert str(advice.Advice(option, 0.00123, "", 0.0).sentence) == told

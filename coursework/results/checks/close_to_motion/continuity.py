@@ -15,7 +15,7 @@ from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.geometry.drives.drive import breaks
 from coursework.motion.integration.exact_motion import refine
 from coursework.motion.integration.hermite import hermite
-from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, worst
+from coursework.results.checks.evidence import LIMIT, Evidence, worst
 from coursework.results.checks.result import Finding, percent, skipped
 from coursework.system.angles import whole_turns
 
@@ -111,7 +111,8 @@ class _Brackets(NamedTuple):
     def shares(self, evidence: Evidence) -> Array:
         change = self.high - self.low
         change = np.abs(np.where(evidence.angles[self.column], change - whole_turns(change), change))
-        return np.where(change < NO_ERROR, 0.0, change / evidence.scales[self.column])
+        least = np.array([evidence.least(name) for name in evidence.names])
+        return np.where(change < least[self.column], 0.0, change / evidence.scales[self.column])
 
 
 def _suspects(evidence: Evidence) -> _Brackets:

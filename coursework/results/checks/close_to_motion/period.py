@@ -26,7 +26,7 @@ from coursework.results.checks.close_to_motion.several_periods import (
     missed,
     share_of,
 )
-from coursework.results.checks.evidence import LIMIT, NEAR_PERIOD, NO_ERROR, Evidence
+from coursework.results.checks.evidence import LIMIT, NEAR_PERIOD, Evidence
 from coursework.results.checks.result import Finding, percent, skipped
 from coursework.system.angles import whole_turns
 from coursework.system.frozen import frozen
@@ -104,11 +104,11 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
             return skipped(evidence.say("check.PERIOD.unstated"))
     elif (wrong := _wrong(evidence, [split.name for split in chosen])) is not None:
         return _judged_later(evidence, code, names) or replace(wrong, is_news=wrong.verdict == "SKIP" and code == POSITION)
-    shares = {split.name: share_of(split.total, scale[split.name]) for split in chosen}
+    shares = {split.name: share_of(split.total, scale[split.name], evidence.least(split.name)) for split in chosen}
     worst = max(chosen, key=lambda split: shares[split.name])
     value, row = shares[worst.name], evidence.period_row
     assert row is not None
-    first, last = (0.0 if abs(end) < NO_ERROR else end for end in (worst.first, worst.last))
+    first, last = (0.0 if abs(end) < evidence.least(worst.name) else end for end in (worst.first, worst.last))
     found = {
         "which": evidence.say(f"check.{code}.which", name=worst.name), "share": percent(value, LIMIT), "row": row + 1,
         "first": first, "last": last, "gap": abs(worst.total), "unit": worst.unit, "scale": scale[worst.name],
@@ -118,7 +118,7 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     else:
         alike = "near" if f"{first:.6g}" == f"{last:.6g}" else "pass"  # two numbers that read alike are not called different
         told = [evidence.say(f"check.PERIOD.{alike if value <= LIMIT else 'coarse'}", **found)]
-    late = share_of(worst.period, scale[worst.name])
+    late = share_of(worst.period, scale[worst.name], evidence.least(worst.name))
     if cannot_return := value > LIMIT and late > NEARLY * LIMIT and _is_beyond(evidence, worst.name):
         told.append(evidence.say("check.PERIOD.due", share=percent(late), period=evidence.period))
     if turned := [evidence.say("check.PERIOD.turns", number=split.turns, name=split.name) for split in chosen if split.turns]:

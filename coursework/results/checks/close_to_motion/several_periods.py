@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from coursework.motion.integration.finer import exact_at
-from coursework.results.checks.evidence import NO_ERROR, Evidence
+from coursework.results.checks.evidence import Evidence
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 from coursework.system.frozen import frozen
@@ -48,9 +48,9 @@ def after(evidence: Evidence, time: float) -> Array | None:
     return evidence.once(f"exact at {time!r}", lambda: exact_at(exact, evidence.rates, time))
 
 
-def share_of(size: float, scale: float) -> float:
-    """Return a difference as a share of the scale, 0 if it is too small to count."""
-    return 0.0 if abs(size) < NO_ERROR else abs(size) / scale
+def share_of(size: float, scale: float, least: float) -> float:
+    """Return a difference as a share of the scale, 0 if it is below the `least` that counts."""
+    return 0.0 if abs(size) < least else abs(size) / scale
 
 
 def ends(evidence: Evidence, row: Array, name: str) -> tuple[float, float]:
@@ -63,7 +63,7 @@ def ends(evidence: Evidence, row: Array, name: str) -> tuple[float, float]:
 def missed(evidence: Evidence, row: Array, name: str) -> float:
     """Return the share of its scale by which a column of an exact row misses its start, without whole turns."""
     first, last = ends(evidence, row, name)
-    return share_of(last - first, evidence.scale[name])
+    return share_of(last - first, evidence.scale[name], evidence.least(name))
 
 
 def _later(evidence: Evidence) -> Later | None:

@@ -14,7 +14,7 @@ from coursework.motion.geometry.closure import Closure
 from coursework.motion.geometry.gaps import gaps
 from coursework.motion.geometry.judging.rigid import bent_by_start
 from coursework.motion.integration.integrate import TOO_LARGE
-from coursework.results.checks.evidence import NO_ERROR, Evidence
+from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, skipped
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import on_axes, signed, spelled
@@ -52,8 +52,10 @@ def _moves(evidence: Evidence) -> bool:
     """Return whether a velocity is not zero in some row, or something has moved between two rows, in a pulse that none shows."""
     if np.any(evidence.motion.velocities):
         return True
-    rows = [motion.coordinates for motion in (evidence.motion, evidence.exact) if len(motion.t)]
-    return any(np.max(np.ptp(each, axis=0)) > NO_ERROR for each in rows)
+    rows = [motion for motion in (evidence.motion, evidence.exact) if len(motion.t)]
+    return any(
+        np.any(np.ptp(each.coordinates, axis=0) > [evidence.least(name) for name in each.coordinate_names]) for each in rows
+    )
 
 
 def start(evidence: Evidence) -> Finding:

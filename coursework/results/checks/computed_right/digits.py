@@ -196,7 +196,9 @@ def _scales(evidence: Evidence, order: int) -> dict[str, float]:
         return {name: evidence.scale[name] for name in names}
     columns = [np.gradient(exact.column(name), exact.step) for name in names]
     spreads, sizes = [float(np.ptp(column)) for column in columns], [float(np.max(np.abs(column))) for column in columns]
-    return dict(zip(names, scales_of(spreads, sizes, [evidence.unit(name) for name in names], 1e-300), strict=True))
+    return dict(
+        zip(names, scales_of(spreads, sizes, [evidence.unit(name) for name in names], [1e-300] * len(names)), strict=True)
+    )
 
 
 def _touched(evidence: Evidence, scales: dict[str, float]) -> tuple[str, float]:

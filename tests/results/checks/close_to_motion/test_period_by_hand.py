@@ -110,7 +110,7 @@ def wheels(gain, late=1.0, second=None, run=100.0, slide=0.0, crank=2 * math.pi,
     variant = SimpleNamespace(driven_coordinates=coordinates[:1] if drives else [], known_rates=("w",), coordinates=coordinates)
     return SimpleNamespace(
         exact=exact, variant=variant, period=2.0, scale=dict.fromkeys(names, 1.0), unit=units.get, names=names, row=row,
-        motion=SimpleNamespace(t=np.array([0.0, run])),
+        motion=SimpleNamespace(t=np.array([0.0, run])), least=lambda name: 1e-10,
     )  # fmt: skip
 
 
@@ -144,7 +144,7 @@ def test_behind_twice_the_run_whole_turns_are_enough(run, is_back, monkeypatch):
 
 @pytest.mark.parametrize(("size", "share"), [(0.9e-10, 0.0), (-1.1e-10, 0.55e-10), (-3.0, 1.5)])
 def test_what_is_missed_by_round_off_is_not_missed(size, share):
-    assert several_periods.share_of(size, 2.0) == pytest.approx(share)
+    assert several_periods.share_of(size, 2.0, 1e-10) == pytest.approx(share)
 
 
 def test_whole_turns_of_an_angle_are_taken_off_and_those_of_a_length_are_not():

@@ -186,7 +186,14 @@ def later_of(monkeypatch, gain, second=None, slid=0.0):
     variant = SimpleNamespace(coordinates=listed, driven_coordinates=listed[:1], known_rates=())
     exact = SimpleNamespace(rows=np.zeros((1, 3)), coordinate_names=tuple(names))
     return several_periods._later(
-        SimpleNamespace(exact=exact, variant=variant, period=1.0, unit=names.get, scale=dict.fromkeys(names, 2 * np.pi))
+        SimpleNamespace(
+            exact=exact,
+            variant=variant,
+            period=1.0,
+            least=lambda name: 1e-10,
+            unit=names.get,
+            scale=dict.fromkeys(names, 2 * np.pi),
+        )
     )
 
 

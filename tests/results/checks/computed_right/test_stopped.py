@@ -15,10 +15,10 @@ from coursework.results.checks.computed_right.beginning import stopped
 def verdict(**changed: Any) -> str:
     motion = SimpleNamespace(stop=None, t=np.arange(4.0), velocities=np.ones((4, 1)), coordinates=np.ones((4, 1)))
     motion.__dict__.update({key: value for key, value in changed.items() if key in motion.__dict__ and key != "stop"})
-    motion.stop = changed.get("stopped")
+    motion.stop, motion.coordinate_names = changed.get("stopped"), ("q",)
     known: Any = SimpleNamespace(
         motion=motion, exact=SimpleNamespace(t=()), search=changed.get("search"), stop=changed.get("stop"),
-        restricted=changed.get("restricted", False),
+        restricted=changed.get("restricted", False), least=lambda name: 1e-10,
         variant=SimpleNamespace(motor=changed.get("motor"), time=SimpleNamespace(end=3.0)),
     )  # fmt: skip
     return stopped(known).verdict
