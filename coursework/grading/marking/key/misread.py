@@ -25,17 +25,21 @@ _BY_PI = ("deg", "rpm")  # units whose size in SI has π in it
 def misread(variant: Variant, equations: VelocityEquations, code: str) -> Variant | None:
     """Return the variant with one misconception in its formulas, None if it cannot be written into them.
 
-    "sign_drive" turns the sign of the drive, "cosine_drive" exchanges sine and cosine in it.  Degrees are taken for radians in
-    all formulas ("degree_mode"), in functions of time ("degree_drive") or of position ("degree_geometry").  "radian_mode" puts
-    positions in degrees where radians are expected, as in a spreadsheet.  "pi_rounded" takes π as 3.14 in formulas and units.
+    "sign_drive" turns the sign of the drive, "cosine_drive" exchanges sine and cosine in it; with the name of a law instead of
+    "drive" they do so in this law alone, if others would change too.  Degrees are taken for radians in all formulas
+    ("degree_mode"), in functions of time ("degree_drive") or of position ("degree_geometry").  "radian_mode" puts positions in
+    degrees where radians are expected, as in a spreadsheet.  "pi_rounded" takes π as 3.14 in formulas and units.
     `equations` are the variant's velocity equations: a student who derives them from the geometry puts positions into these, not
     into the geometry.
     """
-    if code == "sign_drive":
-        return _with_drive_turned(variant)
-    if code in {"cosine_drive", "pi_rounded"}:
-        exchanged = replace(variant, drive=tuple(law.rewritten(_exchanged) for law in variant.drive))
-        changed = exchanged if code == "cosine_drive" else _with_pi_rounded(variant)
+    fault, _, of = code.partition("_")
+    if fault in _IN_LAWS:
+        every = tuple(map(_IN_LAWS[fault], variant.drive))
+        drive = tuple(new if of in {"drive", law.name} else law for law, new in zip(variant.drive, every, strict=True))
+        is_told = drive == variant.drive or (of != "drive" and drive == every)
+        return None if is_told else replace(variant, drive=drive)
+    if code == "pi_rounded":
+        changed = _with_pi_rounded(variant)
         return None if changed == variant else changed
     if code == "degree_geometry" and _in_degrees(variant, drive=True, geometry=False) == variant:
         return None  # without a sine in the drive this is the same as "degree_mode"
@@ -77,9 +81,14 @@ def _pi_rounded(tree: Formula) -> Formula:
     return number(_ROUNDED_PI) if tree.op == "name" and tree.name == "pi" else mapped(tree, _pi_rounded)
 
 
-def _with_drive_turned(variant: Variant) -> Variant:
-    laws = [law.rewritten(lambda formula: Formula("neg", (formula,))) for law in variant.drive]
-    return replace(variant, drive=tuple(replace(law, table=tuple((at, -value) for at, value in law.table)) for law in laws))
+def _turned(law: Law) -> Law:
+    """Return the law with the other sign; 0 stays 0."""
+    turned = law.rewritten(lambda formula: formula if formula == number(0) else Formula("neg", (formula,)))
+    return replace(turned, table=tuple((at, -value) for at, value in law.table))
+
+
+# Faults of laws, by the word that their codes begin with.
+_IN_LAWS: dict[str, Callable[[Law], Law]] = {"sign": _turned, "cosine": lambda law: law.rewritten(_exchanged)}
 
 
 def _misread(variant: Variant, code: str) -> Variant:

@@ -20,9 +20,9 @@ LONGEST = 300  # characters of a text that came from a student
 # Codes that begin with one of these end in the name of a datum, velocity, column …
 _NAMED = (
     "rounded_omega", "confusion", "equation", "variant", "origin", "start", "datum", "swap",
-    "sign", "row_above", "row_below", "column_slipped",
+    "sign", "cosine", "row_above", "row_below", "column_slipped",
 )  # fmt: skip
-_WHOLE = ("sign_drive",)
+_WHOLE = ("sign_drive", "cosine_drive")
 
 
 @frozen

@@ -16,6 +16,7 @@ from coursework.grading.marking.key.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes import misconceptions as causes
 from coursework.grading.marking.table.causes.hypotheses import (
+    COSINE,
     DEGREE_STEPS,
     NO_VELOCITIES,
     OTHER_STEP,
@@ -36,7 +37,7 @@ from coursework.grading.marking.table.untold import ramp
 from coursework.system.arrays import Array
 from coursework.variant.formula.units import size_of
 
-_SLIPS = ("equation_", "sign_drive", "cosine_drive", "clockwise", NO_VELOCITIES)
+_SLIPS = ("equation_", "sign_drive", COSINE, "clockwise", NO_VELOCITIES)
 # Causes of a table that was worked out with fewer digits: velocities rounded before each step, π as 3.14; the worth of its cells.
 _COARSER, ROUNDED = (ROUNDED_OMEGA, PI_ROUNDED), 0.98
 
@@ -55,6 +56,7 @@ _DATA, _SWAPPED = (DATUM, "confusion_"), "swap_"
 _DIGITS_OFF = 0.05  # a datum that is off by less has digits wrong: no slip in an equation does the same
 # What was printed otherwise, of a column or two, while all that was made from it is right.
 _IN_PRINT = (SIGN, SWAPPED_COLUMNS, ROW_BELOW)
+_LESS = 0.05  # of a table that a slip explains better by this part, nothing is so in print only
 _NO_SLIPS = (_SWAPPED, DATA_ROUNDED, "variant_", OWN, "other_drive")
 
 
@@ -105,6 +107,8 @@ def _by_explanation(key: Key, rubric: Rubric, points: TablePoints, fits: Sequenc
         is_near = fit.code == DATA_ROUNDED or (ratio is not None and abs(ratio - 1) < _DIGITS_OFF)
         if fit.beyond_euler and ((ratio is not None and ratio < 0) or fit.code.startswith(SIGN)):  # one sign is a single slip
             worth = max(worth, rubric.own_equations_floor)
+        if fit.in_print and fit.code.startswith(_IN_PRINT):  # where a slip explains more, all was made with it
+            worth -= max(worth - rubric.own_equations_floor, 0.0) * ramp(most - fit.share, TIE, _LESS)
         if fit.beyond_euler and fit.code in _OTHER_RULES:
             worth += max(rubric.steps_floor - worth, 0.0) * ramp(fit.share, _PARTLY, NAMED)
         # Some angle makes nearly the table of a slip, as pi - alpha does: its digits are wrong only where it explains more.

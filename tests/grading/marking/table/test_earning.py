@@ -54,6 +54,9 @@ def fit_of(text: str) -> Fit:
     ("radian_mode 0.9", [0.4]), ("radian_mode 0.9 phi1", [0.95]), ("radian_mode 0.9 phi1 phi2", [0.6]),
     ("=swapped_columns 0.95", [0.95]), ("=swapped_columns 0.8", [0.4]), ("swapped_columns 0.95", [0.4]), ("sign_w3 0.95", [0.5]),
     ("=sign_w3 0.95", [0.95]), ("=sign_w3 0.8", [0.5]),
+    # what is so in print only, if no slip explains more: from half a per cent of the table to 5 % it becomes a slip
+    ("=sign_w3 0.94; equation_16 0.945", [0.95, 0.5]), ("=sign_w3 0.94; equation_16 0.9675", [0.725, 0.5]),
+    ("=sign_w3 0.94; equation_16 0.99", [0.5, 0.5]), ("=sign_w3 0.94; datum_V1 0.99 4 m/s", [0.95, 0.95]),
 ])  # fmt: skip
 def test_the_worth_of_a_cell_by_each_explanation(fits: str, worth: list[float]) -> None:
     found = [*_by_explanation(KEY, Rubric(), POINTS, [*map(fit_of, fits.split("; "))])]

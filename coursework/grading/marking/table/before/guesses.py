@@ -36,6 +36,8 @@ Counts = NDArray[np.intp]
 _AGREE, FEW = 2, 0.5
 # Newton steps in the search for an earlier value, and the difference over which its slopes are taken.
 _ROUNDS, _DIFFERENCE = 8, 1e-6
+# How often coordinates are computed back from those of the next row.
+_BACK = 4
 # An angle is searched for from so many places of a turn, as a misprint may lie anywhere; so many cells of a row are tried.
 _AROUND, _TRIED = 8, 3
 
@@ -56,10 +58,15 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
     # Rows in which one cell may tell what another was, as what follows from there makes cells of the next row right.
     alone = makes & np.append(makes[1:] & ~wrong[1:, m:].any(axis=1), False) & (makes.mean() <= FEW)
     if rows.any():  # several coordinates of a row may be misprints: as the next row has them
-        values, back = was.values.copy(), was.values[1:, :m] - key.stride * was.values[:-1, m : 2 * m]
-        broken = (other & rows[:, None])[:-1, :m] & np.isfinite(back) & ~own.step.holds(was.values)[1:, :m]
-        values[:-1, :m][broken] = back[broken]
-        yield replace(was, values=values)
+        values, rates = was.values.copy(), was.values[:, m : 2 * m]
+        broken = (other & rows[:, None])[:-1, :m] & ~own.step.holds(was.values)[1:, :m]
+        for place in range(_BACK):  # by the velocities as printed, then by those that the coordinates make
+            back = was.values[1:, :m] - key.stride * rates[:-1]
+            moved = broken & (np.abs(back - was.values[:-1, :m]) > was.units[:-1, :m])
+            values[:-1, :m] = np.where(moved, back, was.values[:-1, :m])
+            if place in (0, _BACK - 1):
+                yield replace(was, values=values.copy())
+            rates = np.where(other[:, m : 2 * m], key.velocities_at(key.t, values[:, :m])[:, :m], rates)
     for some, least in ((rows, _AGREE), (alone, 1)):
         for values, units in agreed(key, was, own, wrong, other & some[:, None], least) if some.any() else ():
             told = np.isfinite(values)

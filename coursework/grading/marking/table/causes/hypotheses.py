@@ -34,7 +34,7 @@ OTHER_STEP, DEGREE_STEPS, STEPS_IN_DEGREES = "other_step", "degree_steps", "step
 # An implicit step is iterated at most so often, until it changes by less than _STANDS (rad or m).
 _REPEATED, _STANDS = 100, 1e-10
 Velocities = Callable[[Array, Array], Array]
-PI_ROUNDED, RADIAN_MODE, NO_VELOCITIES = "pi_rounded", "radian_mode", "no_velocities"
+COSINE, PI_ROUNDED, RADIAN_MODE, NO_VELOCITIES = "cosine_", "pi_rounded", "radian_mode", "no_velocities"
 MISREAD = ("sign_drive", "cosine_drive", "degree_mode", "degree_drive", "degree_geometry", RADIAN_MODE, PI_ROUNDED)
 
 
@@ -258,7 +258,7 @@ def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Cla
     if len(key.blocks) > 1:
         yield printed.claim("new_phi", None, printed.velocities(moved, spread))
     found, tolerance = printed.true_velocities
-    for code in MISREAD:
+    for code in (*MISREAD, *(f"{fault}{law.name}" for fault in (SIGN, COSINE) for law in key.variant.drive)):
         if code not in apart and (velocities := key.misread(code)):
             yield from printed.velocity_claim(code, velocities)
             if (handed_in := printed.with_turns) is not None:  # a whole turn is none in degrees

@@ -124,8 +124,8 @@ def test_guesses_are_the_next_row_what_cells_agree_on_and_what_the_rows_above_ma
     key, was, own = seen(SIMPLE, {(1, 0): 7.0})
     wrong, other = flags((1, 1), (1, 2)), flags((1, 0))
     about = {(1, 0): pytest.approx(1.2)}
-    assert values_of(key, was, own, wrong, other, flags((1, 0))) == [about] * 4  # of all columns, and of the one coordinate
-    assert values_of(key, was, own, wrong, other, flags()) == [about] * 2
+    assert values_of(key, was, own, wrong, other, flags((1, 0))) == [about] * 5  # of all columns, and of the one coordinate
+    assert values_of(key, was, own, wrong, other, flags()) == [about] * 3
     assert values_of(key, was, own, flags((1, 1)), other, flags((1, 0))) == [about] * 2
 
 

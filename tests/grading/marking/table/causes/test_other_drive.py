@@ -1,14 +1,18 @@
 """A drive by another law than the task's, printed as a column: all that follows from it is worth as much as with other data."""
 
+import re
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+import coursework
+from coursework.grading.marking.reasons.table import table_reasons
+from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.table.causes.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.causes.other_drive import other_drive
 from coursework.variant.reading.reader import parse_variant
-from tests.grading.marking.machines import SLIDER_CRANK, Machine
+from tests.grading.marking.machines import PULLED_BARS, SLIDER_CRANK, Machine
 from tests.grading.marking.table.causes.test_clockwise import GEARED
 from tests.grading.marking.table.desks import Desk, codes, with_a_steady_drive
 from tests.grading.marking.table.test_cells import printed_exactly
@@ -94,3 +98,29 @@ def test_a_velocity_tells_the_drive_where_that_has_a_twentieth_of_its_most_in_it
     printed.with_spread = lambda at: (at(None), np.zeros(own.shape))
     (claim,) = other_drive(printed)
     assert claim.expected == pytest.approx(1.3 * driven if felt else np.where([[False], [True], [False]], driven, 1.3 * driven))
+
+
+EXCHANGED = {"sin": "cos", "cos": "sin"}
+FAULTS = {"cosine": lambda law: re.sub("sin|cos", lambda found: EXCHANGED[found[0]], law), "sign": "-({})".format}
+SAID = {"cosine": "in {}, sine and cosine were exchanged.", "sign": "{} has the other sign."}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("name", ["v107", pytest.param("v112", marks=pytest.mark.long), "pulled-bars"])
+def test_a_slip_in_one_of_two_laws_is_told_with_its_name_and_costs_what_it_costs_in_both(name, fault):
+    """Sine for cosine in one of them was not known and had nothing."""
+    desk = Desk(coursework.load(name) if name.startswith("v") else parse_variant(PULLED_BARS, "own.toml", {}))
+    assert codes(desk.marked(desk.machine.table())[1]) == ()
+    for wrong, law in desk.machine.laws.items():
+        found, marks = desk.marked(Machine(desk.variant, drive={wrong: FAULTS[fault](law)}).table(), digits=5)
+        assert (codes(marks)[0], found) == (f"{fault}_{wrong}", pytest.approx(30, abs=0.5))
+        told = [str(reason.text) for reason in table_reasons(desk.key, marks, Rubric(), found, 60.0)]
+        assert any(text.endswith(SAID[fault].format(wrong)) for text in told)
+
+
+def test_where_only_one_law_moves_the_drive_is_told():
+    """In 31 the other law is 0."""
+    desk = Desk(coursework.load("31"))
+    for fault, wrong in FAULTS.items():
+        drive = {"VMy": wrong(desk.machine.laws["VMy"])}
+        assert codes(desk.marked(Machine(desk.variant, drive=drive).table())[1])[0] == f"{fault}_drive"
