@@ -22,6 +22,20 @@ def test_an_angle_of_the_file_in_degrees_is_read_in_degrees():
     assert "become singular: sin(89.25° + psi) = 0, with psi = 1.58389 rad = 90.75°" in told
 
 
+def test_where_every_coordinate_is_driven_no_position_equation_is_missed():
+    text = """format = 1
+title = "A rope over two cranks"
+given = { r = "1 m", w = "2 1/s" }
+drive = { w1 = "w", w2 = "2*w" }
+coordinates = { a = { start = "0 rad", rate = "w1" }, b = { start = "0 rad", rate = "w2" } }
+unknowns = { v = "m/s" }
+time = { step = "0.01 s", end = "0.1 s" }
+constraint = [{ name = "1", because = "the rope", equation = "v - r*w1*cos(a) - r*w2*cos(b) = 0" }]
+"""
+    Path("own.toml").write_text(text, encoding="utf-8")
+    assert "\nThe drives place every coordinate: no position equation is needed.\n" in call("check", "own.toml").stdout
+
+
 @pytest.mark.parametrize(("name", "determinant", "closing"), [("31", "r2*r1*sin(phi1 - phi2)", 3), ("example-4", "s2", 2)])
 def test_the_determinant_of_two_velocities_has_the_sign_of_the_page(name, determinant, closing):
     told = call("check", name).stdout

@@ -47,9 +47,7 @@ def contours_of(mechanism: Mechanism) -> tuple[Contour, ...]:
         if not one.is_closure:
             continue
         left, right = _without_zeros(one.left), _without_zeros(one.right)
-        left_parts, right_parts = _parts(left, points, moved), _parts(right, points, moved)
-        if left_parts is not None and right_parts is not None:
-            found.append(Contour(one.name, left, right, left_parts, right_parts))
+        found.append(Contour(one.name, left, right, _parts(left, points, moved), _parts(right, points, moved)))
     return tuple(found)
 
 
@@ -69,8 +67,8 @@ def _quarters(angle: Formula) -> int | None:
     return round(turned) % 4 if abs(turned - round(turned)) < RIGHT else None
 
 
-def _parts(formula: Formula, points: Mapping[str, Formula], moved: set[str]) -> Pair | None:
-    """Return the components of a vector, None if the formula is no vector."""
+def _parts(formula: Formula, points: Mapping[str, Formula], moved: set[str]) -> Pair:
+    """Return the components of a vector; those of a factor beside it are the factor itself."""
     if formula.op == "name" and formula.name in points:
         if formula.name not in moved:
             return _parts(points[formula.name], points, moved)
@@ -85,17 +83,17 @@ def _parts(formula: Formula, points: Mapping[str, Formula], moved: set[str]) -> 
             return (ZERO, far) if quarters % 2 else (far, ZERO)
         cosine, sine = (Formula("*", (length, Formula("call", (angle,), function))) for function in ("cos", "sin"))
         return cosine, sine
+    if formula.op not in {"neg", "+", "-", "*", "/"}:
+        return formula, formula
+    (x, *other_x), (y, *other_y) = zip(*[_parts(arg, points, moved) for arg in formula.args], strict=True)
     if formula.op == "neg":
-        inner = _parts(formula.args[0], points, moved)
-        return None if inner is None else (_negative(inner[0]), _negative(inner[1]))
-    if formula.op in {"+", "-"}:
-        both = [_parts(arg, points, moved) for arg in formula.args]
-        if both[0] is None or both[1] is None:
-            return None
-        pairs = zip(both[0], both[1], strict=True)
-        x, y = (sum_of(formula.op, first, second) for first, second in pairs)
-        return x, y
-    return None
+        return _negative(x), _negative(y)
+    join = sum_of if formula.op in {"+", "-"} else _scaled
+    return join(formula.op, x, *other_x), join(formula.op, y, *other_y)
+
+
+def _scaled(sign: str, first: Formula, second: Formula) -> Formula:
+    return ZERO if ZERO in {first, second} else Formula(sign, (first, second))
 
 
 def _negative(formula: Formula) -> Formula:

@@ -233,8 +233,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
     try:
         values = np.array(function(0.0, *start), dtype=float)[: len(positions)]
     except (ArithmeticError, ValueError) as error:
-        listed = ", ".join(_without_value(equations, wanted, start))
-        told = say("fault.V311", names=listed, error=str(error))
+        told = say("fault.V311", names=", ".join(_without_value(equations, wanted, start)))
         raise InputError([Fault(told, variant.file, variant.nearest_line("closure"))]) from error
     origin = np.where([position.target == "zero" for position in positions], 0.0, values)
     followed = tuple("" if position.target in {"zero", "start"} else position.target for position in positions)

@@ -75,10 +75,10 @@ class Row:
     q: Array
 
     def broken(self, what: str, step: float) -> Stop:
-        """Return the stop of a row that is not finite; `what` is the key of the reason."""
+        """Return the stop of a row that is not finite; `what` is the reason."""
         if self.has_outgrown:  # then the values fail because of the rows before
             return self._stop(TOO_LARGE, {}, self._cause(say("event.overflow")), say("event.smaller_step"))
-        return self._stop("not finite", {}, self._cause(say(what)), say("event.rows_kept", step=step))
+        return self._stop("not finite", {}, self._cause(what), say("event.rows_kept", step=step))
 
     def stepped_over(self, rates: Rates, old: float, new: float, step: float) -> Stop:
         """Return the stop of a row before which a determinant has changed its sign."""
@@ -169,12 +169,12 @@ class March:
             here = Row(index, t, q)
             try:
                 values = rates.evaluate(t, *q.tolist())
-            except (ZeroDivisionError, ValueError, OverflowError):
-                return here.broken("event.singular", step)
+            except (ArithmeticError, ValueError) as error:
+                return here.broken(say(_broken_by(error)), step)
             except OutsideTable as left:
                 return self._left(here, left)
             if not all(map(math.isfinite, values)) and here.has_outgrown:
-                return here.broken("event.overflow", step)
+                return here.broken(say("event.overflow"), step)
             if rows and (found := self._crossed(rows[-1][size:], values, here)):
                 return found
             rows.append((*q.tolist(), *values))
@@ -182,8 +182,8 @@ class March:
                 return None
             try:
                 moved = self.scheme.step(rates.slopes((index + 1) * step), t, q, step, np.array(values[:size]))
-            except (ZeroDivisionError, ValueError, OverflowError):
-                return here.broken("event.singular_inside", step)
+            except (ArithmeticError, ValueError) as error:
+                return here.broken(say("event.inside", what=say(_broken_by(error))), step)
             except OutsideTable as left:
                 return self._left(here, left)
             for place in self.guarded:
@@ -191,7 +191,7 @@ class March:
                     return here.too_wide(rates, place, turned, step)
             q = correction.corrected(targets, here, step, moved) if correction and targets is not None else moved
             if not np.isfinite(q).all():
-                return Row(index, t, q).broken("event.overflow", step)
+                return Row(index, t, q).broken(say("event.overflow"), step)
         return None
 
     def _left(self, here: Row, table: OutsideTable) -> Stop:
@@ -209,6 +209,12 @@ class March:
             if old * new <= 0 and old != 0 and block not in passing:
                 return here.stepped_over(self.rates, old, new, step)
         return None
+
+
+def _broken_by(error: Exception) -> str:
+    """Return the key of the reason why a row has no velocities."""
+    outgrown = "event.overflow" if isinstance(error, OverflowError) else "event.undefined"
+    return "event.singular" if isinstance(error, ZeroDivisionError) else outgrown
 
 
 def _first_stop(true: Stop | None, own: Stop) -> Stop:

@@ -37,11 +37,11 @@ def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: li
         flow = compile_flow(replace(equations, variant=variant.with_values({name: value})), reduction, start)
         return search_event(flow, start, variant.time.end, tolerance=TOLERANCE, breaks=breaks(variant)).event is None
 
-    intervals = _intervals(possible)
+    now = next(g.value for g in variant.given if g.name == name)
+    intervals = _intervals(possible, now)
     if not intervals:
         return say("phase.none", name=name)
     ranges = joined([say("phase.range", low=low, name=name, high=high) for low, high in intervals], "join.or")
-    now = next(g.value for g in variant.given if g.name == name)
     return say("phase.possible", ranges=ranges, name=name, now=now)
 
 
@@ -54,12 +54,12 @@ def _phase_of(variant: Variant) -> str:
     return next((name for name in names if name in angles), "")
 
 
-def _intervals(possible: Callable[[float], bool]) -> list[tuple[float, float]]:
+def _intervals(possible: Callable[[float], bool], stops: float) -> list[tuple[float, float]]:
+    """Return the ranges of what is possible; the phase at which the motion `stops` may be all between two samples that is not."""
     turn = 2 * math.pi
-    values = [turn * (i + 0.5) / _SAMPLES for i in range(_SAMPLES)]
-    verdicts = [possible(value) for value in values]
-    if all(verdicts) or not any(verdicts):
-        return [(0.0, turn)] if all(verdicts) else []
+    stops %= turn
+    values = sorted({stops, *(turn * (i + 0.5) / _SAMPLES for i in range(_SAMPLES))})
+    verdicts = [value != stops and possible(value) for value in values]
     edges = []
     for i, verdict in enumerate(verdicts):
         if verdict != verdicts[i - 1]:

@@ -86,7 +86,7 @@ def _drawing() -> Iterator[None]:
 def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
     """Return the GIF of a run beside its `exact` motion, whose rows are the frames (at most `MOST_FRAMES` of them).
 
-    Raises `InputError` if the file places no points or the table has fewer than two rows.
+    Raises `InputError` if the file places no points, or the table has fewer than two rows, with the stop that may have ended it.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -94,6 +94,8 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
 
     table = run.scene.scheme_rows or run.motion
     outline = read_outline(run.scene.mechanism)
+    if outline is not None and len(table.t) < 2 and run.stop is not None:
+        raise run.stop.refusal
     if outline is None or len(table.t) < 2:
         raise InputError(say("fault.C064", variant=run.variant.name))
     read = read_poses(outline, run.scene.equations)

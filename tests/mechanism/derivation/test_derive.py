@@ -162,12 +162,27 @@ def test_contours_are_those_of_every_closure_wherever_it_stands() -> None:
         "-(A + b @ phi2) = -((d, 0) + c @ phi3)",
         ["-(A.x + b*cos(phi2))", "-(A.y + b*sin(phi2))", "-(d + c*cos(phi3))", "-c*sin(phi3)"],
     ),
-    ("2*(A + b @ phi2) = 2*((d, 0) + c @ phi3)", []),
+    (
+        "(A + b @ phi2)/2 = ((d, 0) + c @ phi3)/2",
+        ["(A.x + b*cos(phi2))/2", "(A.y + b*sin(phi2))/2", "(d + c*cos(phi3))/2", "c*sin(phi3)/2"],
+    ),
 ])  # fmt: skip
-def test_a_loop_turned_round_is_projected_and_one_that_is_stretched_is_left_as_it_is(written: str, parts: list[str]) -> None:
+def test_a_loop_turned_round_or_stretched_is_projected(written: str, parts: list[str]) -> None:
     text = mechanism("four-bar-loop", ("A + b @ phi2 = (d, 0) + c @ phi3", written))
     contours = contours_of(coursework.solve(coursework.parse_variant(text), quantities=["table"]).scene.mechanism)
     assert [spelled(part) for one in contours for part in (*one.left_parts, *one.right_parts)] == parts
+
+
+@pytest.mark.parametrize(("pivot", "x"), [
+    ("(r4, 0)", "r4"), ("A + 0.5*((2*r4, 0) - A)", "0.5*(2*r4)"), ("(A + (2*r4, 0))/2", "2*r4/2"), ("(r4 + 0)*(1, 0)", "r4*1"),
+    ("-(-r4, 0)", "-(-r4)"),
+])  # fmt: skip
+def test_a_pivot_written_otherwise_has_the_same_velocities_and_its_contour_is_shown(pivot: str, x: str) -> None:
+    text = coursework.load("example-1").path.read_text(encoding="utf-8").replace('D = "(r4, 0)"', f'D = "{pivot}"')
+    run = coursework.solve(coursework.parse_variant(text), quantities=["table"])
+    (one,) = contours_of(run.scene.mechanism)
+    assert [spelled(part) for part in one.right_parts] == [f"{x} + r3*cos(theta3)", "r3*sin(theta3)"]
+    assert np.allclose(run.table, coursework.solve("example-1", quantities=["table"]).table, rtol=1e-12, atol=1e-12)
 
 
 @pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])

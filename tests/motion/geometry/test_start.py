@@ -65,3 +65,13 @@ def test_the_other_mode_of_an_earlier_group_is_advised_where_with_it_a_group_clo
     if mended:
         right = changed(wrong, (other, other.replace("-1", "+1")))
         assert coursework.solve(coursework.parse_variant(right)).stop is None
+
+
+@pytest.mark.parametrize(("short", "is_told"), [("1.1e-4", False), ("0.9e-4", True), ("1e-12", True)])
+def test_a_gap_that_rounding_may_have_made_is_told_as_that(short, is_told):
+    """The crank of 0.4 m is turned away from D, 1.2 m from A: rods of 1 m and 0.6 m would just reach."""
+    text = coursework.load("example-1").path.read_text(encoding="utf-8")
+    text = changed(text, ('"0 deg"', '"180 deg"'), ('r3 = "0.7 m"', f'r3 = "{0.6 - float(short)!r} m"'))
+    with pytest.raises(coursework.InputError, match="cannot be assembled at t = 0 s: B and D are") as refused:
+        assert coursework.solve(coursework.parse_variant(text), quantities=["table"]).stop
+    assert ("Such a small gap may come from the rounding" in str(refused.value)) == is_told

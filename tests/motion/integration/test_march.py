@@ -90,8 +90,27 @@ def test_a_step_that_turns_too_far_is_told_with_the_row_it_leaves():
     stop = Row(4, 0.08, np.zeros(1)).too_wide(rates, 0, 1.7, 0.02)
     assert (stop.row, stop.time) == (4.0, 0.08)
     assert "At row 5 (t = 0.08 s) one step of 0.02 s would turn phi by 1.7 rad (97°)" in str(stop.cause)
-    broken = Row(4, 0.08, np.zeros(1)).broken("event.singular", 0.02)
+    broken = Row(4, 0.08, np.zeros(1)).broken("its block is singular", 0.02)
     assert "At row 5 (t = 0.08 s) the velocities cannot be computed" in str(broken.cause)
+
+
+@pytest.mark.parametrize(("scheme", "told"), [
+    ("euler", "At row 7 (t = 0.9 s) the velocities cannot be computed: a formula has no value"),
+    ("heun", "At row 6 (t = 0.75 s) the velocities cannot be computed: inside the next step a formula has no value"),
+    ("midpoint", None),
+])  # fmt: skip
+def test_a_root_that_only_the_scheme_leaves_is_not_told_as_a_singular_block(scheme, told):
+    """x = (1 - t)² m by an equation whose determinant is 1 s, and x > 0 to the end of the run at 0.9 s."""
+    text = """format = 1
+title = "x falls to zero"
+given = { k = "1 m", c = "1 s" }
+drive = { w = "0 1/s" }
+coordinates = { x = { start = "1 m", rate = "v" }, phi = { start = "0 rad", rate = "w" } }
+time = { step = "0.15 s", end = "0.9 s" }
+constraint = [{ name = "1", because = "of a rope", equation = "c*v + 2*sqrt(k*x) = 0" }]
+"""
+    stop = coursework.solve(coursework.parse_variant(text), scheme=scheme, quantities=["table"]).stop
+    assert stop is None if told is None else told in str(stop.cause)
 
 
 @pytest.mark.parametrize(("old", "new", "told"), [

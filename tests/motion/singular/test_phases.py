@@ -24,9 +24,8 @@ def test_the_phase_is_the_angle_that_a_wave_of_the_drive_adds_or_takes_away(law,
 
 def test_phases_are_looked_at_in_the_middles_of_24_equal_parts_of_a_turn():
     seen = []
-    assert _intervals(lambda value: not seen.append(value)) == [(0.0, TURN)]
+    assert _intervals(lambda value: bool(seen.append(value)), PART * 10) == []
     assert seen == pytest.approx([PART * (place + 0.5) for place in range(24)], abs=1e-12)
-    assert _intervals(lambda value: False) == []
 
 
 @pytest.mark.parametrize(
@@ -39,13 +38,15 @@ def test_phases_are_looked_at_in_the_middles_of_24_equal_parts_of_a_turn():
         [(PART * 0.4, PART * 0.6)],  # about the first place
         [(PART * 23.4, PART * 23.6)],  # about the last
         [(PART * 0.51, PART * 24.49)],  # all places but the first
+        [(PART * 10.01, PART * 33.99)],  # all places, but not between two of them, where the motion stops
     ],
 )
 def test_each_end_is_told_from_within_and_to_a_4096th_part_of_the_distance(ranges):
     def possible(value):
         return any(low < value < high or low < value + TURN < high for low, high in ranges)
 
-    found = _intervals(possible)
+    gap = ranges[0][1], ranges[1][0] if len(ranges) > 1 else ranges[0][0] + TURN
+    found = _intervals(possible, sum(gap) / 2)
     assert len(found) == len(ranges)
     for (low, high), (right_low, right_high) in zip(found, ranges, strict=True):
         assert possible(low)
@@ -56,7 +57,7 @@ def test_each_end_is_told_from_within_and_to_a_4096th_part_of_the_distance(range
 
 
 def test_what_is_narrower_than_the_distance_is_found_only_about_a_place():
-    assert _intervals(lambda value: PART * 3.51 < value < PART * 4.49) == []
+    assert _intervals(lambda value: PART * 3.51 < value < PART * 4.49, PART * 10) == []
 
 
 def test_a_change_point_far_from_where_a_motion_stops_is_not_gone_to(monkeypatch):
@@ -68,6 +69,16 @@ def test_a_change_point_far_from_where_a_motion_stops_is_not_gone_to(monkeypatch
     assert run.stop.kind == "dead point"
     assert "is possible for" in run.scene.phases
     assert len(looked) < 1500  # 2485 where each is gone to
+
+
+@pytest.mark.parametrize(
+    "speed, told",
+    [("2.205", "for 0.0924 < alpha < 6.1908 (rad, modulo 2π); here alpha = 0."), ("45", "With these data no phase alpha")],
+)
+def test_what_is_possible_leaves_out_the_phase_at_which_the_motion_stops(speed, told):
+    """At 2.2 m/s it is possible for all phases, at 2.21 m/s for those between 0.1326 and 6.1506."""
+    scene = coursework.solve(with_set(coursework.load("31"), (f"V1={speed}m/s", "alpha=0rad"), None), quantities=["table"]).scene
+    assert told in scene.phases
 
 
 def test_a_dead_point_is_told_with_the_rows_about_it():

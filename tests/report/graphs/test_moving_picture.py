@@ -17,7 +17,7 @@ from coursework.report.text.symbols import symbol
 from coursework.report.text.words import Words
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases
-from tests.mechanisms.library import mechanism
+from tests.mechanisms.library import changed, mechanism
 
 README_PICTURE = Path(__file__).parents[3] / "reports" / "moving.gif"
 
@@ -144,3 +144,12 @@ def test_symbols_without_a_unicode_subscript_are_set_by_our_own_table():
     assert label_text(symbol("w3")) == "ω₃"
     assert label_text(symbol("VMx")) == r"$V_{\mathrm{Mx}}$"
     assert "$" not in label_text(symbol("speed"))
+
+
+def test_a_motion_that_stops_at_its_first_row_is_told_with_the_stop():
+    """The crank of 0.4 m is turned away from D, 1.2 m from A: rods of 1 m and 0.6 m are stretched there."""
+    text = coursework.load("example-1").path.read_text(encoding="utf-8")
+    text = changed(text, ('"0 deg"', '"180 deg"'), ('r3 = "0.7 m"', 'r3 = "0.6 m"'))
+    run = coursework.solve(coursework.parse_variant(text), quantities=("table",))
+    with pytest.raises(InputError, match=r"D037 .* At the very first row, t = 0, the equations for w2 and w3 become singular"):
+        moving_picture(run, run.exact, load_phrases())

@@ -13,6 +13,8 @@ import coursework
 from coursework.variant.formula import units
 from coursework.variant.formula.alphabet import foreign_letter, spell
 from coursework.variant.formula.motion_units import UNITS
+from coursework.variant.formula.reader import parse
+from coursework.variant.formula.tree import FormulaFault
 from coursework.variant.reading.reader import parse_variant
 
 PAGE = (Path(__file__).parents[2] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
@@ -217,3 +219,13 @@ def test_any_text_is_a_quantity_or_a_fault(text):
         assert math.isfinite(units.read(text).value)
     except units.UnitFault as fault:
         assert "expected" in str(fault) or "too small" in str(fault) or "Hz" in str(fault)
+
+
+@pytest.mark.parametrize(("written", "column", "meant"), [
+    ("r*син(phi)", 3, "sin"), ("Кос(phi)", 1, "cos"), ("r + тг(phi)", 5, "tan"), ("корень(r^2)", 1, "sqrt"),
+    ("сін(phi)", 1, "sin"),
+])  # fmt: skip
+def test_a_function_in_cyrillic_letters_is_named_as_a_whole(written, column, meant):
+    with pytest.raises(FormulaFault, match=rf"is written {meant}\(…\), in Latin letters") as refused:
+        parse(written)
+    assert refused.value.column == column

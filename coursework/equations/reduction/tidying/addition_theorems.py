@@ -65,7 +65,6 @@ def _addition(a: Angles, b: Angles, p: Fraction, q: Fraction, rank: Rank) -> Exp
     if kinds == {"coscos", "sinsin"}:
         cosines = p if a[0][0] == a[1][0] == "cos" else q
         return number(cosines) * (cosine(x - y) if p == q else cosine(x + y))
-    if kinds == {"cossin"} and x is not y:
-        leading = p if ("sin", x) in a else q
-        return number(leading) * (sine(x + y) if p == q else sine(x - y))
-    return None
+    # What both share is taken out, so they are sin x cos y and cos x sin y.
+    leading = p if ("sin", x) in a else q
+    return number(leading) * (sine(x + y) if p == q else sine(x - y))

@@ -158,13 +158,6 @@ def _power(a: Enclosure, exponent: float) -> Enclosure:
     return _checked(low, ends.max(axis=0), a.middle**exponent, radius)
 
 
-def _to_the(a: Enclosure, exponents: Array) -> Enclosure:
-    """Return a power with a constant exponent; the bounds are infinite if data sets have different exponents."""
-    if np.ptp(exponents) > 0:
-        return _checked(*np.broadcast_arrays(-np.inf, np.inf, np.nan, a.disc * exponents))
-    return _power(a, float(exponents.flat[0]))
-
-
 def _absolute(a: Enclosure) -> Enclosure:
     crosses = (a.low < 0) & (a.high > 0)
     low = np.where(crosses, 0.0, np.minimum(np.abs(a.low), np.abs(a.high)))
@@ -265,7 +258,7 @@ class Laws:
             case "/":
                 return self._quotient(tree, args, begin, end)
             case "^":
-                return _to_the(args[0], args[1].middle)
+                return _power(args[0], float(args[1].middle.flat[0]))  # a constant, which the reader asks for
         return _angle(*args) if tree.name == "atan2" else _CALLS[tree.name](args[0])
 
     def _quotient(self, tree: Formula, args: list[Enclosure], begin: Array, end: Array) -> Enclosure:
