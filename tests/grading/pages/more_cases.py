@@ -251,6 +251,9 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
     lines[1] = f"{slip} = u"
     handed = {"table.csv": text(slider.table(), slider.variant.columns, slider.h), "equations.txt": "\n".join(lines).encode()}
     found["own-line"] = (handed, VariantSource("v102", (CATALOGUE / "v102.toml").read_bytes()), (), None)
+    two_laws = Machine(coursework.load("v107"), drive={"VMy": "V2*sin(p*t + alpha)"})
+    handed = {"table.csv": text(two_laws.table(), two_laws.variant.columns, two_laws.h)}
+    found["one-law"] = (handed, VariantSource("v107", (CATALOGUE / "v107.toml").read_bytes()), (), None)
     by_pi = VariantSource("by-pi", re.sub(rb'(?m)^p( *)= "13.*?"', rb'p\1= "125 rpm"', source.content))
     handed = files(with_rounded_pi(parse_variant(by_pi.content, "by-pi.toml", {}), p=125 * 3.14 / 30))
     found["rounded-pi"] = (handed, by_pi, (), None)

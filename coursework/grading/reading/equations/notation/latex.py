@@ -23,7 +23,8 @@ _MATRIX = re.compile(
     r"(\\left\s*\|\s*|\\det\s*)?\\begin\s*\{((?:[pbvBV]|small)?matrix|array)\}(?:\[[tbc]\])?(?:\{[lcr|@\s]*\})?(.{0,4000}?)\\end\s*\{\2\}(?(1)\s*(?:\\right\s*\|)?)",
     re.DOTALL,
 )
-LINE_END = re.compile(r"\\(?:\\\*?(?:\s*\[[^\]\n]{0,20}\])?|newline|tabularnewline)")
+LINE_END = re.compile(r"\\(?:\\\*?(?:\s*\[[^\]\n]{0,20}\])?|newline|tabularnewline|cr(?![A-Za-z]))")
+_SYSTEM = re.compile(r"\\(systeme|cases)\*?(?:\[[^\[\]]{0,30}\])?\s*(?=\{)")  # \systeme{a = b, c = d}, \cases{a = b\cr c = d}
 _PREAMBLE = re.compile(r"\A.*?\\begin\s*\{document\}", re.DOTALL)
 _OPENS, _CLOSES = re.compile(r"\\begin|(?<!\\)\\\["), re.compile(r"\\end|(?<!\\)\\\]")
 _REMARK = re.compile(r"(?<!\\)%.*")
@@ -67,7 +68,7 @@ _DERIVATIVE = re.compile(r"\\(?:o?dv|pdv|derivative|diff)(?![A-Za-z])\*?\s*(?:\[
 _FRACTION = re.compile(r"\\(?:[dtcs]|nice)?frac")
 _DOT = re.compile(r"\\dot\s*(?:\{\s*(\w)([^{}]*)\}|(\w))")
 _DECIMAL = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d)")
-_MOST = 200  # fractions in one line, environments in a text
+_MOST, _LONGEST = 200, 2000  # fractions in one line, environments in a text; characters of an argument
 
 _ASCIIDOC = re.compile(r"\b(?:latexmath|asciimath|stem):\[(.*)\]")
 _SIZES = (2, 3)
@@ -86,6 +87,7 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
         return list(enumerate(text.split("\n"), start=1))
     text = with_own_commands(text)
     text = _PREAMBLE.sub(lambda found: "\n" * found[0].count("\n"), text).replace("\\end{document}", "")  # prose of a document
+    text = _worked_out(_SYSTEM, _system, _worked_out(_BRACED, _unbraced, text))
     text = matrices_in_one_piece(text)
     lines: list[tuple[int, str]] = []
     inside, first, kept = False, 0, ""
@@ -196,7 +198,15 @@ def _unbraced(text: str, place: int) -> tuple[str, int]:
     """Return what stands in a brace drawn below or above it, without the remark at the brace."""
     inner, end = _argument(text, place)
     remark = _REMARK_AT.match(text, end)
-    return f"({inner})", remark.end() if remark else end
+    is_matrix = inner.strip().startswith("\\begin") and inner.count("\\end") == 1
+    return inner if is_matrix else f"({inner})", remark.end() if remark else end
+
+
+def _system(text: str, place: int) -> tuple[str, int]:
+    """Return the equations that a command encloses, as lines of an environment."""
+    inner, end = _argument(text, place)
+    said = inner if LINE_END.search(inner) else _DECIMAL.sub(".", inner).replace(",", r"\\")
+    return rf"\begin{{cases}}{said}\end{{cases}}", end
 
 
 def _upright(found: re.Match[str]) -> str:
@@ -235,11 +245,12 @@ def _argument(text: str, place: int) -> tuple[str, int]:
     if text[place : place + 1] != "{":
         return text[place : place + 1], place + 1
     depth = 0
-    for end in range(place, len(text)):
+    most = min(len(text), place + _LONGEST)
+    for end in range(place, most):
         depth += {"{": 1, "}": -1}.get(text[end], 0)
         if not depth:
             return text[place + 1 : end], end + 1
-    return text[place + 1 :], len(text)
+    return text[place + 1 : most], most
 
 
 def determinant(rows: Sequence[Sequence[str]]) -> str:

@@ -33,7 +33,9 @@ _RANGE = re.compile(
     rf"{_WORDS}\$?([A-Z])\$?(\d{{1,4}})\s*(?:[:–—-]|\.\.+|…|\w{{1,4}})\s*\$?([A-Z])\$?(\d{{1,4}}){_BETWEEN}((?:{_NAME},\s*)+{_NAME})\W*"
 )
 _NO_LEGEND = re.compile(rf"[*+^/]|{_PLACE}|[,;]\s*[A-Z]{{1,2}}{_BETWEEN}\w|\bsin|\bcos", re.IGNORECASE)
-_OF_COLUMN = re.compile(r"(?<!\w)(?i:col\w{0,4}\.?|spalte|стол\w+|стовп\w+|колонк\w)\s([A-Z])(?!\w)|列\s?([A-Z])(?!\w)")
+_OF_COLUMN = re.compile(
+    r"(?<!\w)(?i:col\w{0,4}\.?|spalte|стол\w+|стовп\w+|колонк\w)\s([A-Z])(?!\w)|列\s?([A-Z])(?!\w)|(?<!\w)([A-Z])\s?[列열]"
+)
 _PARTS, _NEXT = re.compile(r"[,;|\t]|\s{2,}|\s(?:and|und|и|та|і)\s"), re.compile(rf"[;,\t]\s*(?=(?:{_PLACE})\s*[:=(])")
 _FEWEST, _MOST_CHARACTERS, _LONGEST = 2, 40_000, 600
 
@@ -49,7 +51,7 @@ def with_cells_named(text: str, meaning: Callable[[str], str | None], data: froz
     """
     if len(text) > _MOST_CHARACTERS or sum(1 for _ in _REFERENCE.finditer(text)) <= _FEWEST:
         return text
-    typed, text = text, _OF_COLUMN.sub(r"\1\g<2>0", text)  # "column E" is named as the cell E0 would be
+    typed, text = text, _OF_COLUMN.sub(r"\1\2\g<3>0", text)  # "column E" is named as the cell E0 would be
     lines = [_NEXT.split(line) if len(line) <= _LONGEST else [line] for line in text.split("\n")]
     formulas = {piece: found for line in lines for piece in line if len(piece) <= _LONGEST and (found := _formula(piece))}
     legend: dict[str, str] = {}

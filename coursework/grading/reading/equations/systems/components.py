@@ -32,6 +32,11 @@ _NAMED = re.compile(
 )
 # A vector whose entries are used, vB = [a, b] and then vB[0]
 _ENTRIES = re.compile(r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,12})[ \t]*=[ \t]*(?:[\w.]{1,14}\(\s*)?(?=\[)")
+_VECTOR_NAME = r"([^\W\d]\w{0,12})"
+_DOT = re.compile(
+    rf"(?<![\w.])(?:(?:np\.|numpy\.)?(?:dot|inner)\(\s*{_VECTOR_NAME}\s*,\s*{_VECTOR_NAME}\s*\)"
+    rf"|{_VECTOR_NAME}\.dot\(\s*{_VECTOR_NAME}\s*\)|{_VECTOR_NAME}(?:\.?'\s*\*|(?:\.T)?\s*@)\s*{_VECTOR_NAME})(?!\w)"
+)
 _ALONE = re.compile(r"\)?[ \t]*(?:\.?'|\.T\b)?[ \t]*(?:;|$|[%#/])", re.MULTILINE)  # behind it, no sum goes on
 # An object of JavaScript, vP = {x: a, y: b}
 _FIELDS = re.compile(r"(?:(?:const|let|var)\s+)?([vV]_?\w{1,3})\s*=\s*\{\s*x\s*:\s*([^{}:]+?),\s*y\s*:\s*([^{}:]+?),?\s*\}")
@@ -94,6 +99,29 @@ def with_entries_apart(text: str) -> str:
         apart = "; ".join(f"{name} = {cell}" for (place, name), cell in told if int(place) in used or not is_whole)
         text = f"{text[:begun]}{behind}\n{apart}" if is_whole else text[: found.start()] + apart + lines + behind
     return text
+
+
+def with_dot_products(text: str) -> str:
+    r"""Return a text with the dot products of named vectors as sums, vC'*e, dot(vC, e) or vC @ e.
+
+    >>> with_dot_products("v = [a; b];\ne = [c; d];\nw = -(v.'*e)/R"), with_dot_products("v = [a; b]\nw = v @ A")
+    (';\n;\nw = -(((a)*(c) + (b)*(d)))/R', 'v = [a; b]\nw = v @ A')
+    """
+    factors = {name for found in _DOT.finditer(text) for name in found.groups()}
+    defined = [found for found in _ENTRIES.finditer(text) if found[1] in factors][:_MOST]
+    said = {found[1]: (found, closing(text, found.end(), _LONGEST)) for found in defined}
+    cells = {name: vector(text[found.end() + 1 : end]) for name, (found, end) in said.items() if _ALONE.match(text, end + 1)}
+
+    def summed(found: re.Match[str]) -> str:
+        one, other = (cells.get(name, []) for name in found.groups() if name)
+        pairs = zip(one, other, strict=False)
+        return f"({' + '.join(f'({a})*({b})' for a, b in pairs)})" if len(one) == len(other) in _SIZES else found[0]
+
+    rest = _DOT.sub(summed, text)
+    for name, (found, end) in reversed(said.items()):  # what was named for these products alone
+        if len(re.findall(rf"(?<![\w.]){name}(?!\w)", rest)) == 1:
+            rest = rest.replace(text[found.start() : end + 1], "\n" * text.count("\n", found.start(), end), 1)
+    return rest
 
 
 def _named_entry(names: Mapping[str, str], entry: re.Match[str]) -> str:

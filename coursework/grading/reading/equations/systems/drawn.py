@@ -13,7 +13,7 @@ from coursework.grading.reading.equations.systems.parts import vector
 _OPENS, _CLOSES = r"[\[(|⎡⎢⎣⎛⎜⎝]", r"[\])|⎤⎥⎦⎞⎟⎠]"
 _LINE = re.compile(
     rf"\s*{_OPENS}\s*(\S.{{0,500}}?)\s*{_CLOSES}\s*[*·⋅×]?\s*{_OPENS}\s*([^\W\d][\w'̇]{{0,20}})\s*{_CLOSES}"
-    rf"\s*(=?)\s*{_OPENS}\s*(\S.{{0,500}}?)\s*{_CLOSES}\s*[.,;]?\s*"
+    rf"\s*(=?)\s*(?:([-−]?[\w*·⋅ ]{{0,40}}?)\s*[*·⋅]?\s*)?{_OPENS}\s*(\S.{{0,500}}?)\s*{_CLOSES}\s*[.,;]?\s*"
 )
 _BETWEEN = re.compile(r"[\s\[\]()|⎡⎢⎣⎛⎜⎝⎤⎥⎦⎞⎟⎠*·⋅×]*(=?)[\s\[\]()|⎡⎢⎣⎛⎜⎝⎤⎥⎦⎞⎟⎠]*")  # with the signs of the drawing alone
 _APART = re.compile(r"\s{2,}|\t|,|&")
@@ -110,5 +110,6 @@ def _said(rows: Sequence[re.Match[str]]) -> str:
     matrix = [cells if len(cells) == len(rows) else vector(row[1]) for cells, row in zip(matrix, rows, strict=True)]
     if any(len(cells) != len(rows) for cells in matrix):
         return ""
-    left, names, right = "; ".join(map(", ".join, matrix)), "; ".join(row[2] for row in rows), "; ".join(row[4] for row in rows)
-    return f"[{left}]*[{names}] = [{right}]"
+    left, names, right = "; ".join(map(", ".join, matrix)), "; ".join(row[2] for row in rows), "; ".join(row[5] for row in rows)
+    factor = next((f"{row[4].strip()}*" for row in rows if row[4]), "")
+    return f"[{left}]*[{names}] = {factor}[{right}]"

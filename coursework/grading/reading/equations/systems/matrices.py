@@ -31,7 +31,7 @@ _SOLVED = (
     rf"(?:(?:[A-Za-z]{{1,13}}(?:\.|:-)){{0,2}}{_SOLVER}\s*{_NAME}\s*,\s*{_NAME}\s*[)\]]"
     rf"|{_NAME}[ \t]*\\[ \t]*{_NAME}"
     rf"|{_NAME}\.(?:\w{{1,12}}solve|solve|inv(?:erse)?\(\)[ \t]*[*@])[ \t]*\(?{_NAME}\)?"
-    rf"|{_NAME}[ \t]*\^[ \t]*[({{]?-1[)}}]?[ \t]*[*·][ \t]*{_NAME}"
+    rf"|{_NAME}[ \t]*\^[ \t]*[({{]?[-−]1[)}}]?[ \t]*[*·][ \t]*{_NAME}"
     rf"|(?:[A-Za-z]{{1,9}}\.){{0,2}}[iI]nv(?:ert|erse)?[(\[]\s*{_NAME}\s*[)\]][ \t]*[*@.][ \t]*{_NAME})[ \t]*;?[ \t]*"
 )
 _PRODUCTS = (
@@ -62,12 +62,14 @@ _LATEX = re.compile(r"\\(?:begin|math|q?quad)")
 _IN_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathsf|mathrm|underline|overline)\s*\{(\w)\}|\\[,;:! ]")
 # An array with its values in braces, double A[2][2] = {{a, b}, {c, d}};
 _IN_BRACES = re.compile(rf"(?m)(?:^|(?<=;))[ \t]*{_TYPE}([^\W\d]\w{{0,20}})((?:[ \t]*\[\w{{0,9}}\]){{1,2}})[ \t]*=[ \t]*(?=\{{)")
-_LISTS = re.compile(r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*(?::=|=|:)[ \t]*(?:(matrix)[ \t]*(?=\(\s*\[)|(?=\{))")
+_LISTS = re.compile(
+    r"(?m)(?:^|(?<=;))[ \t]*([^\W\d]\w{0,20})[ \t]*(?::=|=|:)(?:[ \t]*(matrix)[ \t]*(?=\(\s*\[)|([-\w \t*]{0,60})(?=\{))"
+)  # the list may have a factor, w {a, b}
 _ASSIGNED = re.compile(r"(?m)^[ \t]*([^\W\d]\w{0,20})[ \t]*:[ \t]*(?=invert\b|[^\W\d]\w{0,20}\[\d)")
 # A matrix times its unknowns, which stand there as a vector: A*[w1; w2] = b
 _UNKNOWNS = re.compile(
-    rf"(?m)(?:^|[$;])[ \t]*{_NAME}[ \t]*[*@·⋅×]?[ \t]*\[([^\[\]\n=]{{3,200}})\]"
-    rf"(?:\.?'|\.T|\^\{{?T\}}?|ᵀ)?[ \t]*={{1,2}}[ \t]*{_NAME}"
+    rf"(?m)(?:^|[$;])[ \t]*{_NAME}[ \t]*[*@·⋅×]?[ \t]*\[(?![ \t]*\d)([^\[\]\n=:]{{3,200}})\]"
+    rf"(?:\.?'|\.T|\^\{{?T\}}?|ᵀ)?[ \t]*={{1,2}}[ \t]*({_NAME[1:-1]}|\[[^\[\]\n=]{{3,400}}\])"
     r"(?=[ \t]*[.,;$]?[ \t]*$)"
 )
 _ROUND, _BRACES = str.maketrans("[]", "()"), str.maketrans("{}", "[]")  # of functions and of lists in Mathematica
@@ -75,7 +77,7 @@ _ROUND, _BRACES = str.maketrans("[]", "()"), str.maketrans("{}", "[]")  # of fun
 _CALLED = re.compile(rf"{_SOLVER}(?=\s*(?:{_NAME[1:-1]}\s*,\s*)?[\w.]{{0,20}}\s*\(?\s*\[)")
 _FACTOR = rf"(\[[^=\n]{{1,2000}}\]|{_NAME[1:-1]})"
 _DIVIDED = re.compile(
-    rf"(?m)(?<==)[ \t]*(?:@\([\w\s,]{{1,40}}\)[ \t]*)?"
+    rf"(?m)(?:(?<==)|(?<=\breturn))[ \t]*(?:@\([\w\s,]{{1,40}}\)[ \t]*)?"
     rf"(?:{_FACTOR}[ \t]*\\|(?:[A-Za-z]{{1,9}}\.){{0,2}}[iI]nv\({_FACTOR}\)[ \t]*[*@]"
     rf"|{_FACTOR}[ \t]*(?:\^[ \t]*[({{]?-1[)}}]?|⁻¹)[ \t]*[*·⋅])[ \t]*(?:[\w.]{{1,12}}\((?=\[))?{_FACTOR}(?:\.?'|\.T|\))?"
     r"(?=[ \t]*(?:;|(?:[%#/].*)?$))"
@@ -103,17 +105,18 @@ def in_rows(text: str, sought: Sequence[str] = ()) -> str:
     for _ in range(_MOST_SYSTEMS):
         apart = _named_apart(text)
         whole = _IN_BOLD.sub(r" \1 ", matrices_in_one_piece(apart)) if _LATEX.search(apart) else apart
-        if not (solved := _with_first_system(whole, sought)):
+        if not (solved := _with_first_system(_with_unknowns_named(whole), sought)):
             break
         text = solved
     return text
 
 
 def _with_unknowns_named(text: str) -> str:
-    """Return a text with A*x = b and x = [w1; w2] for A*[w1; w2] = b."""
+    """Return a text with A*x = b, x = [w1; w2] and b = [c; d] for A*[w1; w2] = [c; d]."""
     if (found := _UNKNOWNS.search(text)) is None:
         return text
-    return f"{text[: found.start(1)]}{found[1]}*unknowns = {found[3]}{text[found.end() :]}\nunknowns = [{found[2]}]"
+    sides, said = ("sides", f"\nsides = {found[3]}") if found[3].startswith("[") else (found[3], "")
+    return f"{text[: found.start(1)]}{found[1]}*unknowns = {sides}{text[found.end() :]}\nunknowns = [{found[2]}]{said}"
 
 
 def _with_first_system(whole: str, sought: Sequence[str]) -> str:
@@ -216,7 +219,8 @@ def _as_lists(text: str) -> str:
         if end > begun.end() + 1 and (named or begun[2]):
             content = text[begun.end() : end]
             content = f"[{content[1:-1]}]" if begun[2] else content.translate(_ROUND).translate(_BRACES)
-            text = f"{text[: begun.start()]}{begun[1]} = {content}{text[end:]}"
+            factor = re.sub(r"(?<=\w)$", "*", (begun[3] or "").strip(" \t*"))
+            text = f"{text[: begun.start()]}{begun[1]} = {factor}{content}{text[end:]}"
     return _ASSIGNED.sub(r"\1 = ", text) if "matrix" not in text and _ASSIGNED.search(text) else text
 
 

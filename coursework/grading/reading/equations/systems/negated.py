@@ -13,9 +13,14 @@ from coursework.grading.reading.equations.systems.parts import vector
 
 _NAME = r"([^\W\d]\w{0,20})"
 _MINUS = rf"[-−–][ \t]*{_NAME}"
-_USED = re.compile(rf"(?m)(?<=[=,\\])[ \t]*+(?:\([ \t]*{_MINUS}[ \t]*\)|{_MINUS})(?=[ \t]*(?:\)|[.,;$]?[ \t]*$))")
+_USED = re.compile(rf"(?m)(?<=[=,\\*@·⋅])[ \t]*+(?:\([ \t]*{_MINUS}[ \t]*\)|{_MINUS})(?=[ \t]*(?:\)|[.,;$]?[ \t]*$))")
 _DEFINED = re.compile(rf"(?m)^[ \t]*+([-−–]?)[ \t]*+{_NAME}[ \t]*:?=[ \t]*(?:[\w.]{{1,12}}\([ \t]*)?(?=\[)")
 _OF_SCILAB = re.compile(r"(?<=\blinsolve\()([^\W\d]\w{0,20}[ \t]*,)[ \t]*(?=[^\W\d]\w{0,20}[ \t]*\))")  # solves A*x + b = 0
+# The minus before what solves, x = -A\b or -inv(A)*b, is one before the right side.
+_BEFORE = re.compile(
+    r"(?m)(?<==)[ \t]*[-−–][ \t]*([\w.:]{1,40}(?:[(\[]\w{0,20}[,)])?(?:\^[({]?[-−]1[)}]?)?[ \t]*[\\*@·⋅]?)[ \t]*"
+    rf"(?<!\w)(?={_NAME}[)\]]?[ \t]*(?:[;%#/]|$))"
+)
 _LONGEST, _ENDING = 4000, "minus"
 
 
@@ -26,6 +31,8 @@ def with_a_name(text: str) -> str:
     ('bminus = [-(c); -(d)]\nA*x = bminus', 'bminus = [c; d]\nA*x = bminus', 'w = -b')
     """
     text = _OF_SCILAB.sub(r"\1 -", text) if "linsolve" in text and "//" in text else text
+    vectors = {found[2] for found in _DEFINED.finditer(text)}
+    text = _BEFORE.sub(lambda found: f" {found[1]}-" if found[2] in vectors else found[0], text)
     used = {found[1] or found[2] for found in _USED.finditer(text)}
     if not used:
         return text

@@ -16,12 +16,17 @@ from coursework.grading.reading.equations.notation.escapes import unquoted, with
 from coursework.grading.reading.equations.notation.latex import logical_lines
 from coursework.grading.reading.equations.systems.cells import with_cells_named
 from coursework.grading.reading.equations.systems.component_sums import by_axes, may_be_of_vectors
-from coursework.grading.reading.equations.systems.components import by_components, in_one_vector, with_entries_apart
+from coursework.grading.reading.equations.systems.components import (
+    by_components,
+    in_one_vector,
+    with_dot_products,
+    with_entries_apart,
+)
 from coursework.grading.reading.equations.systems.drawn import in_one_line
 from coursework.grading.reading.equations.systems.matrices import in_rows
 from coursework.grading.reading.equations.systems.negated import with_a_name
 from coursework.grading.reading.equations.systems.of_c import without_pointers
-from coursework.grading.reading.equations.systems.own_functions import as_names
+from coursework.grading.reading.equations.systems.own_functions import as_names, with_bodies
 from coursework.grading.reading.equations.systems.parts import of_row, parts_of
 from coursework.grading.reading.equations.systems.round_matrices import in_square_brackets
 from coursework.grading.reading.equations.systems.vectors import with_entries_named, with_short_names
@@ -63,7 +68,7 @@ _STROKE = re.compile(r"['’′]\s*(?:=|means|denotes|:)\s*d\s*/\s*d\s?([^\W\d]\
 _STROKED = re.compile(r"(?<![\w'])([^\W\d]\w{0,8})['’′](?!['’′\w])")
 _OF_CRAMER = re.compile(r"(?<!\w)([Δ∆D])(?:['’′]{2}|″)|(?<!\w)([Δ∆D])['’′]")  # Δ'' and Δ', determinants beside Δ
 _PROMPT = re.compile(r"(?m)^[ \t]*>{1,3}[ \t]+")  # of Maple, MATLAB and Python
-_INDEX = re.compile(r"(?m)(?<=[^\W\d])\[(\d{1,2})(?!\w)(?=[^\[\]\n]{0,400}(?:$|\[))")  # φ[3 of Mathcad
+_INDEX = re.compile(r"(?m)(?<=[^\W\d])\[(\d{1,2})(?!\w)(?=[^\[\]\n]{0,400}(?:$|\[))|(?<=[α-ω])\.(\d)")  # φ[3 and φ.3 of Mathcad
 # Equations between brackets, one in each line, as MATLAB has them: they end where the line does.
 _EQUATIONS = re.compile(r"(==[^\n;,\[\]%#=]{0,400}[^\s;,\[\].+*/%#-])(?=[ \t]*(?:[%#].*)?\n[^\n\]]*==)")
 _OF_RATES = re.compile(r"(?<!\w)([A-Za-z])(['’′\u0307])(?=\s*=\s*[\[(][\w\s,;{}]{3,80}[\])])")
@@ -151,12 +156,14 @@ def _by_names(text: str, names: Names) -> str:
     if (stroke := _STROKE.search(text)) and stroke[1] != "t":
         text = _STROKED.sub(rf"d\1/d{stroke[1]}", _STROKE.sub("", text))
     text = _OF_CRAMER.sub(lambda found: f"{found[1]}_II" if found[1] else f"{found[2]}_I", text)
-    text = _EQUATIONS.sub(r"\1;", _INDEX.sub(r"\1", _PROMPT.sub("", text)))
+    text = _EQUATIONS.sub(r"\1;", _INDEX.sub(r"\1\2", _PROMPT.sub("", text)))
     text = _OF_PLACE.sub(lambda found: _velocity(found, names.spellings), text)
     text = with_cells_named(text, names.spellings.angle, names.spellings.data)
     text = without_pointers(text, names.spellings)
-    named = with_a_name(in_square_brackets(in_one_line(as_names(without_line_numbers(text), partial(_is_name, names)))))
-    rows = in_rows(with_entries_apart(named), variant.sought)
+    is_known = partial(_is_name, names)
+    text = as_names(with_bodies(without_line_numbers(text), is_known), is_known)
+    named = with_a_name(in_square_brackets(in_one_line(text)))
+    rows = in_rows(with_entries_apart(with_dot_products(named)), variant.sought)
     return with_entries_named(with_short_names(rows, variant, names.spellings), variant, names.spellings)
 
 
