@@ -246,6 +246,7 @@ def summary_lines(ordered: Sequence[Outcome]) -> Iterator[str]:
 def _items(variants: Sequence[str]) -> list[Item]:
     """Return the items to run, each file once, with folder names that differ even if case is ignored."""
     items: dict[str, Item] = {}
+    taken = {SUMMARY, COMBINED}
     for variant in (found for word in variants for found in _expanded(word)):
         tell_own_file(variant)
         try:
@@ -253,7 +254,6 @@ def _items(variants: Sequence[str]) -> list[Item]:
         except CourseworkError:
             path = Path(variant)
         if (key := str(led_to(path))) not in items:
-            taken = (SUMMARY, COMBINED, *(one.folder for one in items.values()))
             items[key] = Item(variant, free_name(path.stem.strip(". ") or "variant", taken))
     return [*items.values()]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import errno
 import os
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import IO
@@ -39,15 +39,17 @@ def refused(target: Path) -> Iterator[None]:
         raise OutputError([Fault(say("fault.W009", reason=str(error)), str(target))]) from error
 
 
-def free_name(stem: str, taken: Iterable[str]) -> str:
-    """Return a name that is not taken, ignoring case, as some systems do not distinguish A and a.
+def free_name(stem: str, taken: set[str]) -> str:
+    """Return a name that is not taken and add it, without its case, as some systems do not distinguish A and a.
 
-    >>> free_name("A", ["a", "b"])
-    'A-2'
+    >>> taken = {"a", "b"}
+    >>> free_name("A", taken), sorted(taken)
+    ('A-2', ['a', 'a-2', 'b'])
     """
-    name, number, known = stem, 2, {one.casefold() for one in taken}
-    while name.casefold() in known:
+    name, number = stem, 2
+    while name.casefold() in taken:
         name, number = f"{stem}-{number}", number + 1
+    taken.add(name.casefold())
     return name
 
 

@@ -73,7 +73,7 @@ def pictures_of(model: ReportModel) -> dict[str, Picture]:
 
 
 def _add(found: dict[str, Picture], name: str, svg: str, width: float, height: float, alt: str) -> None:
-    free = free_name(_UNSAFE.sub("-", name).strip("-.") or "drawing", found)
+    free = free_name(_UNSAFE.sub("-", name).strip("-.") or "drawing", {one.casefold() for one in found})
     found[free] = Picture(free, svg, width, height, alt)
 
 
