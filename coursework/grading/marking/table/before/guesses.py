@@ -61,12 +61,13 @@ def guesses(key: Key, was: StudentTable, own: OwnWays, wrong: Flags, other: Flag
         values, rates = was.values.copy(), was.values[:, m : 2 * m]
         broken = (other & rows[:, None])[:-1, :m] & ~own.step.holds(was.values)[1:, :m]
         for place in range(_BACK):  # by the velocities as printed, then by those that the coordinates make
+            if place:
+                rates = np.where(other[:, m : 2 * m], key.velocities_at(key.t, values[:, :m])[:, :m], rates)
             back = was.values[1:, :m] - key.stride * rates[:-1]
             moved = broken & (np.abs(back - was.values[:-1, :m]) > was.units[:-1, :m])
             values[:-1, :m] = np.where(moved, back, was.values[:-1, :m])
             if place in (0, _BACK - 1):
                 yield replace(was, values=values.copy())
-            rates = np.where(other[:, m : 2 * m], key.velocities_at(key.t, values[:, :m])[:, :m], rates)
     for some, least in ((rows, _AGREE), (alone, 1)):
         for values, units in agreed(key, was, own, wrong, other & some[:, None], least) if some.any() else ():
             told = np.isfinite(values)
